@@ -26,6 +26,8 @@ Decisive decisive_moment(const Evidence& e) {
     case Verdict::ended:
       return {e.t, "the sketch goes round here, and calls nothing any more", false, true};
     case Verdict::timeout:
+      if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
+        return {e.power.since, "the board lost its power", true, false};
       if (left_line(e.t)) return leaves_line;
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", false, true};
       if (e.t - e.judge->last_driven() >= kPause)

@@ -61,6 +61,7 @@ bool drives_in_one_place(const Evidence& e) {
 
 // "; the sketch waits …", for a run whose time is up.
 std::string waiting(const Evidence& e) {
+  if (!e.power.on) return "";
   const exec::Activity& a = e.activity;
   if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
   if (e.t - a.last_call >= kSilentAfter) {
@@ -153,15 +154,35 @@ std::string after_fault(const Evidence& e, SimTime t) {
   return fault ? fmt::format(", {} after {}", seconds(t - fault->began), told(*fault)) : "";
 }
 
+// "; the board has had no power since 7.28 s: its battery is empty"; empty if that explains no such verdict.
+std::string for_want_of_power(const Evidence& e) {
+  const bool ran_down = e.power.charge && (e.power.empty() || (!e.power.on && e.power.switched_on));
+  const bool may_come_of_it = e.verdict == Verdict::lost || e.verdict == Verdict::stuck ||
+                              e.verdict == Verdict::timeout ||
+                              (e.verdict == Verdict::reached && ran_down && e.goal->kind == Goal::Kind::none);
+  const std::string text = may_come_of_it ? told(e.power) : "";
+  return text.empty() ? "" : "; " + text;
+}
+
+// What else is there to say at the end of a sentence.
+std::string causes(const Evidence& e) {
+  const std::string power = for_want_of_power(e);
+  if (e.verdict == Verdict::lost || e.verdict == Verdict::reached) return power;
+  const ScriptFault* fault = fault_at(e, e.t);
+  if (!power.empty() && !e.power.on && fault && fault->part == "power" && !e.power.charge)
+    return power + ": " + told(*fault);
+  return power + after_fault(e, e.t);
+}
+
 std::string sentence(const Evidence& e);
 
 }  // namespace
 
 std::string explain(const Evidence& e) {
   std::string text = sentence(e);
-  if (e.verdict == Verdict::lost || e.verdict == Verdict::reached || text.empty()) return text;
+  if (text.empty()) return text;
   text.pop_back();
-  return text + after_fault(e, e.t) + ".";
+  return text + causes(e) + ".";
 }
 
 namespace {
@@ -290,6 +311,8 @@ bool steered_away(const Evidence& e) {
 
 NextStep next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
+  if (e.power.empty() && (e.verdict == Verdict::stuck || e.verdict == Verdict::timeout))
+    return {"capacity_mAh and charge, in [battery] of the robot file, say how long its battery lasts"};
   if (e.crash && !e.crash->check.empty()) return {advice(e)};
   if (!e.divisions_by_zero.empty())
     return {fmt::format("look first at the division by zero{}: what it gives means nothing",

@@ -10,6 +10,7 @@
 #include "sim/judge/goal.h"
 #include "sim/judge/judge.h"
 #include "sim/judge/outcome.h"
+#include "sim/judge/power.h"
 #include "sim/judge/script_fault.h"
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
@@ -47,6 +48,7 @@ struct Evidence {
   world::Toppled toppled = world::Toppled::no;
   Vec2 at;                          ///< where it is
   std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
+  Power power;
 };
 
 /// One sentence that says why the run ended as it did.

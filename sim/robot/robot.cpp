@@ -248,7 +248,14 @@ bool Robot::end_tick(SimTime t) {
 
 std::optional<double> Robot::fed_volts() const {
   if (!in_->feeds()) return std::nullopt;
-  return in_->view.battery * battery();
+  return volts();
+}
+
+double Robot::volts() const { return in_->view.battery * battery(); }
+
+std::optional<double> Robot::charge() const {
+  if (!in_->cells.kind) return std::nullopt;
+  return in_->state.charge;
 }
 
 Kept::Copy Robot::save() const { return in_->kept.copy(); }

@@ -99,6 +99,10 @@ class Robot {
   void set_battery(double volts);
   /// V, of a [battery] as it is loaded now; nothing where the robot has none, or a script says its volts.
   std::optional<double> fed_volts() const;
+  /// V, that the battery gives now.
+  double volts() const;
+  /// Of a [battery], 0..1, or below 0 where it collapses; nothing where the robot has none.
+  std::optional<double> charge() const;
 
   /// All that changes during a run, but for its body and its board.
   Kept::Copy save() const;

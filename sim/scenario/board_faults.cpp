@@ -221,6 +221,8 @@ void BoardFaults::update_power(SimTime t) {
   const bool powered = state_.switched_on && state_.chip_volts >= executor_.board().spec().brown_out_volts;
   if (powered == state_.powered) return;
   state_.powered = powered;
+  state_.changed = t;
+  if (!powered && state_.switched_on) ++state_.resets;
   if (powered) {
     ++state_.boots;
     if (std::exchange(state_.was_gone, false))
@@ -230,6 +232,17 @@ void BoardFaults::update_power(SimTime t) {
   } else {
     executor_.power_off(t);
   }
+}
+
+judge::Power BoardFaults::power() const {
+  const BoardSpec& spec = executor_.board().spec();
+  return {state_.powered,
+          state_.switched_on,
+          state_.changed,
+          state_.resets,
+          robot_.charge(),
+          robot_.volts(),
+          spec.brown_out_volts + spec.regulator_drop_volts};
 }
 
 std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,

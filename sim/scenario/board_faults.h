@@ -19,6 +19,7 @@
 #include "hal/board/robot_port.h"
 #include "sim/base/noise.h"
 #include "sim/exec/core/executor.h"
+#include "sim/judge/power.h"
 #include "sim/robot/robot.h"
 #include "sim/scenario/scenario.h"
 #include "sim/wire/events.h"
@@ -80,6 +81,8 @@ class BoardFaults final : EepromWatcher {
   void switch_power(bool on, SimTime t);
   /// Whether the chip runs: it is switched on and has its voltage.
   bool powered() const { return state_.powered; }
+  /// How the supply is and was.
+  judge::Power power() const;
   /// Settles what the byte holds that is being written at `t`; nothing if none is.
   std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
@@ -100,6 +103,8 @@ class BoardFaults final : EepromWatcher {
   struct State {
     bool switched_on = true;
     bool powered = true;
+    SimTime changed = 0;    ///< when `powered` last did
+    int resets = 0;         ///< for want of voltage
     bool was_gone = false;  ///< the supply, since the chip last ran: not a brown-out, but power-on
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< of its supply

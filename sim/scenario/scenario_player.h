@@ -69,6 +69,7 @@ class ScenarioPlayer {
   /// The firmware has sent a byte.
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
+  judge::Power power() const { return board_.power(); }
   /// What the script has broken so far, in the order of time.
   const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
   /// How often the chip has started.

@@ -61,6 +61,20 @@ TEST_F(Power, ThatTwoMotorsTakeAtOnceResetsTheChip) {
   EXPECT_GT(rises.metrics.distance_m, 0.3);
 }
 
+// It comes some way before its board is off.
+TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
+  for (const std::string target : {"host", "avr", "stm32"}) {
+    SCOPED_TRACE(target);
+    ROBOSIM_NEEDS_TARGET(target);
+    const wire::RunResult r =
+        run("r", "kind = \"li-ion\"\ncells = 2\ncapacity_mAh = 1\ncharge = 0.02\n", 3.0, target);
+    EXPECT_GT(r.metrics.distance_m, 0.01);
+    EXPECT_THAT(r.why,
+                testing::MatchesRegex(
+                    ".* without a failure; the board has had no power since .* s: its battery is empty\\."));
+  }
+}
+
 // Pulses on an empty floor, with PWM on the enable pins of such a driver, and motors of such an inductance.
 wire::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
                        const std::string& target = "host") {

@@ -90,6 +90,43 @@ TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
   EXPECT_THAT(why(Verdict::timeout), EndsWith(" since 3.00 s, and was last in loop, My.ino:9."));
 }
 
+TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
+  e.activity.last_call = 3 * kSecond;
+  e.power = {.on = false, .since = 7 * kSecond, .charge = -0.01, .volts = 4.4, .needed = 4.5};
+  EXPECT_THAT(why(Verdict::timeout),
+              EndsWith(" visited; the board has had no power since 7.00 s: its battery is empty."));
+  EXPECT_THAT(next(Verdict::timeout), HasSubstr("charge, in [battery]"));
+  e.power.charge = 0.127;
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("since 7.00 s: its battery, at 13 % of its charge, gives "
+                                              "4.40 V of the 4.50 V that it needs."));
+  e.power.charge.reset();
+  e.faults = {{"power", {"sag", "3V"}, {}, 7 * kSecond}};
+  EXPECT_THAT(why(Verdict::timeout),
+              EndsWith(" since 7.00 s: power got the fault \"sag 3V\" by the script."));
+  e.power.switched_on = false;
+  EXPECT_THAT(why(Verdict::crashed),
+              EndsWith("unknown reason, 5.00 s after power got the fault \"sag 3V\" by "
+                       "the script."));
+  e.faults.clear();
+  EXPECT_THAT(why(Verdict::timeout), EndsWith(" since 7.00 s: the script switched it off."));
+}
+
+TEST_F(Explain, AWeakBatteryIsNamedWhereItsRobotIsStuckOrLost) {
+  e.power.charge = 0.5;
+  const std::string none = why(Verdict::stuck);
+  EXPECT_THAT(none, EndsWith("degree (0 of 3 stations visited)."));
+  e.power.charge = 0.0;
+  EXPECT_THAT(why(Verdict::stuck), EndsWith("visited); its battery is empty."));
+  e.power = {.since = 7 * kSecond, .resets = 3, .charge = 0.6};
+  EXPECT_THAT(why(Verdict::lost),
+              EndsWith("visited); the chip was reset 3 times for want of voltage, and last "
+                       "ran again at 7.00 s."));
+  e.power.resets = 1;
+  EXPECT_THAT(why(Verdict::lost), EndsWith("; the chip was reset once for want of voltage, and ran again at "
+                                           "7.00 s."));
+  EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("voltage")));
+}
+
 TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
   e.activity.polled = 11;
   EXPECT_THAT(why(Verdict::timeout), HasSubstr("pin 11 (nothing is wired to it)"));

@@ -1,0 +1,26 @@
+// How the board's supply was: a verdict names it where a robot stands, or has lost its way, for want of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::judge {
+
+struct Power {
+  bool on = true;                ///< the chip runs
+  bool switched_on = true;       ///< by the script
+  SimTime since = 0;             ///< when it last came or went
+  int resets = 0;                ///< for want of voltage
+  std::optional<double> charge;  ///< of a [battery], 0..1; below 0 it collapses
+  double volts = 0.0;            ///< of the battery, under load
+  double needed = 0.0;           ///< V that the battery must have for the chip to run
+
+  bool empty() const { return charge && *charge <= 0.0; }
+};
+
+/// "the board has had no power since 7.28 s: its battery is empty"; empty if the supply explains nothing.
+std::string told(const Power& power);
+
+}  // namespace robosim::judge

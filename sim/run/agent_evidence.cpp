@@ -1,0 +1,49 @@
+// What a verdict's sentence may use.
+#include "sim/run/agent.h"
+
+namespace robosim::run {
+
+judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
+  judge::Evidence e;
+  e.verdict = verdict;
+  e.t = t;
+  e.limit = verdict == judge::Verdict::timeout ? t : setup_.limit;
+  e.map = setup_.map;
+  e.goal = &goal_;
+  e.progress = &progress_;
+  e.judge = &judge_;
+  e.crash = executor_.crash();
+  e.divisions_by_zero = executor_.divisions_by_zero();
+  e.exceeded = state_.exceeded;
+  e.int_bits = executor_.int_bits();
+  e.board = &board_.spec();
+  e.wiring = robot_.wiring();
+  e.went_high = state_.went_high;
+  e.was_output = state_.was_output;
+  e.was_pulled_up = state_.was_pulled_up;
+  e.in_contact = body_.in_contact();
+  if (body_.collided_with_body())
+    e.stopped_by = "another robot";
+  else if (world_.walls().near_disc(body_.circle_centre(), body_.bound_radius()))
+    e.stopped_by = "an obstacle";
+  e.toppled = body_.toppled();
+  e.at = body_.pose().position;
+  e.left_command = robot_.left_command();
+  e.right_command = robot_.right_command();
+  for (const robot::WiredPin& wired : e.wiring) {
+    if (wired.type.rfind("reflectance", 0) != 0 || wired.pin >= board_.spec().pin_count) continue;
+    const SimTime seen = executor_.probe().use(wired.pin).last_seen;
+    if (seen >= 0) e.sensors_read = e.sensors_read == kNever ? seen : std::max(e.sensors_read, seen);
+  }
+  e.line_side = state_.line_side;
+  e.steered = state_.steered;
+  e.faults = player_.faults();
+  e.power = player_.power();
+  e.moved = body_.wheel_travel() > 0.0;
+  if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
+  const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
+  if (looked_at != kNoPin) e.pin_level = executor_.probe().level(looked_at, t);
+  return e;
+}
+
+}  // namespace robosim::run
