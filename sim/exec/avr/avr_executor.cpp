@@ -89,7 +89,10 @@ class AvrExecutor::Running final : public RunningChip {
     machine_.restore(std::any_cast<const avr::Machine::Saved&>(saved));
     if (debugger_) debugger_->restored();
   }
-  void was_browned_out() override { machine_.chip().was_browned_out(); }
+  std::vector<std::uint8_t> ram() const override { return machine_.chip().ram(); }
+  void was_browned_out(const std::vector<std::uint8_t>& ram) override {
+    machine_.chip().was_browned_out(ram);
+  }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
 
  private:

@@ -147,9 +147,15 @@ void WatchedChip::was_reset() {
   if (state_.watchdog_resets >= Bites::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
-void WatchedChip::was_browned_out() {
+std::vector<std::uint8_t> WatchedChip::ram() const {
+  const std::vector<std::uint8_t>& data = chip_.cpu().data;
+  return {data.begin() + spec().ram_address, data.end()};
+}
+
+void WatchedChip::was_browned_out(const std::vector<std::uint8_t>& ram) {
   constexpr std::uint8_t kBorf = 0x04;
   chip_.core().at(reg::kMcusr) = kBorf;
+  std::copy(ram.begin(), ram.end(), chip_.cpu().data.begin() + spec().ram_address);
 }
 
 // --- traps

@@ -152,9 +152,11 @@ class WatchedChip final : robosim::avr::Visitor {
   Cycle last_bite() const { return state_.last_bite; }
   /// The surroundings say that the chip has reset itself.
   void was_reset();
-  /// The supply had sunk, before it has run: MCUSR says so in place of power-on. A boot loader leaves both
-  /// there (optiboot from its version 7 on).
-  void was_browned_out();
+  std::vector<std::uint8_t> ram() const;
+  /// The supply had sunk, before it has run: MCUSR says so in place of power-on, and RAM is what it was,
+  /// which no reset touches (DS40002061B, Resetting the AVR). A boot loader leaves both there (optiboot from
+  /// its version 7 on).
+  void was_browned_out(const std::vector<std::uint8_t>& ram);
 
  private:
   bool visited(std::uint32_t pc, Cycle at) override;

@@ -51,8 +51,11 @@ class RunningChip {
   virtual void restore(const std::any& saved) = 0;
   /// Of its detectors, if there are any.
   virtual std::vector<Detected> detected() const { return {}; }
-  /// Not power-on has reset it, but its brown-out detector. To be called before it runs.
-  virtual void was_browned_out() {}
+  /// What its RAM holds, of one that keeps it through a brown-out.
+  virtual std::vector<std::uint8_t> ram() const { return {}; }
+  /// Not power-on has reset it, but its brown-out detector: it has this RAM still. To be called before it
+  /// runs.
+  virtual void was_browned_out(const std::vector<std::uint8_t>& ram) { static_cast<void>(ram); }
   /// millis() begins with `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };

@@ -1,6 +1,7 @@
 #include "sim/exec/chip/chip_executor.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace robosim::exec {
 
@@ -11,12 +12,15 @@ ChipExecutor::ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> 
 
 void ChipExecutor::power_on(SimTime t) {
   power_off(t);
+  state_.ram.clear();
   make_chip(t);
 }
 
 void ChipExecutor::power_recovered(SimTime t) {
+  power_off(t);
+  const std::vector<std::uint8_t> ram = std::move(state_.ram);
   power_on(t);
-  chip_->was_browned_out();
+  chip_->was_browned_out(ram);
 }
 
 void ChipExecutor::make_chip(SimTime t) {
@@ -31,6 +35,7 @@ void ChipExecutor::make_chip(SimTime t) {
 void ChipExecutor::power_off(SimTime t) {
   state_.before = resources();
   state_.detected = detected();
+  if (chip_) state_.ram = chip_->ram();
   chip_.reset();
   state_.crash.reset();
   board_.reset(t);

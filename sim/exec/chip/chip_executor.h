@@ -56,6 +56,7 @@ class ChipExecutor : public Executor {
     std::optional<Crash> crash;
     std::optional<Resources> before;  ///< what was measured before the last power-on
     std::vector<Detected> detected;   ///< and what was seen
+    std::vector<std::uint8_t> ram;    ///< while the power is off: what it held before
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< until when firmware has run
     Silence silence;

@@ -40,6 +40,24 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(1, 4, 1));
 }
 
+TEST_F(PowerTest, RamOutlivesABrownOutAndNoPowerOn) {
+  start(R"(__attribute__((section(".noinit"))) int kept;
+int counted;
+void setup() { Serial.begin(115200); Serial.println(kept * 10 + counted); kept += 2; ++counted; }
+void loop() {})");
+  run(5 * kMillisecond);
+  avr_->power_off(now_);
+  run(5 * kMillisecond);
+  avr_->power_recovered(now_);
+  run(5 * kMillisecond);
+  avr_->power_recovered(now_);
+  run(5 * kMillisecond);
+  avr_->power_off(now_);
+  avr_->power_on(now_);
+  run(5 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(0, 20, 40, 0));
+}
+
 TEST_F(PowerTest, AnEepromWriteTakes3400Microseconds) {
   output(R"(#include <EEPROM.h>
 void setup() {
