@@ -28,6 +28,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "sim/base/spelling.h"
+
 namespace robosim {
 namespace {
 
@@ -100,16 +102,22 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
   throw InputError(value.place, fmt::format("{} is {}; it must be {}", key, to_string(value.kind), wanted));
 }
 
-std::string bounds(double least, double most) { return fmt::format("from {:g} to {:g}", least, most); }
+// In the unit in which it was written; what would be large then, in that of the SI.
+std::string bounds(double least, double most, Dimension dimension, const WrittenUnit& unit) {
+  constexpr double kEndless = 1e12, kLarge = 10000.0;
+  const std::string name = unit.name.empty() ? "" : " " + unit.name;
+  if (most >= kEndless) return fmt::format("{:g}{} or more", least / unit.si, name);
+  if (most / unit.si >= kLarge && unit.si < 1.0 && dimension != Dimension::ratio)
+    return fmt::format("from {:g}{} to {:g} {}", least / unit.si, name, most, si_unit(dimension));
+  return fmt::format("from {:g} to {:g}{}", least / unit.si, most / unit.si, name);
+}
 
-// In the unit in which it was written.
 std::string out_of_bounds(const ConfigValue& value, const char* key, Dimension dimension, double least,
                           double most) {
-  if (value.kind != ConfigValue::Kind::string)
-    return fmt::format("{} is {:g}; it must be {}", key, value.number, bounds(least, most));
-  const WrittenUnit unit = unit_of(value, dimension);
-  return fmt::format("{} is {}; it must be {}{}{}", key, value.string,
-                     bounds(least / unit.si, most / unit.si), unit.name.empty() ? "" : " ", unit.name);
+  const std::string written =
+      value.kind == ConfigValue::Kind::string ? value.string : fmt::format("{:g}", value.number);
+  return fmt::format("{} is {}; it must be {}", key, written,
+                     bounds(least, most, dimension, unit_of(value, dimension)));
 }
 
 struct Fault {
@@ -268,8 +276,12 @@ TableReader::TableReader(const ConfigValue& table, std::string what) : table_(ta
 }
 
 const ConfigValue* TableReader::find(const char* key) {
-  known_.emplace_back(key);
+  if (!knows(key)) known_.emplace_back(key);
   return table_.find(key);
+}
+
+bool TableReader::knows(const std::string& key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
 }
 
 const ConfigValue& TableReader::require(const char* key) {
@@ -309,11 +321,22 @@ std::string TableReader::choice(const char* key, std::string fallback,
   return chosen;
 }
 
+void TableReader::refuse_misspelt() const {
+  for (const auto& [key, value] : table_.members) {
+    if (knows(key)) continue;
+    if (const auto meant = nearest(key, known_); meant && !table_.find(*meant))
+      throw InputError(value.place,
+                       fmt::format("unknown key {} in {}; did you mean {}?", key, what_, *meant));
+  }
+}
+
 void TableReader::finish() const {
   for (const auto& [key, value] : table_.members) {
-    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (knows(key)) continue;
+    const auto meant = nearest(key, known_);
     throw InputError(value.place,
-                     fmt::format("unknown key {} in {}; known are {}", key, what_, one_of(known_)));
+                     fmt::format("unknown key {} in {}; {}known are {}", key, what_,
+                                 meant ? fmt::format("did you mean {}? ", *meant) : "", one_of(known_)));
   }
 }
 

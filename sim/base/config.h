@@ -62,12 +62,17 @@ class TableReader {
   /// One of `allowed`.
   std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
 
+  /// Throws InputError for the first key that is none of those that were asked for, and near to one of them.
+  /// To be called where all were asked for, and one is missing.
+  void refuse_misspelt() const;
   /// Throws InputError for the first key that was never asked for.
   void finish() const;
 
   const ConfigValue& table() const { return table_; }
 
  private:
+  bool knows(const std::string& key) const;
+
   const ConfigValue& table_;
   std::string what_;
   std::vector<std::string> known_;

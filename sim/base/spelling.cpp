@@ -42,10 +42,12 @@ std::string all_of(const std::vector<std::string>& names) {
 }
 
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kBeginning = 4;
   std::optional<std::string> best;
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   for (const std::string& candidate : candidates) {
-    const std::size_t d = distance(word, candidate);
+    const bool begins = word.size() >= kBeginning && candidate.starts_with(word);
+    const std::size_t d = begins ? 1 : distance(word, candidate);
     if (d < least) {
       least = d;
       best = candidate;

@@ -10,7 +10,8 @@ namespace robosim {
 /// "d, oval and tight"
 std::string all_of(const std::vector<std::string>& names);
 
-/// The candidate that differs least from `word`, if so few letters differ that it may be a slip.
+/// The candidate that differs least from `word`, if so few letters differ that it may be a slip, or that it
+/// is the beginning of.
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 /// "did you mean oval? There are d, oval and tight"

@@ -93,6 +93,12 @@ std::string unit_names(Dimension dimension) {
   return one_of(names);
 }
 
+std::string si_unit(Dimension dimension) {
+  for (const Unit& unit : kUnits)
+    if (unit.dimension == dimension && unit.si == 1.0) return unit.name;
+  return "";
+}
+
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension) {
   const auto parts = split(text);
   if (!parts) return std::nullopt;

@@ -30,6 +30,9 @@ enum class Dimension {
 /// The unit names of a dimension, as messages list them: "mm, cm, m or in".
 std::string unit_names(Dimension dimension);
 
+/// Of the SI unit itself: "m"; empty for a ratio.
+std::string si_unit(Dimension dimension);
+
 /// The SI value of `text`; nothing if it is not a finite number followed by a unit of `dimension` (white
 /// space between them does not matter). A bare number is taken for `ratio` only.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);

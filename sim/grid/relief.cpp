@@ -65,11 +65,13 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
   const ConfigValue* const slope = table.find("slope");
   const ConfigValue* const seesaw = table.find("seesaw");
   const ConfigValue* const plank = table.find("plank");
-  if ((heights != nullptr) + (slope != nullptr) + (seesaw != nullptr) != 1)
+  if ((heights != nullptr) + (slope != nullptr) + (seesaw != nullptr) != 1) {
+    table.refuse_misspelt();
     throw InputError(
         item.place,
         "a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for an even ramp, or "
         "seesaw = \"50 mm\", the height at which it turns");
+  }
   if (plank && !seesaw) throw InputError(plank->place, "plank is the mass of a seesaw, and this is none");
   if (heights) hill.heights = read_heights(*heights, length.least(), figures);
   if (slope) {
@@ -104,11 +106,13 @@ Surface read_surface(const ConfigValue& item, const Course& course, const Figure
   const ConfigValue* const kind = table.find("kind");
   const ConfigValue* const grip = table.find("grip");
   const ConfigValue* const rolling = table.find("rolling");
-  if ((kind != nullptr) == (grip || rolling))
+  if ((kind != nullptr) == (grip || rolling)) {
+    table.refuse_misspelt();
     throw InputError(
         item.place,
         "a surface has either a kind, as in kind = \"carpet\", or figures: grip = 0.5, times the "
         "robot's, and rolling = 0.03, which comes to the robot's");
+  }
   if (kind) {
     std::vector<std::string> names;
     for (const SurfaceKind& one : kSurfaces) names.emplace_back(one.name);

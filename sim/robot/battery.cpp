@@ -23,6 +23,8 @@ Battery read_battery(const ConfigValue& table) {
   TableReader reader(table, "[battery]");
   std::vector<std::string> names;
   for (const BatteryKind& kind : kKinds) names.emplace_back(kind.name);
+  for (const char* key : {"kind", "cells", "capacity_mAh", "resistance", "charge", "board"}) reader.find(key);
+  reader.refuse_misspelt();
   reader.require("kind");
   reader.require("cells");
   reader.require("capacity_mAh");

@@ -17,7 +17,7 @@
 // Resistance of a cell where the file has none: a usual figure of its kind, not measured, the same at any
 // charge.
 //
-// Not modelled: recovery after load, temperature, a protection's cut-off, what motors that brake give back.
+// Not modelled: recovery after load, temperature, a protection's cut-off; without inductance what flows back.
 #pragma once
 
 #include "sim/base/config.h"

@@ -34,7 +34,24 @@ TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
               r.integer("width", 0, 0, 9);
               r.finish();
             }),
-            "f.toml:1:8: unknown key with in [map]; known are width");
+            "f.toml:1:8: unknown key with in [map]; did you mean width? known are width");
+}
+
+TEST(Config, NamesEachKnownKeyOnceAndGuessesOnlyWhatIsNear) {
+  const ConfigValue v = parse_toml("moon = 1\n", "f.toml");
+  TableReader r(v, "[map]");
+  r.find("width");
+  r.integer("width", 0, 0, 9);
+  r.refuse_misspelt();
+  EXPECT_EQ(error_of([&] { r.finish(); }), "f.toml:1:8: unknown key moon in [map]; known are width");
+}
+
+TEST(Config, RefusesAMisspeltKeyBeforeOneIsMissed) {
+  const ConfigValue v = parse_toml("capacity = 1\n", "f.toml");
+  TableReader r(v, "[battery]");
+  r.find("capacity_mAh");
+  EXPECT_EQ(error_of([&] { r.refuse_misspelt(); }),
+            "f.toml:1:12: unknown key capacity in [battery]; did you mean capacity_mAh?");
 }
 
 TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
@@ -50,6 +67,10 @@ TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
               testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
   EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 m; it must be from 0 to 1 m"));
   EXPECT_THAT(length("e"), testing::HasSubstr("e is 2e4mm; it must be from 0 to 1000 mm"));
+  EXPECT_THAT(error_of([&] { r.quantity("c", Dimension::length, 0, 6, 1e12); }),
+              testing::HasSubstr("c is 5 m; it must be 6 m or more"));
+  EXPECT_THAT(error_of([&] { r.quantity("e", Dimension::length, 0, 1e-3, 10); }),
+              testing::HasSubstr("e is 2e4mm; it must be from 1 mm to 10 m"));
   EXPECT_THAT(error_of([&] { r.quantity("f", Dimension::ratio, 0, 0, 1); }),
               testing::HasSubstr("f is 2e0; it must be from 0 to 1"));
   EXPECT_THAT(length("d"), testing::HasSubstr("d is an array"));

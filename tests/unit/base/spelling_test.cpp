@@ -11,6 +11,7 @@ TEST(Nearest, ForgivesOneSlipInAShortWordAndMoreInALongOne) {
   EXPECT_EQ(nearest("OVAL", names), "oval");
   EXPECT_EQ(nearest("figur8", names), "figure8");
   EXPECT_EQ(nearest("pidfolower", names), "PidFollower");
+  EXPECT_EQ(nearest("figu", names), "figure8");
   EXPECT_EQ(nearest("square", names), std::nullopt);
   EXPECT_EQ(nearest("", names), std::nullopt);
 }

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedChecks{"[[check]]\nname = ''\n", "1:1: name is empty"},
         RefusedChecks{"[[check]]\nname = 'x'\n[[check]]\nname = 'x'\n", "3:1: there are two checks “x”"},
         RefusedChecks{"[[check]]\nname = 'x'\nmpa = 'oval'\n",
-                      "3:7: unknown key mpa in [[check]]; known are name, map, robot"},
+                      "3:7: unknown key mpa in [[check]]; did you mean map? known are name, map, robot"},
         RefusedChecks{"[[check]]\nname = 'x'\nfor = 60\n",
                       "3:7: for: “60” is not possible; it must be a time"},
         RefusedChecks{"[[check]]\nname = 'x'\nmap = ''\n", "3:7: map is empty"},

@@ -77,6 +77,7 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
     const char* message;
   } refused[] = {
       {hill + at + size, "m.map:3:1: a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope"},
+      {hill + at + size + "slop = \"20 deg\"", "unknown key slop in [[hill]]; did you mean slope?"},
       {hill + at + size + ramp + "seesaw = \"20 mm\"", "a hill has one of: heights"},
       {hill + at + size + ramp + "heights = [\"0 mm\", \"9 mm\"]", "a hill has one of: heights"},
       {hill + at + ramp, "a hill is either a rectangle, size = "},
