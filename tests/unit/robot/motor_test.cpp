@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 #include "sim/base/error.h"
 #include "sim/robot/parts/motor_driver.h"
 #include "tests/unit/robot/bench_robot.h"
@@ -115,6 +118,67 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
        {slowed("l298n", 0, 1, 1), slowed("tb6612", 1, 0, 0), slowed("drv8833", 1, 0, 0)}) {
     EXPECT_GT(left, 0.8);
     EXPECT_EQ(back, 0.0);
+  }
+}
+
+// From full speed v ahead, without friction. Reversed, a motor has the supply and its own voltage behind its
+// current, and until the robot goes as fast the other way the battery gives V for each ampere second that
+// takes m 2 v. Shorted it slows down to the speed at which the driver's drop stops the current; open it rolls
+// on.
+TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
+  constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
+  for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {
+    for (const bool wound : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (wound ? ", wound" : ""));
+      std::string robot = kBareRobot;
+      robot.replace(robot.find("tb6612"), 6, name);
+      robot.replace(robot.find("300 g\""), 6, "3 kg\"\ngrip = 3\nrolling = 0");
+      if (wound) robot.replace(robot.find("supply"), 6, "inductance = \"0.5 mH\"\nsupply");
+      const auto at_full_speed = [&] {
+        auto bench = std::make_unique<BenchRobot>(parse_description(robot + kMotors, "bench.toml"),
+                                                  Profile::ideal, 1, "+++\ncell = \"2 m\"\n+++\n");
+        for (const Pin pin : {5, 6, 7, 9}) bench->board.output(pin, true, 0);
+        for (const Pin pin : {8, 10}) bench->board.output(pin, false, 0);
+        bench->ticks(3000);
+        return bench;
+      };
+      const auto inputs = [](BenchRobot& bench, bool en, bool in1, bool in2) {
+        const std::pair<Pin, bool> levels[] = {{5, en}, {6, en}, {7, in1}, {9, in1}, {8, in2}, {10, in2}};
+        for (const auto& [pin, level] : levels) bench.board.output(pin, level, bench.now);
+      };
+      const DriverChip& driver = chip(name);
+      const auto bench = at_full_speed();
+      world::Body& body = bench->body();
+      const world::WheelParams& w = body.params().wheel[world::left];
+      const double full = body.speed(), mass = 2.0 * body.kinetic_energy() / (full * full);
+      const double ke = w.nominal_volts / w.no_load_rate / w.radius_m;  // V for each m/s
+      const double kt = w.stall_torque / w.stall_current / w.radius_m;  // N for each A
+      const double ohms = w.nominal_volts / w.stall_current + driver.resistance;
+      EXPECT_NEAR(ke * full, kVolts - driver.drop, kWithin * kVolts);
+
+      const double taken = body.energy();
+      inputs(*bench, true, false, true);
+      bench->tick();
+      const double most = 2.0 * 2.0 * (kVolts - driver.drop) / ohms;
+      EXPECT_NEAR(body.draw(kVolts).amps, most, kWithin * most);
+      bench->ticks(3000);
+      EXPECT_NEAR(body.speed(), -full, kWithin * full);
+      const double brakes = wound ? std::max(ke, kt) : kt;  // N for each A that a turning motor is slowed by
+      const double reversal = kVolts * mass * full * (1.0 / brakes + 1.0 / kt);
+      EXPECT_NEAR(body.energy() - taken, reversal, kWithin * reversal);
+      EXPECT_EQ(body.energy_back(), 0.0);
+
+      for (const bool shorted : {true, false}) {
+        const auto again = at_full_speed();
+        const double drawn = again->body().energy();
+        inputs(*again, shorted, shorted, shorted);
+        again->ticks(static_cast<int>(1000.0 * kBrakes_s));
+        const double stops = driver.drop / ke, tau = mass * ohms / (2.0 * ke * brakes);
+        const double left = shorted ? stops + (full - stops) * std::exp(-kBrakes_s / tau) : full;
+        EXPECT_NEAR(again->body().speed(), left, kWithin * full) << shorted;
+        EXPECT_EQ(again->body().energy(), drawn) << shorted;
+      }
+    }
   }
 }
 
