@@ -1,8 +1,12 @@
 // The same sketch, map, robot and seed on every target; and what only a chip finds.
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
 
 #include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -119,6 +123,31 @@ TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
                                  .for_s = 0.5,
                                  .target = GetParam()});
   EXPECT_EQ(r.serial, "0\r\n");
+}
+
+// R = base / tan(angle); a servo's 180 degrees are 544 to 2400 us. A pulse is up to 12 us longer than asked
+// for, by digitalWrite() and the core's interrupts, which takes 6 % of the radius.
+TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) {
+  constexpr double kDegrees = 180.0 * 250.0 / (2400.0 - 544.0);
+  const double expected = 95.0 / std::tan(kDegrees * std::numbers::pi / 180.0);
+  TemporaryFolder folder;
+  const std::filesystem::path car = sketch_folder("SteersLeft") / "robot.toml";
+  for (const int wheels : {1, 2}) {
+    const std::filesystem::path robot = folder.path() / "steered.toml";
+    std::ofstream(robot) << "base = \"" << car.string()
+                         << "\"\n[chassis]\nsteering = { servo = \"front\", base = "
+                         << "\"95 mm\", limit = \"45 deg\", wheels = " << wheels << " }\n";
+    const wire::RunResult r = run({.sketch = "SteersLeft",
+                                   .robot = robot.string(),
+                                   .goal = "none",
+                                   .for_s = 2.5,
+                                   .target = GetParam()});
+    const double x = r.end.x_mm - 1050.0, y = r.end.y_mm - 250.0;  // from the start
+    const double radius = (x * x + y * y) / (2.0 * y);
+    EXPECT_GT(r.metrics.distance_m, 0.3) << r.why;
+    EXPECT_LT(radius, 1.01 * expected);
+    EXPECT_GT(radius, 0.93 * expected);
+  }
 }
 
 class OnTheChip : public testing::Test {
