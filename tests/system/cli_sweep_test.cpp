@@ -280,9 +280,10 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   EXPECT_THAT(
       read_file(folder / "report.html"),
       AllOf(HasSubstr("3 runs, 0 reached their goal"), HasSubstr("3 timeout"),
-            HasSubstr("<a href=\"report-runs/PidFollower-oval-uno5-host-1.html\">timeout, seed 1</a>"),
+            HasSubstr(
+                "<a href=\"report-runs/PidFollower-oval-uno5-host-2.html\">timeout after 1.8 m, seed 2</a>"),
             HasSubstr("the line was left 0 times in 3 runs")));
-  const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-1.html");
+  const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-2.html");
   EXPECT_EQ(replay.header().result.verdict, "timeout");
 
   EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}), "other.html is written\n");
