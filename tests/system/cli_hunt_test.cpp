@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
@@ -21,7 +23,9 @@ class CliHunt : public ::testing::Test {
                       in_loop + "\n  delay(5);\n}\n");
   }
   Ended hunt(std::vector<std::string> words = {}, const char* runs = "24") {
-    words.insert(words.begin(), {"hunt", "./Tries", "--for", "2s", "--runs", runs, "--target", "host"});
+    words.insert(words.begin(), {"hunt", "./Tries", "--for", "2s", "--runs", runs});
+    if (std::find(words.begin(), words.end(), "--target") == words.end())
+      words.insert(words.end(), {"--target", "host"});
     return robosim_command(words, folder_.path());
   }
   Ended command(const std::vector<std::string>& words) { return robosim_command(words, folder_.path()); }
@@ -104,6 +108,20 @@ TEST_F(CliHunt, TellsWhatADetectorSeesAndLeavesACheckOfIt) {
   EXPECT_THAT(command(test).out, AllOf(HasSubstr("why: detected: "), HasSubstr("--sanitize --view")));
   saves_by("update");
   EXPECT_EQ(command(test).status, 0);
+}
+
+TEST_F(CliHunt, TellsWhereTheChipDoesNotDoAsTheHostDoes) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  sketch(
+      "  static bool said;\n  const unsigned edges = 600 + millis() / 60000, um = 326;\n"
+      "  if (!said) { Serial.print(edges * um / 1000); Serial.println(\" mm\"); }\n  said = true;");
+  const Ended ended = hunt({"--target", "avr", "host"}, "12");
+  EXPECT_THAT(
+      ended.out,
+      AllOf(HasSubstr("finding 1: Where the host says “195 mm”, the avr says “64 mm”, with any noise."),
+            HasSubstr("replay  robosim compare ./Tries --map oval --target host,avr "),
+            Not(HasSubstr("finding 2"))))
+      << ended.err;
 }
 
 TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {

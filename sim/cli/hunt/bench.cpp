@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
@@ -45,12 +46,25 @@ bool may_be_sent(const std::string& word) {
 
 /// What stands between quotes.
 void add_literals(const std::string& source, std::vector<std::string>& words) {
+  const auto add = [&](const std::string& literal) {
+    // Several words may be put together, with a 0 behind each; other escapes part words, too.
+    std::string word;
+    for (std::size_t i = 0; i < literal.size(); ++i) {
+      if (literal[i] != '\\') {
+        word += literal[i];
+        continue;
+      }
+      words.push_back(std::exchange(word, ""));
+      ++i;
+    }
+    words.push_back(word);
+  };
   for (std::size_t i = 0; i < source.size(); ++i) {
     const char quote = source[i];
     if (quote != '"' && quote != '\'') continue;
     const std::size_t end = source.find_first_of(std::string{quote, '\n'}, i + 1);
     if (end == std::string::npos) return;
-    if (source[end] == quote) words.push_back(source.substr(i + 1, end - i - 1));
+    if (source[end] == quote) add(source.substr(i + 1, end - i - 1));
     i = end;
   }
 }
@@ -93,6 +107,9 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
     targets.push_back(launch::chip_target(launch, describe));
     if (sketch.elf_target.empty() && targets.front() != "host") targets.push_back("host");
   }
+  // The chip without checks is held against the host without checks.
+  const bool has_twin = targets.size() > 1 && targets.front() != "host" &&
+                        std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
     for (const bool checked : {false, true}) {
       // On the host the checks alone are of use where a chip runs, too.
@@ -108,6 +125,17 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
         left_out_.push_back(
             fmt::format("{}{}: the sketch does not compile for it", target, checked ? ", with checks" : ""));
       }
+    }
+  }
+  if (has_twin) {
+    launch.target = "host";
+    launch.sanitize = false;
+    try {
+      prepared_.push_back(launcher.prepare(launch, choose(launch), describe, describer.hello()));
+      space_.host_twin = space_.builds.size();
+      space_.builds.push_back({"host", false});
+    } catch (const build::CompileError&) {
+      // It is told already that it does not compile for the host.
     }
   }
   look_at_robot(arguments, describer);
@@ -145,6 +173,7 @@ void HuntBench::look_at_maps(const HuntArguments& arguments) {
     known.cell_mm = map.cell_m * 1000.0;
     known.corner_mm = map.corner_m * 1000.0;
     map_files_.push_back(choice.path.string());
+    known.line = cells_with_line(map);
     const bool plain =
         map.course.paths.empty() && !map.image && map.lights.empty() && !map.light_line && !map.raster;
     if (!plain) continue;
@@ -171,9 +200,9 @@ void HuntBench::look_at_sketch() {
       }
   }
   if (!hears && space_.listeners.empty()) return;
-  space_.words = {"0",  "1",  "2",   "3",     "7",
-                  "10", "99", "255", "65537", "99999",
-                  "-1", "x",  "?",   " ",     "the quick brown fox 12"};
+  space_.words = {"0",     "1",     "2",   "3",   "4",    "7",     "10",
+                  "99",    "100",   "255", "300", "1000", "32768", "65537",
+                  "65538", "99999", "-1",  "x",   "?",    " ",     "the quick brown fox 12"};
   std::set<std::string> known(space_.words.begin(), space_.words.end());
   for (const std::string& word : words)
     if (space_.words.size() < kMostWords && may_be_sent(word) && known.insert(word).second)

@@ -47,7 +47,10 @@ std::vector<Shown::Option> options_of(const HuntFinding& finding, const HuntBenc
     add_file("robot", bench.board().empty() ? "robot.toml" : "robot.toml@" + bench.board());
   else if (!arguments.robot.empty())
     add("robot", from_everywhere(arguments.robot));
-  if (build.target != "host") add("target", build.target);
+  if (world.twin == Twin::host)
+    add("target", "host," + build.target);
+  else if (build.target != "host")
+    add("target", build.target);
   if (!arguments.each.request.start.empty()) add("start", arguments.each.request.start);
   if (!bench.script_of(world).empty()) add_file("script", "script.txt");
   add("seed", std::to_string(world.seed));
@@ -66,7 +69,8 @@ std::vector<Shown::Option> options_of(const HuntFinding& finding, const HuntBenc
 }
 
 std::string replay_of(const Shown& shown, const fs::path& folder) {
-  std::string command = "robosim run " + shell_word(shown.sketch);
+  std::string command =
+      fmt::format("robosim {} {}", shown.compared ? "compare" : "run", shell_word(shown.sketch));
   for (const Shown::Option& option : shown.options)
     command += fmt::format(" --{} {}", option.name, shell_word(option.value_in(folder)));
   return command + (shown.checked || shown.detected ? " --sanitize" : "");
@@ -81,6 +85,8 @@ std::string Shown::Option::value_in(const fs::path& folder) const {
 std::string hunt_check(const HuntFinding& finding, std::size_t number) {
   const Symptom& symptom = finding.symptom;
   const std::string folder = std::to_string(number);
+  if (symptom.kind == kUnlike)  // no check holds two runs against each other
+    return fmt::format("# {}\n# {}\n", symptom.sentence, replay_of(finding.shown, folder));
   std::string text = fmt::format("# {}\n[[check]]\nname = {}\n", symptom.sentence,
                                  in_quotes(fmt::format("hunt {}: {}", number, symptom.group)));
   for (const Shown::Option& option : finding.shown.options) {
@@ -120,8 +126,11 @@ void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, cons
   finding.shown = {
       fmt::format("{}{}, {}", build.target, build.checked ? " with checks" : "",
                   finding.world.drawn() ? "a drawn map" : bench.space().maps[finding.world.map].name),
-      run.sketch.name, options_of(finding, bench, arguments), build.checked,
-      finding.symptom.kind == kDetected};
+      run.sketch.name,
+      options_of(finding, bench, arguments),
+      build.checked,
+      finding.symptom.kind == kDetected,
+      finding.world.twin == Twin::host};
 
   record::Recorders page({(folder / "run.html").string()});
   page.ask(request);

@@ -26,6 +26,7 @@ struct Shown {
   std::vector<Option> options;  ///< that are not as usual
   bool checked = false;         ///< by --sanitize
   bool detected = false;        ///< by a detector
+  bool compared = false;        ///< by `robosim compare`
 };
 
 struct HuntFinding {

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "sim/base/wall_clock.h"
+#include "sim/cli/hunt/deeds.h"
+#include "sim/cli/hunt/twin.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -18,7 +21,9 @@ constexpr std::size_t kMostTries = 80;  // of smaller worlds
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
 constexpr double kLongest_s = 300.0, kBehind_s = 1.0;
 constexpr double kMoved_m = 0.1;
+constexpr double kAfter_s = 20.0;
 constexpr double kSlower = 5.0;
+constexpr std::size_t kMostBeginnings = 12, kShortestBeginning = 4;
 
 bool reached(const std::optional<wire::RunResult>& result) { return result && result->verdict == "reached"; }
 
@@ -34,6 +39,18 @@ std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
   return all;
 }
 
+/// Lines up to their first number.
+std::vector<std::string> beginnings_of(const std::string& serial) {
+  std::vector<std::string> all;
+  std::istringstream stream(serial);
+  for (std::string line; std::getline(stream, line) && all.size() < kMostBeginnings;) {
+    line = line.substr(0, line.find_first_of("0123456789\r"));
+    if (line.size() >= kShortestBeginning && std::find(all.begin(), all.end(), line) == all.end())
+      all.push_back(line);
+  }
+  return all;
+}
+
 }  // namespace
 
 Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
@@ -45,7 +62,10 @@ Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::pa
 std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
 double Hunt::time_of(const HuntWorld& world) const {
-  const double usual = bench_.space().for_ms / 1000.0;
+  double usual = bench_.space().for_ms / 1000.0;
+  const bool waits = std::any_of(world.deeds.begin(), world.deeds.end(),
+                                 [](const Deed& deed) { return !deed.after.empty(); });
+  if (waits && plain_.reached()) usual = std::min(kLongest_s, usual + plain_.result.time_s);
   if (!world.to_goal || !plain_.reached()) return usual;
   const double limit = std::ceil(patience_s(world, bench_.space(), plain_));
   return limit > kLongest_s ? usual : std::max(limit, usual);
@@ -97,6 +117,22 @@ bool Hunt::find_plain() {
   plain_world_.map = 0;
   bench_.space().opening = plain_world_.deeds;
   plain_world_.for_s = time_of(plain_world_);
+  const auto& unused = plain_.result.usage.unused;
+  for (const auto& part : bench_.robot().parts)
+    if (part.type == "bumper" && std::find(unused.begin(), unused.end(), part.name) == unused.end())
+      bench_.space().feels = true;
+  return hear();
+}
+
+/// What it says of itself, after its goal, too: messages may come when it has said so.
+bool Hunt::hear() {
+  if (!hears(bench_.space())) return true;
+  HuntWorld world = plain_world_;
+  world.to_goal = false;
+  world.for_s = std::max(world.for_s, std::ceil(plain_.result.time_s) + kAfter_s);
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!bench_.run({world}, results)) return false;
+  if (results.front()) bench_.space().said = beginnings_of(results.front()->serial);
   return true;
 }
 
@@ -110,6 +146,15 @@ std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWor
     all.push_back(*found);
   for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
   return all;
+}
+
+bool Hunt::look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
+                std::vector<std::vector<Symptom>>& found) {
+  if (!bench_.run(worlds, results)) return false;
+  found.assign(worlds.size(), {});
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (results[i]) found[i] = symptoms(*results[i], worlds[i]);
+  return look_at_twins(bench_, worlds, results, found);
 }
 
 /// Whether it would be a finding of its own.
@@ -162,15 +207,14 @@ bool Hunt::shrink(HuntFinding& finding) {
       listener_.progress(
           fmt::format("{}: looking for a smaller world, try {}", finding.symptom.group, tries + 1));
       std::vector<std::optional<wire::RunResult>> results;
-      if (!bench_.run(some, results)) return false;
+      std::vector<std::vector<Symptom>> found;
+      if (!look(some, results, found)) return false;
       tries += some.size();
       for (std::size_t i = 0; i < some.size(); ++i) {
-        if (!results[i]) continue;
-        const std::vector<Symptom> found = symptoms(*results[i], some[i]);
-        const auto same = std::find_if(found.begin(), found.end(), [&](const Symptom& one) {
+        const auto same = std::find_if(found[i].begin(), found[i].end(), [&](const Symptom& one) {
           return one.group == finding.symptom.group;
         });
-        if (same == found.end()) continue;
+        if (same == found[i].end()) continue;
         finding.world = some[i];
         finding.symptom = *same;
         finding.time_s = results[i]->time_s;
@@ -180,7 +224,7 @@ bool Hunt::shrink(HuntFinding& finding) {
     }
   }
   finding.needs = needs_of(finding.world, space);
-  if (finding.symptom.kind != "late") {
+  if (finding.symptom.kind != "late" && finding.symptom.kind != kUnlike) {
     finding.world.to_goal = false;
     finding.world.for_s = std::ceil(finding.time_s) + kBehind_s;
   }
@@ -193,7 +237,8 @@ void Hunt::tell(const HuntFinding& finding) {
 }
 
 /// What it is, and, if it is a finding, its smallest world. None if that was interrupted.
-std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result) {
+std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result,
+                                  const std::vector<Symptom>& found) {
   HuntRow row;
   row.run = runs_;
   row.time_s = result.time_s;
@@ -202,7 +247,6 @@ std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult&
     if (!traits_.contains(trait)) row.traits.push_back(trait);
   for (const std::string& heard : kept_promises(result, bench_.space().promises))
     if (!heard_.contains(heard)) row.heard.push_back(heard);
-  const std::vector<Symptom> found = symptoms(result, world);
   const std::set<std::string> needs = needs_of(world, bench_.space());
   const auto news =
       std::find_if(found.begin(), found.end(), [&](const Symptom& one) { return is_news(one, needs); });
@@ -227,7 +271,7 @@ void Hunt::count(const HuntWorld& world, const HuntRow& row) {
 bool Hunt::make_round() {
   std::vector<HuntWorld> worlds, to_make;
   if (runs_ == 0) {
-    for (std::size_t build = 0; build < bench_.space().builds.size(); ++build) {
+    for (std::size_t build = 0; build < drawn_builds(bench_.space()); ++build) {
       worlds.push_back(plain_world_);
       worlds.back().build = build;
     }
@@ -241,16 +285,18 @@ bool Hunt::make_round() {
   for (std::size_t i = 0; i < worlds.size(); ++i)
     if (!log_.row(runs_ + i)) to_make.push_back(worlds[i]);
   std::vector<std::optional<wire::RunResult>> results;
-  if (!bench_.run(to_make, results)) return false;
-  auto result = results.begin();
+  std::vector<std::vector<Symptom>> found;
+  if (!look(to_make, results, found)) return false;
+  std::size_t made = 0;
   for (const HuntWorld& world : worlds) {
     const HuntRow* const known = log_.row(runs_);
     if (known) {
       count(world, *known);
       continue;
     }
-    std::optional<HuntRow> row = *result ? take(world, **result) : HuntRow{runs_, 0.0, false, {}, {}, 0, {}};
-    ++result;
+    std::optional<HuntRow> row =
+        results[made] ? take(world, *results[made], found[made]) : HuntRow{runs_, 0.0, false, {}, {}, 0, {}};
+    ++made;
     if (!row) return false;
     log_.add(*row);
     count(world, *row);

@@ -41,11 +41,16 @@ class Hunt {
  private:
   bool find_plain();
   bool make_round();
-  std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result);
+  bool hear();
+  std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result,
+                              const std::vector<Symptom>& found);
   void count(const HuntWorld& world, const HuntRow& row);
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
+  /// What goes wrong in the worlds; nothing in those that cannot be. False if it was interrupted.
+  bool look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
+            std::vector<std::vector<Symptom>>& found);
   std::vector<Symptom> symptoms(const wire::RunResult& result, const HuntWorld& world) const;
   bool has_enough_of(const Symptom& symptom) const;
   bool is_news(const Symptom& symptom, const std::set<std::string>& needs) const;

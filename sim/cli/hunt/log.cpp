@@ -37,7 +37,8 @@ std::string line_of(const HuntRow& row) {
                      {"sketch", f.shown.sketch},
                      {"options", options},
                      {"checked", f.shown.checked},
-                     {"detected", f.shown.detected}};
+                     {"detected", f.shown.detected},
+                     {"compared", f.shown.compared}};
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -52,7 +53,7 @@ HuntRow row_of(const Json& json) {
     fresh.symptom = {f.at("kind"), f.at("group"), f.at("sentence"), f.at("is_behaviour")};
     fresh.needs = f.at("needs").get<std::set<std::string>>();
     fresh.time_s = f.at("time_s");
-    fresh.shown = {f.at("where"), f.at("sketch"), {}, f.at("checked"), f.at("detected")};
+    fresh.shown = {f.at("where"), f.at("sketch"), {}, f.at("checked"), f.at("detected"), f.at("compared")};
     for (const Json& option : f.at("options"))
       fresh.shown.options.push_back({option.at("name"), option.at("value"), option.at("own_file")});
   }
@@ -62,7 +63,7 @@ HuntRow row_of(const Json& json) {
 const std::string kOfAnother = "is of another hunt: the sketch, an option or Robosim has changed since";
 
 std::string header(const std::string& from, const std::string& part) {
-  Json json{{"schema", "robosim.hunt/2"}, {"from", from}};
+  Json json{{"schema", "robosim.hunt/3"}, {"from", from}};
   if (!part.empty()) json["part"] = part;
   return json.dump() + "\n";
 }

@@ -73,7 +73,9 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
   const bool behaves = verdict == "stuck" || verdict == "toppled" ||
                        (verdict == "lost" && reads_the_floor(result, plain.robot));
   if (behaves) return Symptom{verdict, verdict, result.why, true};
-  if (result.metrics.collisions > 0 && plain.result.metrics.collisions == 0)
+  const bool was_blocked = std::any_of(world.deeds.begin(), world.deeds.end(),
+                                       [](const Deed& deed) { return deed.kind == kObstacle; });
+  if (result.metrics.collisions > 0 && !was_blocked && plain.result.metrics.collisions == 0)
     return Symptom{
         "collision", "collision",
         fmt::format("The robot ran into something {} in {:.2f} s; it did not in the plain world.",

@@ -23,6 +23,8 @@ bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot
 
 /// The kind of what a detector has seen.
 inline constexpr const char* kDetected = "detected";
+/// The kind of what two runs do that should be alike.
+inline constexpr const char* kUnlike = "unlike";
 
 struct Symptom {
   std::string kind;      ///< "crashed", "lost", "late" …

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/base/noise.h"
+#include "sim/cli/hunt/deeds.h"
 #include "sim/worlds/die.h"
 
 namespace robosim::cli {
@@ -14,83 +15,26 @@ namespace {
 using worlds::Die;
 using worlds::Fault;
 
-constexpr int kMostSquares = 4, kMostPieces = 10, kMostFaults = 2, kMostDeeds = 4;
+constexpr int kMostSquares = 4, kMostPieces = 10, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
+constexpr std::uint64_t kPairEvery = 5;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-
-bool chance(const Die& die, int of_100) { return die(100) < of_100; }
-
-template <typename T>
-const T& pick(const Die& die, const std::vector<T>& from) {
-  return from[static_cast<std::size_t>(die(static_cast<int>(from.size())))];
-}
 
 /// Wide enough for the bends of the map that it is to be like.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
 
-void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die) {
+void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most_pieces = kMostPieces) {
   world.track.reset();
   world.network.reset();
   world.map = static_cast<std::size_t>(die(static_cast<int>(space.maps.size())));
   const HuntSpace::Map& like = space.maps[world.map];
   if (!space.draws_maps || chance(die, 40)) return;
   if (like.tracks) world.track = worlds::lay_out({1 + die(kMostSquares), apart(like), 0}, die);
-  if (like.networks) world.network = worlds::grow({1 + die(kMostPieces), 3, 4, like.cycles, 0}, die);
-}
-
-std::string some_words(const HuntSpace& space, const Die& die) {
-  std::string text = pick(die, space.words);
-  if (chance(die, 50)) text += (chance(die, 80) ? " " : "") + pick(die, space.words);
-  return text;
-}
-
-std::string message(const std::string& type, const HuntSpace& space, const Die& die) {
-  if (type == "radio" || type == "ir-receiver") return fmt::format("{}", die(chance(die, 50) ? 10 : 256));
-  return fmt::format("\"{}\\n\"", space.words.empty() ? "1" : some_words(space, die));
-}
-
-Deed draw_deed(const HuntSpace& space, const Die& die) {
-  std::vector<char> kinds(space.buttons.size() * 2, 'b');
-  if (!space.words.empty()) kinds.insert(kinds.end(), 3, 's');
-  kinds.insert(kinds.end(), space.listeners.size() * 2, 'l');
-  kinds.insert(kinds.end(), {'u', 'p'});
-  Deed deed;
-  deed.at_ms = (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : space.for_ms * 3 / 4);
-  switch (pick(die, kinds)) {
-    case 'b':
-      deed.kind = "press " + pick(die, space.buttons);
-      deed.what = fmt::format("{} {}ms", deed.kind, pick<int>(die, {30, 100, 100, 300, 1500}));
-      break;
-    case 's':
-      deed.kind = "send";
-      deed.what = fmt::format("send \"{}\\n\"", some_words(space, die));
-      break;
-    case 'l': {
-      const auto& [name, type] = pick(die, space.listeners);
-      deed.kind = "send " + name;
-      deed.what = fmt::format("{} {}", deed.kind, message(type, space, die));
-      break;
-    }
-    case 'u':
-      deed.kind = "lift";
-      deed.what = fmt::format("lift for {}ms", 200 + die(1'500));
-      break;
-    default:
-      deed.kind = kPowerOff;
-      deed.what = fmt::format("power off for {}ms", 20 + die(500));
-  }
-  return deed;
-}
-
-void draw_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
-  world.deeds = space.opening;
-  for (int left = 1 + die(kMostDeeds); left > 0; --left) world.deeds.push_back(draw_deed(space, die));
-  std::stable_sort(world.deeds.begin(), world.deeds.end(),
-                   [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
+  if (like.networks) world.network = worlds::grow({1 + die(most_pieces), 3, 4, like.cycles, 0}, die);
 }
 
 /// A little before a number of milliseconds, or of microseconds, does not fit any more.
@@ -100,6 +44,19 @@ void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
   world.clock_ms = wrap - 1 - die(std::min<int>(space.for_ms / 2, static_cast<int>(kInt_ms)));
 }
 
+/// Nothing is in the way, and nothing is broken.
+HuntWorld pair(const HuntSpace& space, const Die& die) {
+  HuntWorld world;
+  world.twin = space.host_twin && chance(die, 70) ? Twin::host : Twin::clock;
+  world.deeds = space.opening;
+  draw_map(world, space, die, kFewPieces);
+  world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
+  if (hears(space) && chance(die, 80)) draw_talk(world, space, die);
+  if (world.twin == Twin::clock) draw_clock(world, space, die);
+  world.to_goal = false;
+  return world;
+}
+
 HuntWorld fresh(const HuntSpace& space, const Die& die) {
   HuntWorld world;
   world.deeds = space.opening;
@@ -107,7 +64,12 @@ HuntWorld fresh(const HuntSpace& space, const Die& die) {
   if (chance(die, 50)) world.robot = worlds::assemble(space.figures, die);
   world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
   if (chance(die, 35)) world.faults = worlds::draw_up(space.limits, kMostFaults, space.parts, die);
-  if (chance(die, 45)) draw_deeds(world, space, die);
+  if (hears(space) && chance(die, 30)) {
+    draw_map(world, space, die, kFewPieces);
+    draw_talk(world, space, die);
+  } else if (chance(die, 45)) {
+    draw_deeds(world, space, die);
+  }
   if (chance(die, 12)) draw_clock(world, space, die);
   world.to_goal = chance(die, 60);
   return world;
@@ -128,9 +90,7 @@ HuntWorld like(HuntWorld world, const HuntSpace& space, const Die& die) {
       draw_clock(world, space, die);
       break;
     default:
-      world.deeds.push_back(draw_deed(space, die));
-      std::stable_sort(world.deeds.begin(), world.deeds.end(),
-                       [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
+      add_deed(world, space, die);
   }
   world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
   return world;
@@ -145,10 +105,11 @@ HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted
   const Die die = [&](int below) {
     return static_cast<int>(stream.bits(n++) % static_cast<std::uint64_t>(std::max(1, below)));
   };
+  if (run % kPairEvery == kPairEvery - 1 && space.builds.front().target != "host") return pair(space, die);
   HuntWorld world =
       !noted.empty() && chance(die, 50) ? like(pick(die, noted), space, die) : fresh(space, die);
   // Every other one without checks: there alone it is seen how the robot behaves.
-  world.build = static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % space.builds.size());
+  world.build = static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
   if (space.builds[world.build].target == "host") world.clock_ms = 0;
   return world;
 }
@@ -166,7 +127,12 @@ std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
   if (world.deeds.size() > 1) with([](HuntWorld& w) { w.deeds.clear(); });
   if (world.deeds != space.opening && world.deeds.size() > space.opening.size())
     with([&](HuntWorld& w) { w.deeds = space.opening; });
-  if (world.clock_ms != 0) with([](HuntWorld& w) { w.clock_ms = 0; });
+  if (const std::size_t half = world.deeds.size() / 2; half > 1) {
+    const auto middle = static_cast<std::ptrdiff_t>(half);
+    with([&](HuntWorld& w) { w.deeds.erase(w.deeds.begin(), w.deeds.begin() + middle); });
+    with([&](HuntWorld& w) { w.deeds.erase(w.deeds.begin() + middle, w.deeds.end()); });
+  }
+  if (world.clock_ms != 0 && world.twin != Twin::clock) with([](HuntWorld& w) { w.clock_ms = 0; });
   if (world.seed != 1) with([](HuntWorld& w) { w.seed = 1; });
   for (std::size_t i = 0; i < world.deeds.size(); ++i)
     with([&](HuntWorld& w) { w.deeds.erase(w.deeds.begin() + static_cast<std::ptrdiff_t>(i)); });
@@ -222,9 +188,23 @@ std::string robot_text(const HuntWorld& world, const HuntSpace& space) {
   return world.robot.file(space.robot, space.figures);
 }
 
+std::vector<grid::CellAt> cells_with_line(const grid::Map& map) {
+  const grid::CellAt start = grid::default_start(map).cell;
+  std::vector<grid::CellAt> cells;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (const grid::CellAt cell = map.cell_at(i); grid::is_line(map.cells[i]) && !(cell == start))
+      cells.push_back(cell);
+  return cells;
+}
+
+std::vector<grid::CellAt> cells_with_line(const HuntWorld& world, const HuntSpace& space) {
+  if (!world.drawn()) return space.maps[world.map].line;
+  return cells_with_line(grid::parse_map(map_text(world, space), "world.map"));
+}
+
 std::string script_text(const HuntWorld& world, const HuntSpace& space) {
   std::string text;
-  for (const Deed& deed : world.deeds) text += fmt::format("at {}ms {}\n", deed.at_ms, deed.what);
+  for (const Deed& deed : world.deeds) text += script_line(deed);
   return text + world.faults.script(space.limits);
 }
 

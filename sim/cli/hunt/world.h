@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/cli/check/promises.h"
+#include "sim/grid/map.h"
 #include "sim/worlds/fault_plan.h"
 #include "sim/worlds/line_network.h"
 #include "sim/worlds/robot_variant.h"
@@ -19,15 +20,21 @@ namespace robosim::cli {
 
 /// Something that somebody does to the robot.
 struct Deed {
-  int at_ms = 0;
+  int at_ms = 0;     ///< from power-on, or from when the sketch has sent `after`
   std::string what;  ///< as scripts have it: "press start 100ms"
   std::string kind;  ///< for people: "press start", "send"
+  std::string after = {};
   bool operator==(const Deed&) const = default;
 };
 
 inline constexpr const char* kPowerOff = "power off";
+inline constexpr const char* kObstacle = "an obstacle";
+
+/// What a world is made a second time for, and held against: see twin.h.
+enum class Twin : std::uint8_t { none, host, clock };
 
 struct HuntWorld {
+  Twin twin = Twin::none;
   std::size_t build = 0;  ///< of HuntSpace::builds
   std::size_t map = 0;    ///< of HuntSpace::maps, if none is drawn
   std::optional<worlds::Track> track;
@@ -56,8 +63,10 @@ struct HuntSpace {
     bool tracks = false, networks = false;  ///< which maps are drawn as this one is
     int cycles = 0;                         ///< of its network, roughly
     double cell_mm = 100.0, corner_mm = 0.0;
+    std::vector<grid::CellAt> line = {};  ///< its cells with line, but for the start
   };
   std::vector<Build> builds;
+  std::optional<std::size_t> host_twin;  ///< the build that chips are held against, the last one
   std::vector<Map> maps;
   bool draws_maps = true;
   std::string robot;  ///< the base of its variants: a name or a path
@@ -69,9 +78,16 @@ struct HuntSpace {
       listeners;                   ///< parts that messages come by, and their types
   std::vector<std::string> words;  ///< what may be sent; empty = nothing is
   std::vector<Deed> opening;       ///< what makes it go
+  std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin
+  bool feels = false;              ///< it looks at a bumper, so that something may stand in its way
   std::vector<Promise> promises;
   int for_ms = 60'000;
 };
+
+/// Those that are drawn.
+inline std::size_t drawn_builds(const HuntSpace& space) {
+  return space.builds.size() - (space.host_twin ? 1 : 0);
+}
 
 /// A number from 0 on that counts the runs decides, with the hunt's seed. `noted` are worlds in which
 /// something new was seen: half of the worlds are like one of them.
@@ -83,6 +99,10 @@ std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space);
 
 /// What of it is not plain: "another map", "chassis track", "fault noisy", "press start". Its opening is.
 std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space);
+
+/// The cells of its map that have line, but for the start.
+std::vector<grid::CellAt> cells_with_line(const HuntWorld& world, const HuntSpace& space);
+std::vector<grid::CellAt> cells_with_line(const grid::Map& map);
 
 /// As files have it. The map's is empty where none is drawn; the robot's where it is as in its file.
 std::string map_text(const HuntWorld& world, const HuntSpace& space);

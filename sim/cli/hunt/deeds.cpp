@@ -1,0 +1,131 @@
+#include "sim/cli/hunt/deeds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/escaped.h"
+
+namespace robosim::cli {
+namespace {
+
+using worlds::Die;
+
+constexpr int kMostDeeds = 4;
+constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages
+constexpr std::size_t kLongMessage = 80;
+
+void in_order(std::vector<Deed>& deeds) {
+  std::stable_sort(deeds.begin(), deeds.end(),
+                   [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
+}
+
+std::string some_words(const HuntSpace& space, const Die& die) {
+  std::string text = pick(die, space.words);
+  if (chance(die, 4))
+    while (text.size() < kLongMessage) text += " " + pick(die, space.words);
+  else if (chance(die, 50))
+    text += (chance(die, 80) ? " " : "") + pick(die, space.words);
+  return text;
+}
+
+std::string message(const std::string& type, const HuntSpace& space, const Die& die) {
+  if (type == "radio" || type == "ir-receiver") return fmt::format("{}", die(chance(die, 50) ? 10 : 256));
+  return fmt::format("\"{}\\n\"", space.words.empty() ? "1" : some_words(space, die));
+}
+
+Deed saying(const HuntSpace& space, const Die& die) {
+  std::vector<char> ways(space.listeners.size() * 2, 'l');
+  if (!space.words.empty()) ways.insert(ways.end(), 3, 's');
+  if (pick(die, ways) == 's') return {0, fmt::format("send \"{}\\n\"", some_words(space, die)), "send"};
+  const auto& [name, type] = pick(die, space.listeners);
+  const std::string kind = "send " + name;
+  return {0, fmt::format("{} {}", kind, message(type, space, die)), kind};
+}
+
+Deed pressing(const HuntSpace& space, const Die& die) {
+  const std::string kind = "press " + pick(die, space.buttons);
+  return {0, fmt::format("{} {}ms", kind, pick<int>(die, {30, 100, 100, 300, 1500})), kind};
+}
+
+Deed switching_off(const Die& die) {
+  return {0, fmt::format("power off for {}ms", 20 + die(500)), kPowerOff};
+}
+
+Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
+  std::vector<char> kinds(space.buttons.size() * 2, 'b');
+  if (hears(space)) kinds.insert(kinds.end(), 3 + space.listeners.size(), 's');
+  if (space.feels) kinds.insert(kinds.end(), 3, 'o');
+  kinds.insert(kinds.end(), {'u', 'p'});
+  const int at_ms = (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : space.for_ms * 3 / 4);
+  Deed deed;
+  switch (pick(die, kinds)) {
+    case 'b':
+      deed = pressing(space, die);
+      break;
+    case 's':
+      deed = saying(space, die);
+      break;
+    case 'o':
+      if (const std::vector<grid::CellAt> cells = cells_with_line(world, space); !cells.empty()) {
+        const grid::CellAt cell = pick(die, cells);
+        deed = {0, fmt::format("obstacle {},{} for {}s", cell.x, cell.y, pick<int>(die, {2, 4, 8, 15, 40})),
+                kObstacle};
+        break;
+      }
+      [[fallthrough]];
+    case 'u':
+      deed = {0, fmt::format("lift for {}ms", 200 + die(1'500)), "lift"};
+      break;
+    default:
+      deed = switching_off(die);
+  }
+  deed.at_ms = at_ms;
+  return deed;
+}
+
+}  // namespace
+
+bool hears(const HuntSpace& space) { return !space.words.empty() || !space.listeners.empty(); }
+
+void draw_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.deeds = space.opening;
+  for (int left = 1 + die(kMostDeeds); left > 0; --left) world.deeds.push_back(draw_deed(world, space, die));
+  in_order(world.deeds);
+}
+
+void draw_talk(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.deeds = space.opening;
+  const int from_ms = space.opening.empty() ? 500 : space.opening.back().at_ms + 500;
+  std::string after;
+  if (!space.said.empty() && chance(die, 60)) after = pick(die, space.said);
+  int at_ms = after.empty() ? from_ms : 200;
+  Deed next;
+  int again = 0;
+  for (int left = kLeastTalk + die(kMoreTalk); left > 0; --left) {
+    if (again == 0) {
+      next = chance(die, 5) && !space.buttons.empty() ? pressing(space, die)
+             : chance(die, 6)                         ? switching_off(die)
+                                                      : saying(space, die);
+      if (chance(die, 6)) again = kAgain;
+    } else {
+      --again, ++left;
+    }
+    next.at_ms = at_ms;
+    next.after = after;
+    world.deeds.push_back(next);
+    at_ms += 100 + die(chance(die, 70) ? 1'200 : 6'000);
+  }
+}
+
+void add_deed(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.deeds.push_back(draw_deed(world, space, die));
+  in_order(world.deeds);
+}
+
+std::string script_line(const Deed& deed) {
+  if (deed.after.empty()) return fmt::format("at {}ms {}\n", deed.at_ms, deed.what);
+  return fmt::format("after serial \"{}\" wait {}ms {}\n", escaped(deed.after), deed.at_ms, deed.what);
+}
+
+}  // namespace robosim::cli

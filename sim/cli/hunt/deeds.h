@@ -1,0 +1,30 @@
+// What people do to a robot in a hunt: buttons, messages, hands, what they put in its way.
+#pragma once
+
+#include <string>
+
+#include "sim/cli/hunt/world.h"
+#include "sim/worlds/die.h"
+
+namespace robosim::cli {
+
+inline bool chance(const worlds::Die& die, int of_100) { return die(100) < of_100; }
+
+template <typename T>
+const T& pick(const worlds::Die& die, const std::vector<T>& from) {
+  return from[static_cast<std::size_t>(die(static_cast<int>(from.size())))];
+}
+
+/// The opening, and at most four more at any time.
+void draw_deeds(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+/// Whether anybody can talk to the sketch.
+bool hears(const HuntSpace& space);
+/// The opening, and many messages one after the other; often from where the sketch has sent something.
+void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+/// One more.
+void add_deed(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+
+/// Of a script.
+std::string script_line(const Deed& deed);
+
+}  // namespace robosim::cli

@@ -1,0 +1,175 @@
+#include "sim/cli/hunt/twin.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "sim/analysis/line_text.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr std::size_t kOften = 20, kFirst = 3, kLongest = 60;
+constexpr double kFar = 20.0, kNear = 0.1, kNearBy = 2.0;
+constexpr double kDrives_m = 0.3, kStands_m = 0.03;
+constexpr int kLater_ms = 37;
+constexpr std::uint64_t kOtherSeed = 1009;
+constexpr double kLonger = 1.3;
+
+struct Line {
+  std::string text;
+  analysis::LineText parts;
+};
+
+std::vector<Line> lines_of(const std::string& serial) {
+  std::vector<Line> lines;
+  std::istringstream stream(serial.substr(0, serial.rfind('\n') + 1));  // what was cut off is no line
+  for (std::string text; std::getline(stream, text);) {
+    while (!text.empty() && text.back() == '\r') text.pop_back();
+    if (!text.empty()) lines.push_back({text, analysis::take_apart(text)});
+  }
+  return lines;
+}
+
+/// Lines of one form that come often: each form by itself, as nobody knows which comes between which.
+std::map<std::string, std::array<std::vector<Line>, 2>> take_frequent(std::vector<Line>& a,
+                                                                      std::vector<Line>& b) {
+  std::map<std::string, std::array<std::vector<Line>, 2>> all;
+  for (const Line& line : a) all[line.parts.form][0].push_back(line);
+  for (const Line& line : b) all[line.parts.form][1].push_back(line);
+  std::erase_if(
+      all, [](const auto& form) { return std::max(form.second[0].size(), form.second[1].size()) <= kOften; });
+  const auto is_frequent = [&](const Line& line) { return all.contains(line.parts.form); };
+  std::erase_if(a, is_frequent);
+  std::erase_if(b, is_frequent);
+  return all;
+}
+
+std::string says(const std::string& text) {
+  return "says “" + (text.size() > kLongest ? text.substr(0, kLongest) + "…" : text) + "”";
+}
+
+std::vector<double> values_of(const Line& line) {
+  std::vector<double> values;
+  for (const analysis::Number& number : line.parts.numbers) values.push_back(number.value);
+  return values;
+}
+
+bool is_like(double a, double b) {
+  return std::fabs(a - b) <= kFar || (a * b > 0.0 && std::max(a / b, b / a) <= 2.0);
+}
+
+bool is_near(double x, double y) {
+  return std::fabs(x - y) <= kNearBy + kNear * std::max(std::fabs(x), std::fabs(y));
+}
+
+std::optional<Parting> parting(const std::vector<Line>& a, const std::vector<Line>& b, bool numbers) {
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    if (i >= a.size()) return Parting{"says nothing then", says(b[i].text), "|" + b[i].parts.form, {}, {}};
+    if (i >= b.size()) return Parting{says(a[i].text), "says nothing then", a[i].parts.form + "|", {}, {}};
+    if (a[i].parts.form != b[i].parts.form)
+      return Parting{says(a[i].text), says(b[i].text), a[i].parts.form + "|" + b[i].parts.form, {}, {}};
+    const std::vector<double> x = values_of(a[i]), y = values_of(b[i]);
+    if (numbers && std::equal(x.begin(), x.end(), y.begin(), y.end(), is_like)) continue;
+    if (numbers) return Parting{says(a[i].text), says(b[i].text), a[i].parts.form, x, y};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Parting> parting(const wire::RunResult& ours, const wire::RunResult& other, bool numbers) {
+  std::vector<Line> a = lines_of(ours.serial), b = lines_of(other.serial);
+  const auto frequent = take_frequent(a, b);
+  if (auto found = parting(a, b, numbers)) return found;
+  for (auto [form, lines] : frequent) {
+    const std::size_t both = std::min(lines[0].size(), lines[1].size());
+    if (both > 0)
+      for (auto& side : lines) side.resize(std::min(both, kFirst));
+    if (auto found = parting(lines[0], lines[1], numbers)) return found;
+  }
+  const double far = ours.metrics.distance_m, near = other.metrics.distance_m;
+  if (far > kDrives_m && near < kStands_m) return Parting{"drives", "stands", "drives|stands", {}, {}};
+  if (near > kDrives_m && far < kStands_m) return Parting{"stands", "drives", "stands|drives", {}, {}};
+  return std::nullopt;
+}
+
+bool is_same(const Parting& a, const Parting& b) {
+  if (a.form != b.form || a.of_ours.size() != b.of_ours.size()) return false;
+  for (std::size_t i = 0; i < a.of_ours.size(); ++i)
+    if (!is_like(a.of_ours[i], a.of_other[i]) &&
+        !(is_near(a.of_ours[i], b.of_ours[i]) && is_near(a.of_other[i], b.of_other[i])))
+      return false;
+  return true;
+}
+
+HuntWorld twin_of(const HuntWorld& world, const HuntSpace& space) {
+  HuntWorld twin = world;
+  if (world.twin == Twin::host) twin.build = *space.host_twin;
+  twin.clock_ms = 0;
+  return twin;
+}
+
+HuntWorld tried_again(const HuntWorld& world, const HuntSpace& space, int time) {
+  HuntWorld again = world;
+  again.seed += kOtherSeed * static_cast<std::uint64_t>(time);
+  for (Deed& deed : again.deeds)
+    if (std::find(space.opening.begin(), space.opening.end(), deed) == space.opening.end())
+      deed.at_ms += kLater_ms * time;
+  again.for_s = std::ceil(kLonger * world.for_s);
+  return again;
+}
+
+Symptom symptom_of(const Parting& parting, const HuntWorld& world, const HuntSpace& space) {
+  const std::string& target = space.builds[world.build].target;
+  if (world.twin == Twin::host)
+    return {kUnlike, "unlike the host " + parting.form,
+            fmt::format("Where the host {}, the {} {}, with any noise.", parting.other, target, parting.ours),
+            false};
+  return {kUnlike, "unlike when its clock wraps " + parting.form,
+          fmt::format("The sketch {} when millis() is near a number that does not fit, with any noise; with "
+                      "the clock at 0 it {}.",
+                      parting.ours, parting.other),
+          false};
+}
+
+bool look_at_twins(HuntBench& bench, const std::vector<HuntWorld>& worlds,
+                   const std::vector<std::optional<wire::RunResult>>& results,
+                   std::vector<std::vector<Symptom>>& found) {
+  std::vector<std::size_t> pairs;
+  std::vector<HuntWorld> twins;
+  for (std::size_t i = 0; i < worlds.size(); ++i)
+    if (worlds[i].twin != Twin::none && results[i] && found[i].empty()) {
+      pairs.push_back(i);
+      twins.push_back(twin_of(worlds[i], bench.space()));
+    }
+  std::vector<std::optional<wire::RunResult>> others;
+  if (!bench.run(twins, others)) return false;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const HuntWorld& world = worlds[pairs[p]];
+    const bool numbers = world.twin == Twin::host;
+    if (!others[p]) continue;
+    const std::optional<Parting> first = parting(*results[pairs[p]], *others[p], numbers);
+    if (!first) continue;
+    std::vector<HuntWorld> again;
+    for (int time = 1; time <= kTriedAgain; ++time) {
+      again.push_back(tried_again(world, bench.space(), time));
+      again.push_back(twin_of(again.back(), bench.space()));
+    }
+    std::vector<std::optional<wire::RunResult>> tried;
+    if (!bench.run(again, tried)) return false;
+    bool always = true;
+    for (std::size_t i = 0; i < tried.size(); i += 2) {
+      const auto next = tried[i] && tried[i + 1] ? parting(*tried[i], *tried[i + 1], numbers) : std::nullopt;
+      always = always && next && is_same(*first, *next);
+    }
+    if (always) found[pairs[p]].push_back(symptom_of(*first, world, bench.space()));
+  }
+  return true;
+}
+
+}  // namespace robosim::cli

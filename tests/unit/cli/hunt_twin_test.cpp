@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/cli/hunt/deeds.h"
+#include "sim/cli/hunt/twin.h"
+
+namespace robosim::cli {
+namespace {
+
+using ::testing::HasSubstr;
+
+wire::RunResult sent(const std::string& serial, double distance_m = 0.0) {
+  wire::RunResult result;
+  result.serial = serial;
+  result.metrics.distance_m = distance_m;
+  return result;
+}
+
+std::string apart(const wire::RunResult& ours, const wire::RunResult& other, bool numbers = true) {
+  const auto found = parting(ours, other, numbers);
+  return found ? found->ours + "; " + found->other : "";
+}
+
+TEST(HuntTwin, PartsWhereAnotherLineIsSaid) {
+  EXPECT_EQ(apart(sent("ready\r\nok\r\n"), sent("ready\r\nunknown\r\n")), "says “ok”; says “unknown”");
+  EXPECT_EQ(apart(sent("ready\n"), sent("ready\ngoing\n")), "says nothing then; says “going”");
+  EXPECT_EQ(apart(sent("ready\nok\n"), sent("ready\nok\nbe")), "");  // that line may still be coming
+}
+
+TEST(HuntTwin, PartsWhereANumberIsFarFromTheOther) {
+  EXPECT_EQ(apart(sent("way 3 mm\n"), sent("way 200 mm\n")), "says “way 3 mm”; says “way 200 mm”");
+  EXPECT_EQ(apart(sent("way -200\n"), sent("way 200\n")), "says “way -200”; says “way 200”");
+  EXPECT_EQ(apart(sent("way 190 mm in 12 s\n"), sent("way 200 mm in 30 s\n")), "");
+  EXPECT_EQ(apart(sent("ms 17\n"), sent("ms 70000\n"), false), "");
+}
+
+TEST(HuntTwin, LooksAtLinesThatComeOftenByThemselves) {
+  std::string ours, other;
+  for (int i = 0; i < 30; ++i) ours += "tick\nat 200 mm\n", other += "tick\ntick\nat 201 mm\n";
+  EXPECT_EQ(apart(sent(ours), sent(other)), "");
+  EXPECT_EQ(apart(sent(ours), sent("at 2 mm\n" + other)), "says “at 200 mm”; says “at 2 mm”");
+}
+
+TEST(HuntTwin, PartsWhereOnlyOneDrives) {
+  EXPECT_EQ(apart(sent("", 4.0), sent("", 0.0)), "drives; stands");
+  EXPECT_EQ(apart(sent("", 4.0), sent("", 1.0)), "");
+}
+
+TEST(HuntTwin, TakesNumbersThatAreOthersEachTimeForChance) {
+  const Parting first = *parting(sent("a 5\n"), sent("a 500\n"), true);
+  EXPECT_TRUE(is_same(first, *parting(sent("a 5\n"), sent("a 510\n"), true)));
+  EXPECT_TRUE(is_same(*parting(sent("a 5 in 6744 us\n"), sent("a 500 in 6828 us\n"), true),
+                      *parting(sent("a 5 in 5668 us\n"), sent("a 500 in 4740 us\n"), true)));
+  EXPECT_FALSE(is_same(first, *parting(sent("a 500\n"), sent("a 5\n"), true)));
+  EXPECT_FALSE(is_same(first, *parting(sent("b 5\n"), sent("b 500\n"), true)));
+}
+
+HuntSpace space_of_a_talker() {
+  HuntSpace space;
+  space.builds = {{"avr", false}, {"avr", true}, {"host", true}, {"host", false}};
+  space.host_twin = 3;
+  space.maps.emplace_back().name = "oval";
+  space.words = {"go", "1"};
+  space.said = {"destination?"};
+  return space;
+}
+
+TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
+  const HuntSpace space = space_of_a_talker();
+  bool host = false, clock = false, talks = false;
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    const HuntWorld world = draw_world(space, {}, 1, run);
+    EXPECT_NE(world.build, *space.host_twin) << run;
+    if (world.twin == Twin::none) continue;
+    const HuntWorld twin = twin_of(world, space);
+    EXPECT_EQ(twin.clock_ms, 0);
+    EXPECT_EQ(twin.build, world.twin == Twin::host ? 3U : 0U);
+    EXPECT_EQ(twin.deeds, world.deeds);
+    EXPECT_EQ(world.clock_ms != 0, world.twin == Twin::clock);
+    (world.twin == Twin::host ? host : clock) = true;
+    talks |= script_text(world, space).find("after serial \"destination?\" wait 200ms send ") == 0;
+  }
+  EXPECT_TRUE(host && clock && talks);
+}
+
+TEST(HuntTwin, IsToldInOneSentence) {
+  const HuntSpace space = space_of_a_talker();
+  HuntWorld world;
+  world.twin = Twin::host;
+  EXPECT_EQ(symptom_of({"says “3”", "says “200”", "#", {3}, {200}}, world, space).sentence,
+            "Where the host says “200”, the avr says “3”, with any noise.");
+  world.twin = Twin::clock;
+  EXPECT_THAT(symptom_of({"stands", "drives", "", {}, {}}, world, space).sentence,
+              HasSubstr("with the clock at 0 it drives"));
+}
+
+}  // namespace
+}  // namespace robosim::cli
