@@ -99,6 +99,14 @@ constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
                                           (how.top == Counting::Top::capture && !how.dual_slope)));
 }
 
+/// The level of a pin with PWM, COM being 2 or 3, at a tick of the period that begins at BOTTOM.
+constexpr bool pwm_level(const Counting& how, int64_t top, uint16_t compare, uint8_t com, int64_t tick) {
+  const bool low = how.dual_slope && compare == 0;
+  const bool high =
+      !low && (compare >= top || tick <= compare || (how.dual_slope && tick > 2 * top - compare));
+  return high != (com == 3);
+}
+
 /// How a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that channel's
 /// OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
 inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,

@@ -72,7 +72,7 @@ int timer_cost(uint8_t pin) { return host::timer_of(pin).timer < 0 ? 0 : cost::k
 
 bool get_level(uint8_t pin) {
   if (disconnect(pin)) host::refresh_pin(pin);
-  return host::board->read_level(pin, host::state.now);
+  return host::read_pin(pin);
 }
 
 }  // namespace

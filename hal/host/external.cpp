@@ -3,16 +3,19 @@
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
+#include "hal/host/waves.h"
 
 namespace robosim {
 namespace host {
 
 ExternalRegisters external;
 Lines lines;
+PinSet heard;
 
 namespace {
 
-bool low[kExternals];  // the level of a pin whose low level interrupts
+bool low[kExternals];                       // the level of a pin whose low level interrupts
+ROBOSIM_CLOCKWORK bool heard_level[kPins];  // of pins in `heard`
 
 /// Whether an edge to this level is one that `sense` asks for.
 bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
@@ -42,16 +45,41 @@ void refresh_external() {
         place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask;
     const bool by_itself =
         place.external >= 0 && (external.mask >> place.external & 1 || sense_of(place.external) != 0);
-    executor->want_edges(pin, by_change || by_itself || lines.enabled.has(pin), state.now);
+    const bool wanted = by_change || by_itself || lines.enabled.has(pin);
+    const bool found = executor->want_edges(pin, wanted, state.now);
+    if (heard.has(pin) == wanted) continue;
+    if (wanted) {
+      heard.add(pin);
+      heard_level[pin] = is_output(pin) ? output_level(pin) : found;
+    } else {
+      heard.remove(pin);
+    }
+    refresh_wave(pin);
   }
   for (int number = 0; number < kExternals; ++number) {
     if (sense_of(number) == 0) external.flags &= static_cast<uint8_t>(~(1 << number));
-    low[number] = external.mask >> number & 1 && sense_of(number) == 0 &&
-                  !board->read_level(pin_of_external(number), state.now);
+    low[number] = external.mask >> number & 1 && sense_of(number) == 0 && !read_pin(pin_of_external(number));
   }
 }
 
+void hear() {
+  sync_waves();
+  take_inputs();
+}
+
+void drive_changed(Pin pin) {
+  hear_level(pin, is_output(pin) ? output_level(pin) : board->read_along(pin, state.now));
+  refresh_wave(pin);
+  refresh_deadline();
+}
+
 void external_edge(Pin pin, bool level) {
+  if (heard.has(pin) && !is_output(pin)) hear_level(pin, level);
+}
+
+void hear_level(Pin pin, bool level) {
+  if (heard_level[pin] == level) return;
+  heard_level[pin] = level;
   const Place& place = places[pin];
   const int number = place.external;
   if (number >= 0) {
@@ -59,7 +87,7 @@ void external_edge(Pin pin, bool level) {
     low[number] = sense == 0 && !level;
     if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
-  if (pin < kPins && lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
+  if (lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
   if (place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask)
     external.change_flags |= static_cast<uint8_t>(1 << place.change_group);
 }
@@ -87,12 +115,6 @@ void acknowledge_external(int vector) {
   } else {
     external.change_flags &= static_cast<uint8_t>(~(1 << (vector - kPinChange0)));
   }
-}
-
-void reset_external() {
-  external = ExternalRegisters();
-  lines = Lines();
-  for (bool& level : low) level = false;
 }
 
 }  // namespace host

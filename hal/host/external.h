@@ -63,8 +63,15 @@ Pin take_line();
 
 /// After a change of the registers: tells the executor which edges matter.
 void refresh_external();
-/// An edge has arrived.
+/// Pins of which they do.
+extern PinSet heard;
+/// Takes what has reached such pins until now; and what has come of it that one is driven in another way.
+void hear();
+void drive_changed(Pin pin);
+/// An edge has arrived at an input.
 void external_edge(Pin pin, bool level);
+/// The level of a pin that matters, whoever makes it: an edge, if it had the other one.
+void hear_level(Pin pin, bool level);
 /// The vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low level
 /// raises its flag for as long as it lasts.
 uint32_t pending_external();
@@ -72,7 +79,6 @@ uint32_t pending_external();
 void acknowledge_external(int vector);
 /// Whether one of them is enabled.
 bool external_may_interrupt();
-void reset_external();
 
 }  // namespace host
 }  // namespace robosim

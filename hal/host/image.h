@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 12;
+constexpr uint32_t kImageVersion = 13;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -69,8 +69,8 @@ class Host {
   virtual SimTime same_until(Pin pin, SimTime now) = 0;
   /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
-  /// Edges on `pin` shall arrive as input from `now` on; or no longer.
-  virtual void want_edges(Pin pin, bool wanted, SimTime now) = 0;
+  /// Edges on `pin` shall arrive as input from `now` on, where its level is what this returns; or no longer.
+  virtual bool want_edges(Pin pin, bool wanted, SimTime now) = 0;
   /// The UART's receiver listens, and a byte takes `byte_time`; 0 = it does not listen, bytes are lost.
   virtual void listen(SimTime byte_time, SimTime now) = 0;
   /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells

@@ -11,6 +11,7 @@
 #include "hal/host/two_wire.h"
 #include "hal/host/uart.h"
 #include "hal/host/watchdog.h"
+#include "hal/host/waves.h"
 
 // What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
 #define ROBOSIM_VECTOR(number) __attribute__((weak, visibility("hidden"))) void __vector_##number();
@@ -177,15 +178,7 @@ SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
 
 bool in_handler() { return depth > 0; }
 
-void sync_peripherals() {
-  timer0.sync();
-  timer1.sync();
-  timer2.sync();
-  adc.sync();
-  spi.sync();
-  two_wire.sync();
-  watchdog.sync();
-  sync_tone();
+void take_inputs() {
   Input input;
   while (state.next_input <= state.now && executor->take_input(state.now, input)) {
     if (input.kind == Input::Kind::edge) {
@@ -194,6 +187,19 @@ void sync_peripherals() {
       uart.receive(input.value);
     }
   }
+}
+
+void sync_peripherals() {
+  sync_waves();
+  timer0.sync();
+  timer1.sync();
+  timer2.sync();
+  adc.sync();
+  spi.sync();
+  two_wire.sync();
+  watchdog.sync();
+  sync_tone();
+  take_inputs();
 }
 
 uint32_t pending_interrupts() {
@@ -207,7 +213,7 @@ SimTime next_interrupt(bool with_timer0_overflow) {
   SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
   next = earlier(next, earlier(watchdog.due(), earlier(spi.next(), two_wire.next())));
   next = earlier(next, with_timer0_overflow ? timer0.due() : timer0.due_to_match());
-  return earlier(next, earlier(timer1.due(), timer2.due()));
+  return earlier(earlier(next, wave_due), earlier(timer1.due(), timer2.due()));
 }
 
 bool may_interrupt(bool held_back) {

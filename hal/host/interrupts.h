@@ -39,6 +39,8 @@ extern uint32_t handlers_run;
 
 /// Brings all flags up to the present moment.
 void sync_peripherals();
+/// The same of what comes from outside alone.
+void take_inputs();
 /// The flags that are raised and enabled, one bit a vector.
 uint32_t pending_interrupts();
 /// When the next enabled flag will be raised; with or without the overflow of Timer 0 that millis() counts.

@@ -3,6 +3,7 @@
 #include "hal/host/interrupts.h"
 #include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
+#include "hal/host/waves.h"
 
 namespace robosim {
 namespace host {
@@ -170,6 +171,7 @@ void look_at_level(Pin pin, bool high) {
   (high ? polling.high : polling.low).add(pin);
   polling.pins = true;
   polling.promised = earlier(polling.promised, executor->same_until(pin, state.now));
+  if (is_wave(pin)) polling.promised = earlier(polling.promised, wave_until(pin));
 }
 
 void spend_late() {

@@ -1,7 +1,9 @@
 #include "hal/host/ports.h"
 
 #include "hal/host/clock.h"
+#include "hal/host/external.h"
 #include "hal/host/timers.h"
+#include "hal/host/waves.h"
 
 namespace robosim {
 namespace host {
@@ -9,9 +11,10 @@ namespace host {
 PortRegisters ports[kPorts];
 ROBOSIM_CLOCKWORK Place places[kNumbers];  // they never change
 
+PinDrive driven[kPins];
+
 namespace {
 
-PinDrive driven[kPins];
 uint32_t tone_hz[kPins];
 uint8_t pwm_values[kPins];  // of pins without a timer
 
@@ -47,7 +50,7 @@ PinDrive drive_of(Pin pin) {
     return drive;
   }
   const TimerPin by = timer_of(pin);
-  if (by.timer >= 0 && timer(by.timer).connection(by.channel)) return timer(by.timer).drive(by.channel);
+  if (is_timed(pin)) return timer(by.timer).drive(by.channel);
   drive.mode = PinMode::output;
   if (tone_hz[pin]) {
     drive.pwm = true;
@@ -69,6 +72,18 @@ void refresh_port(Port port, uint8_t changed) {
 }
 
 }  // namespace
+
+bool is_timed(Pin pin) {
+  const TimerPin by = timer_of(pin);
+  return by.timer >= 0 && timer(by.timer).drives(by.channel);
+}
+
+bool is_wave(Pin pin) { return driven[pin].pwm && (is_timed(pin) || tone_hz[pin]); }
+
+bool output_level(Pin pin) {
+  const PinDrive& drive = driven[pin];
+  return !drive.pwm ? drive.level : is_wave(pin) ? wave_level(pin) : drive.duty >= 0.5;
+}
 
 Pin pin_of_external(int number) { return external_pins[number]; }
 
@@ -98,8 +113,11 @@ void place_pins() {
 void refresh_pin(Pin pin) {
   const PinDrive drive = drive_of(pin);
   if (drive == driven[pin]) return;
+  const bool is_heard = heard.has(pin);
+  if (is_heard) hear();
   driven[pin] = drive;
   board->set_drive(pin, drive, state.now);
+  if (is_heard) drive_changed(pin);
 }
 
 void refresh_timer_pins(int number) {
@@ -119,11 +137,19 @@ void set_output(Port port, uint8_t value) {
   refresh_port(port, changed);
 }
 
+bool read_pin(Pin pin) {
+  const bool level = board->read_level(pin, state.now);
+  return pin < kPins && driven[pin].pwm ? output_level(pin) : level;
+}
+
 uint8_t read_port(Port port) {
   uint8_t value = 0;
-  for (int bit = 0; bit < kBits; ++bit)
-    if (port_pins[port][bit] != kNoPin && board->read_along(port_pins[port][bit], state.now))
-      value |= static_cast<uint8_t>(1 << bit);
+  for (int bit = 0; bit < kBits; ++bit) {
+    const Pin pin = port_pins[port][bit];
+    if (pin == kNoPin) continue;
+    const bool level = board->read_along(pin, state.now);
+    if (driven[pin].pwm ? output_level(pin) : level) value |= static_cast<uint8_t>(1 << bit);
+  }
   return value;
 }
 
@@ -141,15 +167,6 @@ bool end_pwm(Pin pin) {
 void set_tone(Pin pin, uint32_t hz) {
   tone_hz[pin] = hz;
   refresh_pin(pin);
-}
-
-void reset_ports() {
-  for (PortRegisters& port : ports) port = PortRegisters();
-  for (Pin pin = 0; pin < kPins; ++pin) {
-    driven[pin] = PinDrive();
-    tone_hz[pin] = 0;
-    pwm_values[pin] = 0;
-  }
 }
 
 }  // namespace host

@@ -56,8 +56,19 @@ extern PortRegisters ports[kPorts];
 /// Writes registers; what changes on the pins is told to the board.
 void set_direction(Port port, uint8_t value);
 void set_output(Port port, uint8_t value);
-/// PINx: what the pins read.
+/// What a pin reads, and PINx.
+bool read_pin(Pin pin);
 uint8_t read_port(Port port);
+
+/// What the board knows of its pins.
+extern PinDrive driven[kPins];
+inline bool is_output(Pin pin) { return driven[pin].mode == PinMode::output; }
+/// Whether a timer drives it, if it is an output.
+bool is_timed(Pin pin);
+/// Whether the chip drives it up and down by itself (waves.h).
+bool is_wave(Pin pin);
+/// The level of an output.
+bool output_level(Pin pin);
 
 /// Whether the board has PWM on a pin of which its stand-in has no timer: it is driven without one.
 inline bool has_pwm_without_timer(Pin pin) {
@@ -73,8 +84,6 @@ void refresh_pin(Pin pin);
 void refresh_timer_pins(int timer);
 /// `pin` carries a square wave by tone(); 0 = none.
 void set_tone(Pin pin, uint32_t hz);
-/// At a reset.
-void reset_ports();
 
 }  // namespace host
 }  // namespace robosim

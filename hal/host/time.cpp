@@ -95,7 +95,7 @@ unsigned long pulseIn(uint8_t pin, uint8_t value, unsigned long timeout) {
   const bool level = value != LOW;
   unsigned long loops = timeout * kCyclesPerMicro / kCyclesPerLoop;
   const auto poll_while = [&](bool same, int cost_of_turn) {
-    while ((host::board->read_level(pin, host::state.now) == level) == same) {
+    while ((host::read_pin(pin) == level) == same) {
       if (loops == 0) return false;
       --loops;
       host::spend(cost_of_turn);
@@ -121,7 +121,7 @@ unsigned long pulseInLong(uint8_t pin, uint8_t value, unsigned long timeout) {
   host::state.waiting = !host::in_handler();
   const unsigned long begin = read_micros();
   const auto poll_while = [&](bool same) {
-    while ((host::board->read_level(pin, host::state.now) == level) == same)
+    while ((host::read_pin(pin) == level) == same)
       if (read_micros() - begin > timeout) return false;
     return true;
   };

@@ -3,6 +3,7 @@
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
+#include "hal/host/waves.h"
 
 namespace robosim {
 namespace host {
@@ -30,16 +31,9 @@ void timer0_catch_up() {
   count_overflows(static_cast<uint64_t>(timer0.take_overflows()));
 }
 
-void reset_timers() {
-  timer0 = Timer(0);
-  timer1 = Timer(1);
-  timer2 = Timer(2);
-  timer0_count = {};
-}
-
-int64_t Timer::ticks() const {
+int64_t Timer::tick_at(SimTime at) const {
   if (prescaler_ == 0) return base_tick_;
-  return base_tick_ + kCycles.whole(state.now - base_, prescaler_);
+  return base_tick_ + kCycles.whole(at - base_, prescaler_);
 }
 
 SimTime Timer::time_of(int64_t tick) const {
@@ -60,32 +54,44 @@ void Timer::decode() {
   counting_ = avr::counting(kChip.timers[number_], control_a_, control_b_);
   top_ = avr::top_of(counting_, compare_[0], capture_);
   period_ = avr::period_of(counting_, top_);
+  lasts_ = kCycles.at_least(period_ * prescaler_);
 }
 
-template <typename Change>
-void Timer::reconfigure(Change change) {
+Timer::Phase Timer::leave_registers() {
+  sync_waves();
   sync();
   sync_disabled();
-  const int64_t at = position();
-  const int32_t prescaler = prescaler_;
-  const SimTime tick_began = prescaler == 0 ? state.now : time_of(ticks());
-  change();
+  for (int channel = 0; channel < 2; ++channel) keep_level(channel);
+  return {position(), prescaler_, prescaler_ == 0 ? state.now : time_of(ticks())};
+}
+
+void Timer::take_registers(const Phase& phase) {
   decode();
-  base_ = prescaler == prescaler_ ? tick_began : state.now;
-  base_tick_ = overflows_seen_ = disabled_seen_ = at % period_;
+  base_ = phase.prescaler == prescaler_ ? phase.tick_began : state.now;
+  base_tick_ = overflows_seen_ = disabled_seen_ = phase.position % period_;
+  forget_levels();
   refresh_due();
   refresh_timer_pins(number_);
+  refresh_waves();
 }
 
 void Timer::set_control_a(uint8_t value) {
-  reconfigure([&] { control_a_ = value; });
+  const Phase phase = leave_registers();
+  control_a_ = value;
+  take_registers(phase);
 }
 
 void Timer::set_control_b(uint8_t value) {
-  reconfigure([&] { control_b_ = value; });
+  const Phase phase = leave_registers();
+  control_b_ = value;
+  take_registers(phase);
 }
 
 void Timer::set_connection(int channel, uint8_t bits) {
+  const uint8_t before = connection(channel);
+  if (bits == before) return;
+  sync_waves();
+  if (bits == 1 || before == 1) keep_level(channel);
   const int shift = channel == 0 ? 6 : 4;
   control_a_ = static_cast<uint8_t>((control_a_ & ~(3 << shift)) | bits << shift);
 }
@@ -93,23 +99,101 @@ void Timer::set_connection(int channel, uint8_t bits) {
 void Timer::set_compare(int channel, uint16_t value) {
   const bool is_top = channel == 0 && counting_.top == avr::Counting::Top::compare_a;
   const bool interrupts = enabled_ & (channel == 0 ? compare_a : compare_b);
+  if (value == compare_[channel]) return;
   if (is_top || interrupts) {
-    reconfigure([&] { compare_[channel] = value; });
-  } else {
+    const Phase phase = leave_registers();
     compare_[channel] = value;
+    return take_registers(phase);
   }
+  sync_waves();
+  if (counting_.kind == avr::Counting::Kind::pwm) {
+    hold(channel);
+  } else {
+    keep_level(channel);
+  }
+  compare_[channel] = value;
+  refresh_waves();
+}
+
+/// When the count of ticks has been set anew: toggled pins stay as keep_level() has left them.
+void Timer::forget_levels() {
+  for (int64_t& tick : toggled_at_) tick = base_tick_;
+  for (SimTime& time : replaced_at_) time = -1;
+}
+
+/// Before something changes that tells when the channel toggles its pin.
+void Timer::keep_level(int channel) {
+  const int64_t now = ticks();
+  if (connection(channel) == 1) toggled_[channel] = level_at(channel, now);
+  toggled_at_[channel] = now;
+}
+
+/// Before the register of a channel with PWM is written.
+void Timer::hold(int channel) {
+  if (prescaler_ == 0) return;
+  if (state.now - replaced_at_[channel] < lasts_ && ticks() < held_until(channel)) return;
+  held_[channel] = compare_[channel];
+  replaced_at_[channel] = state.now;
+}
+
+/// The tick until which the value holds that was replaced.
+int64_t Timer::held_until(int channel) const {
+  if (replaced_at_[channel] < 0) return 0;
+  const int64_t from = tick_at(replaced_at_[channel]) + 1;
+  const int64_t at = counting_.dual_slope && !counting_.frequency_correct ? top_ : 0;
+  return from + (at - from % period_ + period_) % period_;
+}
+
+bool Timer::level_at(int channel, int64_t tick) const {
+  const uint8_t connected = connection(channel);
+  if (connected == 1) {
+    int64_t at[2] = {0, 0};
+    const int count = matches(channel, at);
+    int64_t toggles = 0;
+    for (int i = 0; i < count; ++i)
+      toggles += (tick - at[i] + period_) / period_ - (toggled_at_[channel] - at[i] + period_) / period_;
+    return toggled_[channel] != (toggles % 2 != 0);
+  }
+  const uint16_t compare = tick < held_until(channel) ? held_[channel] : compare_[channel];
+  return avr::pwm_level(counting_, top_, compare, connected, tick % period_);
+}
+
+/// The first tick behind `after` at which PWM of that value changes its level; INT64_MAX if there is none.
+int64_t Timer::next_change(uint16_t compare, int64_t after) const {
+  if (compare >= top_ || (counting_.dual_slope && compare == 0)) return INT64_MAX;
+  const int64_t falls = compare + 1, rises = counting_.dual_slope ? (2 * top_ - compare + 1) % period_ : 0;
+  const int64_t from = (after + 1) % period_;
+  const int64_t to_fall = (falls - from + period_) % period_, to_rise = (rises - from + period_) % period_;
+  return after + 1 + (to_fall < to_rise ? to_fall : to_rise);
+}
+
+SimTime Timer::next_edge(int channel, SimTime after) const {
+  if (prescaler_ == 0) return kNever;
+  const int64_t tick = tick_at(after), until = held_until(channel);
+  if (connection(channel) == 1) return next(channel + 1, tick);
+  int64_t change = next_change(tick < until ? held_[channel] : compare_[channel], tick);
+  if (tick < until && change >= until)
+    change =
+        level_at(channel, until) != level_at(channel, tick) ? until : next_change(compare_[channel], until);
+  return change == INT64_MAX ? kNever : time_of(change);
 }
 
 void Timer::set_capture(uint16_t value) {
-  reconfigure([&] { capture_ = value; });
+  const Phase phase = leave_registers();
+  capture_ = value;
+  take_registers(phase);
 }
 
 void Timer::set_count(uint16_t value) {
+  sync_waves();
   sync();
   sync_disabled();
+  for (int channel = 0; channel < 2; ++channel) keep_level(channel);
   base_ = state.now;
   base_tick_ = overflows_seen_ = disabled_seen_ = value % period_;
+  forget_levels();
   refresh_due();
+  refresh_waves();
 }
 
 void Timer::set_enabled(uint8_t mask) {
@@ -197,6 +281,8 @@ int64_t Timer::take_overflows() {
   due_ = due_of_[0] < due_to_match() ? due_of_[0] : due_to_match();
   return count;
 }
+
+bool Timer::drives(int channel) const { return avr::drives_pin(counting_, connection(channel), channel); }
 
 PinDrive Timer::drive(int channel) const {
   return avr::timer_drive(counting_, prescaler_, top_, compare_[channel], connection(channel), kClockHz);

@@ -3,7 +3,9 @@
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
-// A tick is `prescaler` CPU cycles. Not modelled: input capture, external clocks, double buffering of OCR.
+// A tick is `prescaler` CPU cycles. What a compare register of PWM is given holds for the level of its pin
+// from TOP (BOTTOM where there is one slope, or the mode is frequency correct) on. Not modelled: input
+// capture, external clocks, double buffering of OCR for flags and duties.
 #pragma once
 
 #include <stdint.h>
@@ -56,8 +58,14 @@ class Timer {
   uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
   /// Sets them; the caller refreshes the pin.
   void set_connection(int channel, uint8_t bits);
-  /// How a connected channel drives its pin.
+  /// Whether a channel drives its pin, if that is an output.
+  bool drives(int channel) const;
+  /// How it does so.
   PinDrive drive(int channel) const;
+  /// Of a channel whose drive is PWM: the level at a moment since the registers were last written, and when
+  /// behind that it changes next; kNever if it does not.
+  bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
+  SimTime next_edge(int channel, SimTime after) const;
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
   bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }
@@ -67,11 +75,24 @@ class Timer {
   int64_t take_overflows();
 
  private:
-  template <typename Change>
-  void reconfigure(Change change);
+  /// Where the counter is when a register changes that tells how it counts.
+  struct Phase {
+    int64_t position;
+    int32_t prescaler;
+    SimTime tick_began;
+  };
+  Phase leave_registers();
+  void take_registers(const Phase& phase);
   void decode();
+  void keep_level(int channel);
+  void hold(int channel);
+  int64_t held_until(int channel) const;
+  void forget_levels();
+  bool level_at(int channel, int64_t tick) const;
+  int64_t next_change(uint16_t compare, int64_t after) const;
   int64_t position() const;
-  int64_t ticks() const;
+  int64_t tick_at(SimTime at) const;
+  int64_t ticks() const { return tick_at(state.now); }
   SimTime time_of(int64_t tick) const;
   bool passed(int64_t event, int64_t until) const;
   void raise_due();
@@ -95,6 +116,7 @@ class Timer {
   int32_t prescaler_ = 0;  ///< 0 = stopped
   int64_t top_ = 0xFF;
   int64_t period_ = 0x100;
+  SimTime lasts_ = 0;  ///< no period takes longer
   // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
@@ -103,6 +125,12 @@ class Timer {
       0;  ///< the tick up to which flags that are not enabled are known: they are not timed
   SimTime due_of_[3] = {kNever, kNever, kNever};  ///< of overflow, match A, match B; kNever where not enabled
   SimTime due_ = kNever;
+  // Levels of its pins: of one that is toggled as it was left at a tick, of PWM the value that was replaced,
+  // and when.
+  bool toggled_[2] = {false, false};
+  int64_t toggled_at_[2] = {0, 0};
+  uint16_t held_[2] = {0, 0};
+  SimTime replaced_at_[2] = {-1, -1};  ///< since the counter was last set; else -1
 };
 
 extern Timer timer0, timer1, timer2;
@@ -118,8 +146,6 @@ struct Timer0Count {
   uint64_t overflows;  ///< what micros() counts
 };
 extern Timer0Count timer0_count;
-/// At a reset.
-void reset_timers();
 
 }  // namespace host
 }  // namespace robosim

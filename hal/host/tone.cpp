@@ -5,6 +5,7 @@
 #include "hal/host/api.h"
 #include "hal/host/ports.h"
 #include "hal/host/timers.h"
+#include "hal/host/waves.h"
 
 namespace host = robosim::host;
 namespace cost = robosim::host::cost;
@@ -17,6 +18,10 @@ namespace {
 
 Pin sounding = kNoPin;
 SimTime end = kNever;
+// The pin is toggled every so many cycles from then on, when it had a level.
+int64_t half_period = 1;
+SimTime began = 0;
+bool level_then = false;
 
 constexpr int64_t kPrescalers[7] = {1, 8, 32, 64, 128, 256, 1024};
 
@@ -39,6 +44,12 @@ namespace host {
 
 SimTime tone_end() { return end; }
 
+bool tone_level(SimTime at) { return level_then != (kCycles.whole(at - began, half_period) % 2 != 0); }
+
+SimTime next_tone_edge(SimTime after) {
+  return began + kCycles.at_least((kCycles.whole(after - began, half_period) + 1) * half_period);
+}
+
 bool sounds() { return sounding != kNoPin; }
 
 void sync_tone() {
@@ -60,15 +71,22 @@ void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
     if (top <= 255 || clock == 6) break;
   }
   top = (top < 0 ? 0 : top) & 0xFF;
+  host::sync_waves();
+  const uint8_t mask = host::mask_of(pin);
+  level_then = sounding == pin ? host::tone_level(host::state.now)
+                               : (host::ports[host::port_of(pin)].output & mask) != 0;
+  began = host::state.now;
+  half_period = kPrescalers[clock] * (top + 1);
   sounding = pin;
   host::timer2.set_control_a(2);  // clear on match, pins 3 and 11 disconnected
   host::timer2.set_control_b(static_cast<uint8_t>(clock + 1));
   host::timer2.set_compare(0, static_cast<uint16_t>(top));
-  host::ports[host::port_of(pin)].direction |= host::mask_of(pin);
-  const int64_t period = 2 * kPrescalers[clock] * (top + 1);
+  host::ports[host::port_of(pin)].direction |= mask;
+  const int64_t period = 2 * half_period;
   host::set_tone(pin, static_cast<uint32_t>((host::kClockHz + period / 2) / period));
   const uint64_t toggles = 2 * static_cast<uint64_t>(frequency) * duration / 1000;
   end = duration > 0 ? host::state.now + host::cycles(static_cast<int64_t>(toggles) * period / 2) : kNever;
+  host::refresh_waves();
   host::refresh_deadline();
 }
 

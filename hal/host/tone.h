@@ -10,6 +10,9 @@ namespace host {
 SimTime tone_end();
 /// Whether one does.
 bool sounds();
+/// The level of its pin at a moment since it was last changed, and when behind that it changes next.
+bool tone_level(SimTime at);
+SimTime next_tone_edge(SimTime after);
 /// Ends it if its time has come.
 void sync_tone();
 

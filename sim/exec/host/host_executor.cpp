@@ -123,7 +123,6 @@ class HostExecutor::Instance final : public host::Host {
 
   // host::Host, called on the fiber.
   void yield() override { suspend(); }
-
   void block_begins(const std::uint8_t* stack) override {
     // Where it was looked at, a handler ran, or the I flag was clear for a moment, to read what one writes.
     const bool alive = image_.entry().may_interrupt(false);
@@ -145,9 +144,10 @@ class HostExecutor::Instance final : public host::Host {
     return true;
   }
 
-  void want_edges(Pin pin, bool wanted, SimTime now) override {
-    owner_.clocked_.set_wants_edges(pin, wanted, now);
+  bool want_edges(Pin pin, bool wanted, SimTime now) override {
+    const bool level = owner_.clocked_.set_wants_edges(pin, wanted, now);
     state_.next_input = owner_.clocked_.next_input();
+    return level;
   }
 
   void listen(SimTime byte_time, SimTime now) override {

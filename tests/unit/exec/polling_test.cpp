@@ -102,6 +102,23 @@ TEST_F(Polling, OfAFlagThatAnInterruptSets) {
       "void loop() { while (!flag); flag = false; Serial.println(edges); }\n");
 }
 
+TEST_F(Polling, OfItsOwnOutputs) {
+  same(
+      "volatile unsigned edges; unsigned long last; int changes; bool was;\n"
+      "ISR(PCINT2_vect) { ++edges; }\n"
+      "void setup() {\n"
+      "  Serial.begin(115200); tone(8, 31); analogWrite(5, 77); PCMSK2 = _BV(5); PCICR = _BV(PCIE2);\n"
+      "}\n"
+      "void loop() {\n"
+      "  const unsigned before = edges;\n"
+      "  while (edges == before);\n"
+      "  while (digitalRead(8) == was);\n"
+      "  was = !was; ++changes;\n"
+      "  if (millis() - last >= 100) { last = millis(); Serial.println(edges); Serial.println(changes); }\n"
+      "}\n");
+  EXPECT_THAT(numbers(), testing::SizeIs(6));
+}
+
 TEST_F(Polling, OfAFlagThatATimerSets) {
   same(
       "volatile uint8_t ticks;\n"

@@ -1,0 +1,75 @@
+#include "hal/host/waves.h"
+
+#include "hal/host/ports.h"
+#include "hal/host/timers.h"
+#include "hal/host/tone.h"
+
+namespace robosim {
+namespace host {
+
+ROBOSIM_CLOCKWORK SimTime wave_due = kNever;
+PinSet followed;
+
+namespace {
+
+ROBOSIM_CLOCKWORK SimTime next_edges[kPins];  // of those
+
+bool level_at(Pin pin, SimTime at) {
+  const TimerPin by = timer_of(pin);
+  return is_timed(pin) ? timer(by.timer).level(by.channel, at) : tone_level(at);
+}
+
+SimTime next_edge(Pin pin, SimTime after) {
+  const TimerPin by = timer_of(pin);
+  return is_timed(pin) ? timer(by.timer).next_edge(by.channel, after) : next_tone_edge(after);
+}
+
+template <typename Do>
+void for_each_followed(Do what) {
+  wave_due = kNever;
+  for (Pin pin = 0; pin < kPins; ++pin) {
+    if (!followed.has(pin)) continue;
+    what(pin);
+    if (next_edges[pin] < wave_due) wave_due = next_edges[pin];
+  }
+}
+
+}  // namespace
+
+bool wave_level(Pin pin) { return level_at(pin, state.now); }
+
+SimTime wave_until(Pin pin) { return next_edge(pin, state.now); }
+
+void tell_waves() {
+  for_each_followed([](Pin pin) {
+    SimTime& next = next_edges[pin];
+    // Flags tell no more than two edges: of those behind them only the last one counts.
+    for (int told = 0; told < 2 && next <= state.now; ++told) {
+      hear_level(pin, level_at(pin, next));
+      next = next_edge(pin, next);
+    }
+    if (next > state.now) return;
+    hear_level(pin, wave_level(pin));
+    next = wave_until(pin);
+  });
+}
+
+void follow_anew() {
+  for_each_followed([](Pin pin) {
+    hear_level(pin, wave_level(pin));
+    next_edges[pin] = wave_until(pin);
+  });
+}
+
+void refresh_wave(Pin pin) {
+  if (heard.has(pin) && is_wave(pin)) {
+    followed.add(pin);
+    next_edges[pin] = wave_until(pin);
+  } else {
+    followed.remove(pin);
+  }
+  for_each_followed([](Pin) {});
+}
+
+}  // namespace host
+}  // namespace robosim

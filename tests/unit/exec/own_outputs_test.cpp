@@ -1,0 +1,149 @@
+// What a sketch reads and hears of pins that it drives itself. Expected values are those of the chip.
+#include "tests/unit/exec/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::ElementsAre;
+
+class OwnOutputs : public HostTest {};
+
+TEST_F(OwnOutputs, PwmAndTonesAreReadAsTheyAreAtTheMoment) {
+  output(R"(bool is_high(uint8_t pin) { return (pin < 8 ? PIND >> pin : PINB >> (pin - 8)) & 1; }
+// In units of 64 us.
+int high(uint8_t pin) {
+  while (is_high(pin));
+  while (!is_high(pin));
+  const unsigned long from = micros();
+  while (is_high(pin));
+  return (micros() - from + 32) / 64;
+}
+void setup() {
+  Serial.begin(115200);
+  analogWrite(6, 63);  // fast PWM: 64 of 256 ticks of 4 us
+  Serial.println(high(6));
+  analogWrite(9, 64);  // phase correct: 2 * 64 ticks of 4 us
+  Serial.println(high(9));
+  TCCR1A |= _BV(COM1A0);  // inverted: the other 2 * 191
+  Serial.println(high(9));
+  TCCR1A = _BV(COM1A0);  // toggled each 1536 ticks of half a microsecond
+  TCCR1B = _BV(WGM12) | _BV(CS11);
+  OCR1A = 1535;
+  Serial.println(high(9));
+  Serial.println((pulseIn(9, LOW) + 32) / 64);
+  analogWrite(11, 0x80);
+  Serial.println((pulseIn(11, HIGH) + 32) / 64);
+  tone(4, 500);
+  Serial.println((pulseIn(4, HIGH) + 32) / 64);
+  int changes = 0, last = digitalRead(4);
+  for (const unsigned long from = millis(); millis() - from < 100;) {
+    const int level = digitalRead(4);
+    changes += level != last;
+    last = level;
+  }
+  Serial.println((changes + 2) / 5);
+  noTone(4);
+  Serial.println(pulseIn(4, HIGH, 5000));
+  analogWrite(10, 200);
+  Serial.println(digitalRead(10));  // the core takes the PWM off first
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(4, 8, 24, 12, 12, 16, 16, 20, 0, 0));
+}
+
+TEST_F(OwnOutputs, EdgesInterruptAsTheirSenseSays) {
+  output(R"(volatile int rising, any, changes, low;
+void on_rising() { ++rising; }
+void on_any() { ++any; }
+void on_low() { ++low; digitalWrite(2, HIGH); }
+ISR(PCINT0_vect) { ++changes; }
+void setup() {
+  Serial.begin(115200);
+  pinMode(2, OUTPUT);
+  DDRD |= _BV(3);
+  DDRB |= _BV(5);
+  attachInterrupt(0, on_rising, RISING);
+  attachInterrupt(1, on_any, CHANGE);
+  PCICR = _BV(PCIE0);
+  PCMSK0 = _BV(5);
+  for (int i = 1; i <= 7; ++i) {
+    digitalWrite(2, i & 1);
+    PORTD ^= _BV(3);
+    PINB = _BV(5);
+    digitalWrite(12, i & 1);
+    delayMicroseconds(20);
+  }
+  Serial.println(rising);
+  Serial.println(any);
+  Serial.println(changes);
+  detachInterrupt(0);
+  EIFR = 3;
+  digitalWrite(2, LOW);
+  Serial.println(EIFR);  // not the edge that is asked for
+  digitalWrite(2, HIGH);
+  Serial.println(EIFR);  // the flag is set, enabled or not
+  attachInterrupt(0, on_low, LOW);
+  for (int i = 0; i < 5; ++i) {
+    digitalWrite(2, LOW);
+    delayMicroseconds(50);
+  }
+  Serial.println(low);
+  changes = 0;  // from an output to an input with pull-up, and back
+  pinMode(13, INPUT_PULLUP);
+  delayMicroseconds(20);
+  digitalWrite(13, LOW);
+  pinMode(13, OUTPUT);
+  delayMicroseconds(20);
+  Serial.println(changes);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(4, 7, 7, 0, 1, 5, 1));
+}
+
+TEST_F(OwnOutputs, EachPeriodOfPwmInterrupts) {
+  output(R"(volatile unsigned edges, flags;
+void edge() { ++edges; }
+ISR(PCINT0_vect) { ++edges; }
+unsigned in_100_ms() {
+  noInterrupts();
+  edges = 0;
+  interrupts();
+  delay(100);
+  return (edges + 1) / 2;
+}
+void setup() {
+  Serial.begin(115200);
+  pinMode(3, OUTPUT);
+  analogWrite(3, 100);
+  attachInterrupt(1, edge, RISING);
+  Serial.println(in_100_ms());  // 49
+  // A new value holds from the next period on: none gets an edge more, or less.
+  edges = 0;
+  const unsigned long from = millis();
+  for (int value = 1; millis() - from < 200; value = value % 254 + 1) {
+    analogWrite(3, value);
+    delayMicroseconds(130);
+  }
+  Serial.println((edges + 1) / 2);  // 98
+  digitalWrite(3, LOW);
+  Serial.println(in_100_ms());
+  tone(12, 300);
+  PCMSK0 = _BV(4);
+  PCICR = _BV(PCIE0);
+  Serial.println(in_100_ms());  // 60
+  noTone(12);
+  Serial.println(in_100_ms());
+  analogWrite(3, 0x80);
+  noInterrupts();
+  for (int i = 0; i < 10; ++i) {
+    EIFR = _BV(INTF1);
+    while (!(EIFR & _BV(INTF1))) ++flags;
+  }
+  Serial.println(flags > 1000);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(25, 49, 0, 30, 0, 1));
+}
+
+}  // namespace
+}  // namespace robosim::exec
