@@ -35,8 +35,12 @@ class Register8 {
   }
   uint8_t operator=(const Register8& other) const { return store(other); }
   template <typename T>
-  uint8_t operator|=(T value) const {
-    return store(static_cast<uint8_t>(load() | static_cast<uint8_t>(value)));
+  __attribute__((always_inline)) inline uint8_t operator|=(T value) const {
+    const auto bits = static_cast<uint8_t>(value);
+    if (__builtin_constant_p(address_) && __builtin_constant_p(bits) && is_set_by_ones(address_) &&
+        (bits & (bits - 1)) == 0 && bits != 0)
+      return store(bits);
+    return store(static_cast<uint8_t>(load() | bits));
   }
   template <typename T>
   uint8_t operator&=(T value) const {
@@ -63,6 +67,12 @@ class Register8 {
   constexpr RegisterPointer operator&() const;
 
  private:
+  /// PINx, TIFRn, PCIFR and EIFR. `|=` of one bit, where the compiler knows both, is the instruction SBI,
+  /// which writes that bit alone.
+  static constexpr bool is_set_by_ones(robosim_register address) {
+    return address == 0x23 || address == 0x26 || address == 0x29 || (address >= 0x35 && address <= 0x37) ||
+           address == 0x3B || address == 0x3C;
+  }
   uint8_t load() const { return robosim_read8(address_); }
   uint8_t store(uint8_t value) const {
     robosim_write8(address_, value);

@@ -100,6 +100,26 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(4, 7, 7, 0, 1, 5, 1));
 }
 
+TEST_F(OwnOutputs, OneBitIsSetAloneWhereOnesAreWritten) {
+  output(R"(void setup() {
+  Serial.begin(115200);
+  EICRA = 15;
+  PORTD = _BV(2) | _BV(3);
+  DDRD |= _BV(2) | _BV(3);
+  Serial.println(EIFR);
+  EIFR |= _BV(INTF0);  // SBI
+  Serial.println(EIFR);
+  DDRB = PORTB = _BV(5) | _BV(4) | _BV(3);
+  PINB |= _BV(4);
+  Serial.println(PORTB);
+  volatile uint8_t mask = _BV(4);
+  PINB |= mask;  // IN, OR, OUT: all that are high
+  Serial.println(PORTB);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(3, 2, 0x28, 0x10));
+}
+
 TEST_F(OwnOutputs, EachPeriodOfPwmInterrupts) {
   output(R"(volatile unsigned edges, flags;
 void edge() { ++edges; }
