@@ -26,7 +26,7 @@ export class View {
 
   fit() {
     const { x, y, width, height } = this.area;
-    this.scale = Math.min((this.width - 24) / width, (this.height - 24) / height);
+    this.scale = Math.max(Math.min((this.width - 24) / width, (this.height - 24) / height), LEAST_PX_PER_MM);  // it may be hidden
     this.x = x + width / 2;
     this.y = y + height / 2;
     this.fits = true;

@@ -474,6 +474,20 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
   }
 }
 
+// As on the page of robosim serve, while the compiler's messages are shown.
+TEST_F(Page, IsDrawnAgainAfterItWasHidden) {
+  const Json scales = in_page(file(), R"(
+    const shown = page.view.scale;
+    $('main').hidden = true;
+    await drawn();
+    page.resize();
+    $('main').hidden = false;
+    await drawn();
+    page.resize();
+    return [shown, page.view.scale];)");
+  EXPECT_EQ(scales[0], scales[1]);
+}
+
 // People look at these: a wide screen and a phone's, light and dark.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
