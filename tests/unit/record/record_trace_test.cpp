@@ -56,8 +56,10 @@ class ATrace : public ::testing::Test {
 
 TEST_F(ATrace, HasASignalsValueWhereItChanges) {
   for (const auto& [t_us, speed] : {std::pair{0, 0.0}, {10'000, 120.5}, {20'000, 120.5}, {30'000, 90.0}})
-    columns.add(wire::Sample{t_us, 0, 0, 0, speed, 0, 0, 0, {0.25}, "", {}});
-  const auto speeds = those(written(), "name", "speed, mm/s");
+    columns.add(wire::Sample{t_us, 0, 0, -1.0203, speed, 0, 0, 0, {0.25}, "", {}});
+  const Json trace = written();
+  EXPECT_EQ(those(trace, "name", "yaw, rad").at(0)["args"]["value"], -1.0203);
+  const auto speeds = those(trace, "name", "speed, mm/s");
   ASSERT_EQ(speeds.size(), 3u);
   EXPECT_EQ(speeds[1]["ts"], 10'000.0);
   EXPECT_EQ(speeds[1]["args"]["value"], 120.5);
