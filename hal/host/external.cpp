@@ -3,6 +3,7 @@
 #include "hal/host/clock.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
+#include "hal/host/timers.h"
 #include "hal/host/waves.h"
 
 namespace robosim {
@@ -19,6 +20,10 @@ ROBOSIM_CLOCKWORK bool heard_level[kPins];  // of pins in `heard`
 
 /// Whether an edge to this level is one that `sense` asks for.
 bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
+
+bool is_counted(Pin pin) {
+  return places[pin].counted_by >= 0 && timer(places[pin].counted_by).counts_edges();
+}
 
 int sense_of(int number) { return external.sense >> 2 * number & 3; }
 
@@ -45,7 +50,7 @@ void refresh_external() {
         place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask;
     const bool by_itself =
         place.external >= 0 && (external.mask >> place.external & 1 || sense_of(place.external) != 0);
-    const bool wanted = by_change || by_itself || lines.enabled.has(pin);
+    const bool wanted = by_change || by_itself || is_counted(pin) || lines.enabled.has(pin);
     const bool found = executor->want_edges(pin, wanted, state.now);
     if (heard.has(pin) == wanted) continue;
     if (wanted) {
@@ -87,6 +92,7 @@ void hear_level(Pin pin, bool level) {
     low[number] = sense == 0 && !level;
     if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
+  if (place.counted_by >= 0) timer(place.counted_by).count_edge(level);
   if (lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
   if (place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask)
     external.change_flags |= static_cast<uint8_t>(1 << place.change_group);

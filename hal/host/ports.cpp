@@ -32,6 +32,7 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   place.timer.timer = at.timer;
   place.timer.channel = static_cast<int8_t>(at.output);
   place.external = at.external;
+  place.counted_by = at.counted_by;
   if (at.change >= 0) {
     place.change_group = static_cast<int8_t>(at.change / 8);
     place.change_mask = static_cast<uint8_t>(1 << at.change % 8);

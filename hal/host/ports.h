@@ -33,6 +33,7 @@ struct Place {
   int8_t external = -1;      ///< n of INTn; -1 = none
   int8_t change_group = -1;  ///< of the pin change interrupts; -1 = none
   uint8_t change_mask = 0;   ///< the bit of PCMSKn
+  int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
   Pin wired = 0;             ///< first_number() of it
 };
 constexpr int kNumbers = 256;  ///< that a sketch may take for a pin's

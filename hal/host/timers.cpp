@@ -83,8 +83,10 @@ void Timer::set_control_a(uint8_t value) {
 
 void Timer::set_control_b(uint8_t value) {
   const Phase phase = leave_registers();
+  const bool counted = counts_edges();
   control_b_ = value;
   take_registers(phase);
+  if (counted != counts_edges()) refresh_external();
 }
 
 void Timer::set_connection(int channel, uint8_t bits) {
@@ -176,6 +178,19 @@ SimTime Timer::next_edge(int channel, SimTime after) const {
     change =
         level_at(channel, until) != level_at(channel, tick) ? until : next_change(compare_[channel], until);
   return change == INT64_MAX ? kNever : time_of(change);
+}
+
+void Timer::count_edge(bool level) {
+  if (!counts_edges() || level != (control_b_ & 1)) return;  // CS: 6 falling, 7 rising
+  overflows_seen_ = disabled_seen_ = ++base_tick_;
+  const int64_t now = position();
+  if (now == 0 && overflows()) flags_ |= overflow;
+  for (int channel = 0; channel < 2; ++channel) {
+    int64_t at[2] = {0, 0};
+    const int count = matches(channel, at);
+    for (int i = 0; i < count; ++i)
+      if (at[i] == now) flags_ |= channel == 0 ? compare_a : compare_b;
+  }
 }
 
 void Timer::set_capture(uint16_t value) {

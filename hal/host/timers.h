@@ -5,7 +5,7 @@
 //
 // A tick is `prescaler` CPU cycles. What a compare register of PWM is given holds for the level of its pin
 // from TOP (BOTTOM where there is one slope, or the mode is frequency correct) on. Not modelled: input
-// capture, external clocks, double buffering of OCR for flags and duties.
+// capture, double buffering of OCR for flags and duties, what an external clock makes of output pins.
 #pragma once
 
 #include <stdint.h>
@@ -66,6 +66,10 @@ class Timer {
   /// behind that it changes next; kNever if it does not.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   SimTime next_edge(int channel, SimTime after) const;
+
+  /// Whether it counts edges of a pin; the pin has got that level.
+  bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
+  void count_edge(bool level);
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
   bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }

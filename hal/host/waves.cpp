@@ -43,8 +43,9 @@ SimTime wave_until(Pin pin) { return next_edge(pin, state.now); }
 void tell_waves() {
   for_each_followed([](Pin pin) {
     SimTime& next = next_edges[pin];
-    // Flags tell no more than two edges: of those behind them only the last one counts.
-    for (int told = 0; told < 2 && next <= state.now; ++told) {
+    // Flags tell no more than two edges: of those behind them only the last one counts, but to a timer.
+    const bool counted = places[pin].counted_by >= 0;
+    for (int told = 0; (counted || told < 2) && next <= state.now; ++told) {
       hear_level(pin, level_at(pin, next));
       next = next_edge(pin, next);
     }

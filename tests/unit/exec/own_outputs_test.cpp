@@ -165,5 +165,40 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(25, 49, 0, 30, 0, 1));
 }
 
+// Of 16 bits by pin 5, of 8 by pin 4.
+TEST_F(OwnOutputs, ATimerCountsEdgesOfItsPin) {
+  start(R"(volatile int full;
+ISR(TIMER1_COMPA_vect) { ++full; }
+void setup() {
+  Serial.begin(115200);
+  TCCR1A = 0;
+  TCCR1B = 7;
+  analogWrite(5, 77);
+  delay(500);
+  Serial.println((TCNT1 + 2) / 5);  // 488
+  digitalWrite(5, LOW);
+  TCNT1 = 0;
+  TCCR1B = 7 | _BV(WGM12);
+  OCR1A = 9;
+  TIMSK1 = _BV(OCIE1A);
+  for (int i = 0; i < 25; ++i) {
+    digitalWrite(5, HIGH);
+    digitalWrite(5, LOW);
+  }
+  Serial.println(TCNT1);
+  Serial.println(full);
+  TCCR1B = 6;
+  pinMode(5, INPUT);
+  TCNT1 = 0;
+  delay(50);
+  Serial.println(TCNT1);
+}
+void loop() {})");
+  run(510 * kMillisecond);
+  for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
+  run(60 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 2, 3));
+}
+
 }  // namespace
 }  // namespace robosim::exec
