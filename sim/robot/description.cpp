@@ -304,7 +304,9 @@ Description read_description(const RobotSource& source, const fs::path& file, co
   Description robot;
   robot.name = file.stem().string();
   robot.file = file;
-  robot.sha256 = sha256(source.bytes);
+  robot.texts = source.texts;
+  const std::string bytes = bytes_of(source);
+  robot.sha256 = sha256(bytes);
   reader.find("base");
   reader.find("remove");
   const BoardSpec& own_board = read_board(reader);
@@ -314,7 +316,7 @@ Description read_description(const RobotSource& source, const fs::path& file, co
     robot.board = instead;
     robot.budget = {};
     robot.name = robot_with_board(robot.name, instead->name);
-    robot.sha256 = sha256(source.bytes + "@" + instead->name);
+    robot.sha256 = sha256(bytes + "@" + instead->name);
   }
   robot.chassis = read_chassis(reader.require("chassis"));
   robot.motors = read_motors(reader.require("motors"));

@@ -152,6 +152,12 @@ struct Budget {
   double loop_s = 0.0;           ///< the longest pass of loop(); 0 = any
 };
 
+/// A file that a robot was read from.
+struct SourceText {
+  std::filesystem::path file;
+  std::string text;
+};
+
 struct Description {
   std::string name;  ///< the file's stem, with another board's name behind an @
   std::filesystem::path file;
@@ -165,6 +171,7 @@ struct Description {
   Battery battery;
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, as netlist.h numbers them
   std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
+  std::vector<SourceText> texts;                       ///< the file, and those of its bases
 };
 
 /// The file of a robot by what users type: a path if it holds '/' or '.', else the stock robot of that name.

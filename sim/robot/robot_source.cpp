@@ -142,7 +142,7 @@ fs::path find_base(const ConfigValue& base, const fs::path& from) {
 }
 
 RobotSource read_with_bases(std::string_view text, const fs::path& file, int depth) {
-  RobotSource source{parse_toml(text, file.string()), std::string(text), {}};
+  RobotSource source{parse_toml(text, file.string()), {{file, std::string(text)}}, {}};
   const ConfigValue* base = source.tree.find("base");
   if (!base) {
     if (const ConfigValue* list = source.tree.find("remove"))
@@ -164,11 +164,17 @@ RobotSource read_with_bases(std::string_view text, const fs::path& file, int dep
   source.based_on = std::move(below.based_on);
   source.based_on.emplace(path.string(), base->place);
   source.tree = derive(std::move(below.tree), std::move(source.tree));
-  source.bytes += below.bytes;
+  std::move(below.texts.begin(), below.texts.end(), std::back_inserter(source.texts));
   return source;
 }
 
 }  // namespace
+
+std::string bytes_of(const RobotSource& source) {
+  std::string bytes;
+  for (const SourceText& one : source.texts) bytes += one.text;
+  return bytes;
+}
 
 std::string place_text(const RobotSource& source, const Place& place) {
   const auto base = source.based_on.find(place.file);

@@ -6,17 +6,22 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/base/config.h"
+#include "sim/robot/description.h"
 
 namespace robosim::robot {
 
 struct RobotSource {
   ConfigValue tree;
-  std::string bytes;  ///< the file's own text, then those of its bases
+  std::vector<SourceText> texts;  ///< the file's own, then those of its bases
   /// Of each base where it is named: by "base" of the file that is based on it.
   std::map<std::string, Place> based_on;
 };
+
+/// All texts, one behind the other.
+std::string bytes_of(const RobotSource& source);
 
 /// "uno5.toml:12", and of a place in a base "uno5.toml:12, which my.toml:1 extends".
 std::string place_text(const RobotSource& source, const Place& place);

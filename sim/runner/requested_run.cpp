@@ -72,10 +72,11 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-                           wire::BatchMemory* waiting)
+                           wire::BatchMemory* waiting, Robots robots)
     : request_(request),
       map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})),
-      map_sha256_(grid::sha256_of(map_)) {
+      map_sha256_(grid::sha256_of(map_)),
+      robots_(std::move(robots)) {
   check_several(request);
   check_why(request);
   if (request.batches) {
@@ -99,9 +100,9 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
 }
 
 const robot::Description& RequestedRun::robot_named(const std::string& name) {
-  auto known = robots_.find(name);
-  if (known == robots_.end()) known = robots_.emplace(name, robot::load_description(name)).first;
-  return known->second;
+  std::shared_ptr<const robot::Description>& known = robots_[name];
+  if (!known) known = std::make_shared<const robot::Description>(robot::load_description(name));
+  return *known;
 }
 
 void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const Tell& tell) {

@@ -38,12 +38,16 @@ Inputs inputs_of(const std::string& map_sha256, const std::string& image, const 
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                           const Inputs& inputs);
 
+/// By the name that a request has for them.
+using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
+
 class RequestedRun {
  public:
-  /// Reads all files. `request` must outlive this, and so must `waiting`, where events of a batch wait; null
-  /// = in memory of its own. Throws InputError, and ToolMissing.
+  /// Reads all files, but those of `robots`, which have been. `request` must outlive this, and so must
+  /// `waiting`, where events of a batch wait; null = in memory of its own. Throws InputError, and
+  /// ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-               wire::BatchMemory* waiting = nullptr);
+               wire::BatchMemory* waiting = nullptr, Robots robots = {});
 
   /// Of one robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
@@ -75,7 +79,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const grid::Map map_;
   const std::string map_sha256_;
-  std::map<std::string, robot::Description> robots_;
+  Robots robots_;
   std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
   std::deque<Member> members_;
   run::Setup setup_;

@@ -27,6 +27,7 @@
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
+#include "sim/runner/read_ahead.h"
 #include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/runner/requested_run.h"
@@ -131,13 +132,13 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 }
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
-                            const wire::Id& id, const Relay* relay) {
+                            const wire::Id& id, const Relay* relay, const ReadAhead& ahead) {
   RequestedRun run(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
       },
       request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
-      relay ? relay->waiting() : nullptr);
+      relay ? relay->waiting() : nullptr, ahead.robots);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
@@ -154,9 +155,12 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
     const std::vector<wire::AgentRequest> agents = agents_of(request);
     for (const std::size_t agent : to_confine(factory, request))
       factory_of(factory, agents[agent].target)
-          .prepare_for_confinement(run.executor(agent), [relay, agent](const auto&, const auto& offsets) {
-            return relay->ask(kAskLines, text_of(agent, offsets));
-          });
+          .prepare_for_confinement(
+              run.executor(agent),
+              [relay, agent](const auto&, const auto& offsets) {
+                return relay->ask(kAskLines, text_of(agent, offsets));
+              },
+              ahead.images.at(agents[agent].image));
     if (exec::why_not_confined().empty()) relay->confine();
   }
   wire::RunResult result = run.go();
@@ -232,7 +236,7 @@ wire::RunResult result_of_death(const wire::RunRequest& request, const std::stri
 
 // In the fork.
 int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
-                 pid_t runner, Relay* relay) {
+                 pid_t runner, Relay* relay, const ReadAhead& ahead) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != runner) return 0;  // it had ended before that
   if (relay) {
@@ -243,7 +247,7 @@ int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
   const std::string answer =
-      wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, relay); }));
+      wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, relay, ahead); }));
   if (relay)
     relay->answer(answer);
   else
@@ -298,9 +302,9 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
 
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                const wire::RunRequest& request, const wire::Id& id,
-                                               pid_t self) {
+                                               pid_t self, const ReadAhead& ahead) {
   Relay relay;
-  Child child([&] { return run_in_child(factory, request, id, self, &relay); });
+  Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
   const Relay::Told told = relay.serve(
       child, [&](char what, const std::string& question) { return serve_ask(request, what, question); },
       request.interactive);
@@ -329,9 +333,13 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id) {
   for (const wire::AgentRequest& agent : agents_of(request)) known_sha256(agent.image);
+  const std::vector<std::size_t> confined = to_confine(factory, request);
+  static ReadAhead ahead;
+  ahead = read_ahead(request, confined, std::move(ahead));
   const pid_t self = ::getpid();
-  if (!to_confine(factory, request).empty()) return serve_confined_run(factory, request, id, self);
-  const Ending ending = Child([&] { return run_in_child(factory, request, id, self, nullptr); }).wait();
+  if (!confined.empty()) return serve_confined_run(factory, request, id, self, ahead);
+  const Ending ending =
+      Child([&] { return run_in_child(factory, request, id, self, nullptr, ahead); }).wait();
   if (ending.ok()) return std::nullopt;
   return result_of_death(request, cause_of_death(ending), "", 0, 0);
 }

@@ -87,10 +87,10 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
     const Descriptor first = std::move(copy_);
     copy_ = Descriptor(dup3(first.get(), kImageFd, O_CLOEXEC));
   }
-  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(file.content.size())) != 0)
-    throw no_memory();
-  for (std::size_t done = 0; done < file.content.size();) {
-    const ssize_t wrote = write(copy_.get(), file.content.data() + done, file.content.size() - done);
+  const std::string& content = *file.content;
+  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(content.size())) != 0) throw no_memory();
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t wrote = write(copy_.get(), content.data() + done, content.size() - done);
     if (wrote <= 0) throw no_memory();
     done += static_cast<std::size_t>(wrote);
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ std::string ask_addr2line(const std::filesystem::path& image, const std::vector<
 
 struct ImageFile {
   std::filesystem::path name;
-  std::string content;
+  std::shared_ptr<const std::string> content;
   AddressLines lines = ask_addr2line;
 };
 

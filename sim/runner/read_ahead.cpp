@@ -1,0 +1,69 @@
+#include "sim/runner/read_ahead.h"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "sim/base/descriptor.h"
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+
+namespace robosim::runner {
+namespace {
+
+constexpr std::size_t kChunk = 16 * 1024;  // bytes
+
+/// Whether `file` holds `text`, and nothing else.
+bool holds(const std::filesystem::path& file, std::string_view text) {
+  const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!open.is_open()) return false;
+  std::array<char, kChunk> chunk;
+  for (;;) {
+    const ssize_t n = ::read(open.get(), chunk.data(), chunk.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n == 0 && text.empty();
+    const auto bytes = static_cast<std::size_t>(n);
+    if (text.substr(0, bytes) != std::string_view(chunk.data(), bytes)) return false;
+    text.remove_prefix(bytes);
+  }
+}
+
+bool is_as_read(const robot::Description& robot) {
+  return std::all_of(robot.texts.begin(), robot.texts.end(),
+                     [](const robot::SourceText& one) { return holds(one.file, one.text); });
+}
+
+void add_robot(const std::string& name, const Robots& last, Robots& robots) {
+  if (robots.contains(name)) return;
+  if (const auto known = last.find(name); known != last.end() && is_as_read(*known->second)) {
+    robots.insert(*known);
+    return;
+  }
+  try {
+    robots.emplace(name, std::make_shared<const robot::Description>(robot::load_description(name)));
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace
+
+ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
+                     ReadAhead last) {
+  const std::vector<wire::AgentRequest> agents = agents_of(request);
+  ReadAhead all;
+  for (const wire::AgentRequest& agent : agents) add_robot(agent.robot, last.robots, all.robots);
+  for (const std::size_t number : confined) {
+    const std::string& file = agents[number].image;
+    std::shared_ptr<const std::string>& image = all.images[file];
+    if (image) continue;
+    const auto known = last.images.find(file);
+    image = known != last.images.end() && holds(file, *known->second)
+                ? known->second
+                : std::make_shared<const std::string>(read_file(file));
+  }
+  return all;
+}
+
+}  // namespace robosim::runner

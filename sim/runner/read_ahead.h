@@ -1,0 +1,26 @@
+// What a request's run reads, read before its process begins: that finds it in the runner's memory, and so do
+// those of the next requests, as long as the files hold the same.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/runner/requested_run.h"
+
+namespace robosim::runner {
+
+struct ReadAhead {
+  Robots robots;
+  std::map<std::string, std::shared_ptr<const std::string>> images;
+};
+
+/// All robots, and the images of those whose numbers are `confined`. What `last` has and the files still hold
+/// is not read again. A robot that cannot be read is left out: the run will say why. Throws InputError where
+/// an image cannot be read.
+ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
+                     ReadAhead last);
+
+}  // namespace robosim::runner

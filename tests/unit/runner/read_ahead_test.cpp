@@ -1,0 +1,70 @@
+#include "sim/runner/read_ahead.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace robosim::runner {
+namespace {
+
+class ReadingAhead : public testing::Test {
+ protected:
+  ReadingAhead() {
+    write_file(base_, read_file(robot::find_robot("uno5")));
+    write_file(robot_, "base = \"./base.toml\"\n");
+    write_file(image_, "one");
+    request_.robot = robot_.string();
+    request_.image = image_.string();
+  }
+
+  const robot::Description* read() {
+    ahead_ = read_ahead(request_, {0}, std::move(ahead_));
+    const auto found = ahead_.robots.find(request_.robot);
+    return found == ahead_.robots.end() ? nullptr : found->second.get();
+  }
+
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path robot_ = folder_.path() / "own.toml", base_ = folder_.path() / "base.toml",
+                              image_ = folder_.path() / "a.so";
+  wire::RunRequest request_;
+  ReadAhead ahead_;
+};
+
+TEST_F(ReadingAhead, WhatFilesStillHoldIsNotReadAgain) {
+  const robot::Description* const robot = read();
+  const std::string* const image = ahead_.images.at(request_.image).get();
+  ASSERT_TRUE(robot);
+  EXPECT_EQ(*image, "one");
+  EXPECT_EQ(read(), robot);
+  EXPECT_EQ(ahead_.images.at(request_.image).get(), image);
+}
+
+// However soon after: nothing but its bytes says whether a file is the same.
+TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
+  for (const char* content : {"one", "two", "tw", "", "three"}) {
+    write_file(image_, content);
+    read();
+    EXPECT_EQ(*ahead_.images.at(request_.image), content);
+  }
+  std::filesystem::remove(image_);
+  EXPECT_THROW(read(), InputError);
+}
+
+TEST_F(ReadingAhead, SoIsAChangeInARobotOrItsBase) {
+  for (const char* text : {"[chassis]\nmass = \"210 g\"\n", "[chassis]\nmass = \"220 g\"\n"}) {
+    write_file(robot_, std::string("base = \"./base.toml\"\n") + text);
+    ASSERT_TRUE(read());
+    EXPECT_EQ(read()->sha256, robot::load_description(request_.robot).sha256);
+  }
+  const std::string before = read()->sha256;
+  write_file(base_, read_file(base_) + "# changed\n");
+  ASSERT_TRUE(read());
+  EXPECT_NE(read()->sha256, before);
+  std::filesystem::remove(base_);
+  EXPECT_FALSE(read()) << "the run says what is missing";
+}
+
+}  // namespace
+}  // namespace robosim::runner
