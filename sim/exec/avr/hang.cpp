@@ -8,6 +8,7 @@
 
 #include "sim/avr/recurrence.h"
 #include "sim/elf/avr_addresses.h"
+#include "sim/exec/avr/registers.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -45,9 +46,14 @@ std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu,
   return stores;
 }
 
-bool may_change(const Round& round, int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
-  auto stores = robosim::avr::stores_of_handler(cpu, vector);
-  if (!stores) stores = stores_of_serial(vector, cpu, firmware);
+// What a handler of the Arduino core changes; nothing where it is the sketch's own, or cannot be told.
+std::optional<Stores> stores_of_core(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
+  if (vector == overflow_of(firmware.chip->timers[0])) return robosim::avr::stores_of_handler(cpu, vector);
+  return stores_of_serial(vector, cpu, firmware);
+}
+
+bool keeps_alive(const Round& round, int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
+  const auto stores = stores_of_core(vector, cpu, firmware);
   if (!stores) return true;
   for (std::size_t address = 0; address < stores->size(); ++address)
     if ((*stores)[address] && round.reads[address]) return true;
@@ -64,7 +70,7 @@ bool hangs(const WatchedChip& watched, const Firmware& firmware) {
   if (!round) return false;
   if (!round->interruptible) return true;
   for (std::uint64_t vectors = chip.may_interrupt(); vectors; vectors &= vectors - 1)
-    if (may_change(*round, std::countr_zero(vectors), chip.cpu(), firmware)) return false;
+    if (keeps_alive(*round, std::countr_zero(vectors), chip.cpu(), firmware)) return false;
   return true;
 }
 

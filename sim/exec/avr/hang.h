@@ -6,10 +6,11 @@
 
 namespace robosim::exec::avr {
 
-/// Proved, never guessed: the program goes round (sim/avr/recurrence.h), and of the interrupts that are
-/// enabled none has a handler that could change what the round reads, or do something by itself. What a
-/// handler may do is read from its code; of Serial's, which store by pointers, it is known that they touch
-/// nothing but Serial. False where there is no proof. Takes some milliseconds.
+/// Proved, never guessed: the program goes round (sim/avr/recurrence.h), and the interrupts that are enabled
+/// are the Arduino core's, whose handlers cannot change what the round reads. What the clock's may do is read
+/// from its code; of Serial's, which store by pointers, it is known that they touch nothing but Serial. Any
+/// handler of the sketch's own is life, also one that only counts: the host cannot tell those apart. False
+/// where there is no proof. Takes some milliseconds.
 bool hangs(const WatchedChip& chip, const Firmware& firmware);
 
 }  // namespace robosim::exec::avr

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hal/board/avr_registers.h"
+#include "hal/board/chip_spec.h"
 
 namespace robosim::exec::avr {
 
@@ -10,5 +11,10 @@ namespace reg = robosim::avr::reg;
 /// The lower of the two registers that hand a function its first, second and third argument of up to 16 bits;
 /// a result comes back in the first. Source: avr-gcc's ABI, https://gcc.gnu.org/wiki/avr-gcc.
 inline constexpr reg::Address kArgument[] = {24, 22, 20};
+
+/// The vector of a timer's overflow. Timer 0's is the core's clock.
+inline int overflow_of(const TimerSpec& timer) {
+  return timer.overflow_vector ? timer.overflow_vector : timer.vector + channels(timer);
+}
 
 }  // namespace robosim::exec::avr

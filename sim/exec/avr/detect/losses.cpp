@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/exec/avr/registers.h"
+
 namespace robosim::exec::avr {
 namespace {
 
@@ -13,11 +15,6 @@ constexpr std::uint8_t kModeMask = 0x03, kHighModeBit = 0x08, kClockMask = 0x07;
 constexpr const char* kBeBrief =
     "Keep interrupts off for as long as it takes to copy a number, and let handlers only note what came: the "
     "work is loop()'s.";
-
-/// Timer 0's, whose overflow is the core's clock.
-int overflow_of(const TimerSpec& timer) {
-  return timer.overflow_vector ? timer.overflow_vector : timer.vector + channels(timer);
-}
 
 }  // namespace
 
