@@ -9,7 +9,7 @@ namespace {
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
-constexpr std::size_t kMostLeftOut = 16;
+constexpr std::size_t kMostLeftOut = 20;
 
 bool skips(Op op) {
   return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;

@@ -22,8 +22,10 @@ void Causes::want_branch(Index index, Want want) {
   const auto at = [&](Index i) -> const Entry& { return entries[static_cast<std::size_t>(i)]; };
   for (;; index = frames_[static_cast<std::size_t>(index)]) {
     if (index == kNone || at(index).interrupts) return;
-    add_pending(index, want);
-    if (sketch_.at(at(index).pc).is_described) return;
+    const bool is_described = sketch_.at(at(index).pc).is_described;
+    const bool starts_up = !is_described && frames_[static_cast<std::size_t>(index)] == kNone;
+    if (!starts_up) add_pending(index, want);
+    if (is_described) return;
   }
 }
 
@@ -82,14 +84,16 @@ void Causes::visit_left_out(Index index) {
     if (wanted && (!best || wanted->far < best->far)) best = wanted;
   };
   for (const std::uint32_t pc : branches_->left_out(branch, entries[at + 1].pc)) {
-    if (has_run(pc)) break;
+    if (has_run(pc)) {
+      if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
+      return;
+    }
     const Instruction& i = cpu.instruction(pc);
     each(effects_of_logged(i, cpu).writes, [&](unsigned reg) { kept(registers_[reg]); });
     if (i.op != Op::sts) continue;
     if (const auto byte = bytes_.find(static_cast<std::uint16_t>(i.k)); byte != bytes_.end())
       kept(byte->second);
   }
-  if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
 }
 
 }  // namespace robosim::exec::avr
