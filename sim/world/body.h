@@ -254,7 +254,8 @@ class Body {
     Pose face;                           // where that was
     double pitch = 0.0, roll = 0.0;      // sines: its front is up, its left side is up
     bool eases = false;                  // nothing pulls at it
-    double speed = 0.0, gain = 0.0;      // m/s in the tick before, m/s2 since
+    double speed = 0.0;                  // m/s in the tick before, less what was lost without shifting loads
+    double gain = 0.0;                   // m/s2 since
     double tip[2] = {0.0, 0.0};          // rad: the caster is up, a wheel is up
     double tip_rate[2] = {0.0, 0.0};     // rad/s
     Toppled toppled = Toppled::no;
@@ -264,6 +265,8 @@ class Body {
   void step(const Walls&, Ground* ground);
   bool stand(Ground* ground, const Pose& before, double travel);
   bool halt();
+  double foot_radius(int i) const;
+  double hub_share(int i) const;
   void find_footing(const Ground*, Vec2* at, Vec2* rises);
   void set_scrub();
   void scrub();

@@ -19,6 +19,11 @@
 //   bound_radius^2 / 4)
 // Beyond 45 degrees it has toppled. So, standing, it tips where tan(slope) > d / h.
 //
+// With the caster behind, what is steeper than the chassis stands, a step or the foot of a slope, pushes at a
+// wheel's hub and not at its tread: of the speed that is lost there, by the impact and to the wheel's own
+// slope, the arm is not h but h - r, at least 0. So a robot whose mass is no higher than its hubs does not
+// trip over a step.
+//
 // A wheel that meets a slope, from the slope k_0 to a steeper one k_1, keeps of its speed the cosine of the
 // angle between them: v falls by (1 - cos) of its share of the mass. Where it lands, coming from k_0 < 0, its
 // share of v^2 falls by no more than 2 g r (1 - 1 / sqrt(1 + k_0^2)), what it fell by.
@@ -27,7 +32,9 @@
 // once; and what rises in front of a wheel by more than three times its way is a face: it stops there, as at
 // a wall.
 //
-// Not modelled: a tip about the caster (its wheels lose their grip instead), a chassis that sits on a crest.
+// Not modelled: that a step also pushes the axle up, which holds the caster down; that motors at a step lift
+// a caster in front; a tip about the caster (its wheels lose their grip instead); a chassis that sits on a
+// crest.
 #include <algorithm>
 
 #include "sim/base/turn.h"
@@ -56,7 +63,7 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
     const double most = kFaceSlope * travel + ground->heave() + kFaceLeast;
     bool is_face = false;
     for (int i = 0; i < 3; ++i) {
-      const double radius = i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m;
+      const double radius = foot_radius(i);
       is_face |= stance_.height[i] - last.height[i] > most;
       if (last.height[i] - stance_.height[i] > radius) stance_.toppled = Toppled::off_an_edge;
     }
@@ -73,11 +80,20 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
   }
   share_load(ground, at);
   if (stance_.toppled != Toppled::no) return halt();
+  stance_.speed = speed;
   if (last.known) bump(last.rise, rises);
   for (int i = 0; i < 3; ++i) stance_.rise[i] = rises[i];
-  stance_.speed = speed;
   pull(at, rises);
   return true;
+}
+
+double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
+
+// Of a push at its hub, how much shifts no load.
+double Body::hub_share(int i) const {
+  if (params_.caster_m > 0.0) return 0.0;
+  const double h = params_.centre_height_m, radius = foot_radius(i);
+  return radius < h ? radius / h : 1.0;
 }
 
 bool Body::halt() {
@@ -122,7 +138,7 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
     const double from = dot(before[i], way), to = dot(rises[i], way);
     if (!(to > from)) continue;
     const double share = i < 2 ? on_wheel : 1.0 - 2.0 * on_wheel;
-    const double radius = i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m;
+    const double radius = foot_radius(i);
     const double stretch = std::sqrt(1.0 + from * from);
     const double cosine = (1.0 + from * to) / (stretch * std::sqrt(1.0 + to * to));
     double left_over = 1.0 - share * (1.0 - cosine);
@@ -130,6 +146,7 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
       const double fallen = 2.0 * kGravity * radius * (1.0 - 1.0 / stretch) / (v_ * v_);
       left_over = std::max(left_over, std::sqrt(std::max(1.0 - share * fallen, 0.0)));
     }
+    stance_.speed -= hub_share(i) * (1.0 - left_over) * v_;
     v_ *= left_over;
     along_free_ *= left_over;
   }
@@ -139,13 +156,16 @@ void Body::pull(const Vec2* at, const Vec2* rises) {
   const double weight = params_.mass_kg * kGravity;
   const double on_wheel = 0.5 * params_.load_share * weight;
   const double share[3] = {on_wheel, on_wheel, weight - 2.0 * on_wheel};
+  const double slope = stance_.pitch - std::copysign(stance_.tip[0], params_.caster_m);
   Vec2 force;
-  double torque = 0.0;
+  double torque = 0.0, at_hubs = 0.0;
   for (int i = 0; i < 3; ++i) {
     const Vec2 pulls = rises[i] * -share[i];
     force = force + pulls;
     torque += cross(at[i] - pose_.position, pulls);
+    at_hubs += hub_share(i) * (dot(pulls, pose_.heading) + share[i] * slope);
   }
+  stance_.speed += at_hubs * kDt * per_mass_;
   stance_.eases = force.x == 0.0 && force.y == 0.0 && torque == 0.0 && stance_.tip[0] == 0.0 &&
                   stance_.tip[1] == 0.0 && stance_.gain == 0.0;
   const Vec2 gain = force * (kDt * per_mass_);
