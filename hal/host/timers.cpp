@@ -100,8 +100,7 @@ void Timer::set_connection(int channel, uint8_t bits) {
 
 void Timer::set_compare(int channel, uint16_t value) {
   const bool is_top = channel == 0 && counting_.top == avr::Counting::Top::compare_a;
-  const uint8_t flag = channel == 0 ? compare_a : compare_b;
-  const bool interrupts = enabled_ & flag;
+  const bool interrupts = enabled_ & (channel == 0 ? compare_a : compare_b);
   if (value == compare_[channel]) return;
   if (is_top || interrupts) {
     const Phase phase = leave_registers();
@@ -109,7 +108,6 @@ void Timer::set_compare(int channel, uint16_t value) {
     return take_registers(phase);
   }
   sync_waves();
-  if (!(flags_ & flag)) sync_disabled();
   if (counting_.kind == avr::Counting::Kind::pwm) {
     hold(channel);
   } else {
@@ -186,7 +184,7 @@ void Timer::count_edge(bool level) {
   if (!counts_edges() || level != (control_b_ & 1)) return;  // CS: 6 falling, 7 rising
   overflows_seen_ = disabled_seen_ = ++base_tick_;
   const int64_t now = position();
-  if (now == overflows_at() && overflows()) flags_ |= overflow;
+  if (now == 0 && overflows()) flags_ |= overflow;
   for (int channel = 0; channel < 2; ++channel) {
     int64_t at[2] = {0, 0};
     const int count = matches(channel, at);
@@ -226,12 +224,6 @@ void Timer::clear_flags(uint8_t mask) {
   flags_ &= static_cast<uint8_t>(~mask);
 }
 
-void Timer::leave_bottom() {
-  if (compare_[0] == 0) flags_ |= compare_a;
-  if (compare_[1] == 0) flags_ |= compare_b;
-  disabled_seen_ = base_tick_ + 1;
-}
-
 uint8_t Timer::flags() {
   sync();
   sync_disabled();
@@ -241,9 +233,12 @@ uint8_t Timer::flags() {
 int Timer::matches(int channel, int64_t (&at)[2]) const {
   const int64_t value = compare_[channel];
   if (value > top_) return 0;
-  at[0] = (value + 1) % period_;  // the flag follows one tick after the match
-  if (!counting_.dual_slope) return 1;
-  at[1] = (2 * top_ - value + 1) % period_;
+  if (!counting_.dual_slope) {  // the flag follows one tick after the match
+    at[0] = (value + 1) % period_;
+    return 1;
+  }
+  at[0] = value % period_;
+  at[1] = (2 * top_ - value) % period_;
   return at[0] == at[1] ? 1 : 2;
 }
 
@@ -254,8 +249,7 @@ bool Timer::passed(int64_t event, int64_t until) const {
 void Timer::sync_disabled() {
   if (prescaler_ == 0) return;
   const int64_t until = ticks();
-  if (until < disabled_seen_) return;
-  if (!(enabled_ & overflow) && overflows() && passed(overflows_at(), until)) flags_ |= overflow;
+  if (!(enabled_ & overflow) && overflows() && passed(0, until)) flags_ |= overflow;
   for (int channel = 0; channel < 2; ++channel) {
     const uint8_t flag = channel == 0 ? compare_a : compare_b;
     if ((enabled_ | flags_) & flag) continue;
@@ -269,7 +263,6 @@ void Timer::sync_disabled() {
 
 SimTime Timer::next(int flag, int64_t after) const {
   int64_t at[2] = {0, 0};
-  if (flag == 0) at[0] = overflows_at();
   const int count = flag > 0 ? matches(flag - 1, at) : overflows() ? 1 : 0;
   int64_t first = INT64_MAX;
   for (int i = 0; i < count; ++i) {
@@ -297,8 +290,7 @@ void Timer::raise_due() {
 int64_t Timer::take_overflows() {
   if (state.now < due_of_[0]) return 0;
   const int64_t until = ticks();
-  const int64_t ahead = period_ - overflows_at();
-  const int64_t count = (until + ahead) / period_ - (overflows_seen_ + ahead) / period_;
+  const int64_t count = until / period_ - overflows_seen_ / period_;
   overflows_seen_ = until;
   due_of_[0] = next(0, until);
   due_ = due_of_[0] < due_to_match() ? due_of_[0] : due_to_match();
