@@ -14,7 +14,7 @@ struct Power {
   SimTime since = 0;             ///< when it last came or went
   int resets = 0;                ///< for want of voltage
   std::optional<double> charge;  ///< of a [battery], 0..1; below 0 it collapses
-  double volts = 0.0;            ///< of the battery, under load
+  double volts = 0.0;            ///< V of the battery, under load
   double needed = 0.0;           ///< V that the battery must have for the chip to run
 
   bool empty() const { return charge && *charge <= 0.0; }
