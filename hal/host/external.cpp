@@ -25,6 +25,10 @@ bool is_counted(Pin pin) {
   return places[pin].counted_by >= 0 && timer(places[pin].counted_by).counts_edges();
 }
 
+bool is_captured(Pin pin) {
+  return places[pin].captured_by >= 0 && timer(places[pin].captured_by).captures_edges();
+}
+
 int sense_of(int number) { return external.sense >> 2 * number & 3; }
 
 }  // namespace
@@ -50,7 +54,8 @@ void refresh_external() {
         place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask;
     const bool by_itself =
         place.external >= 0 && (external.mask >> place.external & 1 || sense_of(place.external) != 0);
-    const bool wanted = by_change || by_itself || is_counted(pin) || lines.enabled.has(pin);
+    const bool wanted =
+        by_change || by_itself || is_counted(pin) || is_captured(pin) || lines.enabled.has(pin);
     const bool found = executor->want_edges(pin, wanted, state.now);
     if (heard.has(pin) == wanted) continue;
     if (wanted) {
@@ -73,16 +78,16 @@ void hear() {
 }
 
 void drive_changed(Pin pin) {
-  hear_level(pin, is_output(pin) ? output_level(pin) : board->read_along(pin, state.now));
+  hear_level(pin, is_output(pin) ? output_level(pin) : board->read_along(pin, state.now), state.now);
   refresh_wave(pin);
   refresh_deadline();
 }
 
-void external_edge(Pin pin, bool level) {
-  if (heard.has(pin) && !is_output(pin)) hear_level(pin, level);
+void external_edge(Pin pin, bool level, SimTime at) {
+  if (heard.has(pin) && !is_output(pin)) hear_level(pin, level, at);
 }
 
-void hear_level(Pin pin, bool level) {
+void hear_level(Pin pin, bool level, SimTime at) {
   if (heard_level[pin] == level) return;
   heard_level[pin] = level;
   const Place& place = places[pin];
@@ -93,6 +98,7 @@ void hear_level(Pin pin, bool level) {
     if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
   if (place.counted_by >= 0) timer(place.counted_by).count_edge(level);
+  if (is_captured(pin)) timer(place.captured_by).capture_edge(level, at);
   if (lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
   if (place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask)
     external.change_flags |= static_cast<uint8_t>(1 << place.change_group);

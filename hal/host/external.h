@@ -68,10 +68,10 @@ extern PinSet heard;
 /// Takes what has reached such pins until now; and what has come of it that one is driven in another way.
 void hear();
 void drive_changed(Pin pin);
-/// An edge has arrived at an input.
-void external_edge(Pin pin, bool level);
-/// The level of a pin that matters, whoever makes it: an edge, if it had the other one.
-void hear_level(Pin pin, bool level);
+/// An edge has arrived at an input, at that moment.
+void external_edge(Pin pin, bool level, SimTime at);
+/// The level of a pin that matters, whoever makes it, from a moment on: an edge, if it had the other one.
+void hear_level(Pin pin, bool level, SimTime at);
 /// The vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low level
 /// raises its flag for as long as it lasts.
 uint32_t pending_external();

@@ -25,6 +25,7 @@ ROBOSIM_VECTOR(6)
 ROBOSIM_VECTOR(7)
 ROBOSIM_VECTOR(8)
 ROBOSIM_VECTOR(9)
+ROBOSIM_VECTOR(10)
 ROBOSIM_VECTOR(11)
 ROBOSIM_VECTOR(12)
 ROBOSIM_VECTOR(13)
@@ -69,7 +70,7 @@ const char* const kNoHandler[kVectors] = {
     ROBOSIM_NO_HANDLER("TIMER2_COMPA_vect"),
     ROBOSIM_NO_HANDLER("TIMER2_COMPB_vect"),
     ROBOSIM_NO_HANDLER("TIMER2_OVF_vect"),
-    "",
+    ROBOSIM_NO_HANDLER("TIMER1_CAPT_vect"),
     ROBOSIM_NO_HANDLER("TIMER1_COMPA_vect"),
     ROBOSIM_NO_HANDLER("TIMER1_COMPB_vect"),
     ROBOSIM_NO_HANDLER("TIMER1_OVF_vect"),
@@ -108,6 +109,8 @@ Handler handler_of(int vector) {
       return __vector_8;
     case 9:
       return __vector_9;
+    case 10:
+      return __vector_10;
     case 11:
       return __vector_11;
     case 12:
@@ -144,7 +147,8 @@ uint32_t pending_timer(const Timer& timer, int first_vector) {
   if (!raised) return 0;
   return ((raised & Timer::compare_a) >> 1 | (raised & Timer::compare_b) >> 1 |
           (raised & Timer::overflow) << 2)
-         << first_vector;
+             << first_vector |
+         (raised & Timer::captured ? 1u << kTimer1Captured : 0u);
 }
 
 void acknowledge_timer(Timer& timer, int offset) {
@@ -159,6 +163,8 @@ void acknowledge(int vector) {
     watchdog.acknowledge();
   } else if (vector >= kTimer2 && vector < kTimer2 + kOfTimer) {
     acknowledge_timer(timer2, vector - kTimer2);
+  } else if (vector == kTimer1Captured) {
+    timer1.acknowledge(Timer::captured);
   } else if (vector >= kTimer1 && vector < kTimer1 + kOfTimer) {
     acknowledge_timer(timer1, vector - kTimer1);
   } else if (vector >= kTimer0 && vector < kTimer0 + kOfTimer) {
@@ -182,7 +188,7 @@ void take_inputs() {
   Input input;
   while (state.next_input <= state.now && executor->take_input(state.now, input)) {
     if (input.kind == Input::Kind::edge) {
-      external_edge(input.pin, input.value);
+      external_edge(input.pin, input.value, input.at);
     } else {
       uart.receive(input.value);
     }
@@ -204,9 +210,9 @@ void sync_peripherals() {
 
 uint32_t pending_interrupts() {
   return pending_external() | pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) |
-         pending_timer(timer2, kTimer2) | uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u) |
-         (spi.pending() ? 1u << kSpi : 0u) | (two_wire.pending() ? 1u << kTwoWire : 0u) |
-         (watchdog.pending() ? 1u << kWatchdog : 0u);
+         pending_timer(timer2, kTimer2) | (timer1.pending() & Timer::captured ? 1u << kTimer1Captured : 0u) |
+         uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u) | (spi.pending() ? 1u << kSpi : 0u) |
+         (two_wire.pending() ? 1u << kTwoWire : 0u) | (watchdog.pending() ? 1u << kWatchdog : 0u);
 }
 
 SimTime next_interrupt(bool with_timer0_overflow) {

@@ -16,6 +16,7 @@ enum Vector : uint8_t {
   kWatchdog = kChip.watchdog_vector,
   kTimer2 = kChip.timers[2].vector,  // compare A; +1 compare B; +2 overflow
   kTimer1 = kChip.timers[1].vector,
+  kTimer1Captured = kTimer1 - 1,
   kTimer0 = kChip.timers[0].vector,
   kTimer0Overflow = kTimer0 + 2,
   kUartReceived = kChip.uarts[0].vector,

@@ -22,6 +22,7 @@ uint8_t pwm_values[kPins];  // of pins without a timer
 Pin port_pins[kPorts][kBits];
 Pin timer_pins[kTimers][2];
 Pin external_pins[kChip.external_count];
+Pin capture_pin;
 
 void place_on_chip(Pin pin, const ChipPin& at) {
   Place& place = places[pin];
@@ -33,6 +34,8 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   place.timer.channel = static_cast<int8_t>(at.output);
   place.external = at.external;
   place.counted_by = at.counted_by;
+  place.captured_by = at.captured_by;
+  if (at.captured_by >= 0) capture_pin = pin;
   if (at.change >= 0) {
     place.change_group = static_cast<int8_t>(at.change / 8);
     place.change_mask = static_cast<uint8_t>(1 << at.change % 8);
@@ -87,6 +90,8 @@ bool output_level(Pin pin) {
 }
 
 Pin pin_of_external(int number) { return external_pins[number]; }
+
+Pin pin_of_capture() { return capture_pin; }
 
 void place_pins() {
   for (auto& pins : port_pins)

@@ -34,6 +34,7 @@ struct Place {
   int8_t change_group = -1;  ///< of the pin change interrupts; -1 = none
   uint8_t change_mask = 0;   ///< the bit of PCMSKn
   int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
+  int8_t captured_by = -1;   ///< the timer that captures its edges; -1 = none
   Pin wired = 0;             ///< first_number() of it
 };
 constexpr int kNumbers = 256;  ///< that a sketch may take for a pin's
@@ -45,6 +46,8 @@ inline bool is_digital(Pin pin) { return places[pin].digital; }
 inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
 /// The pin of INTn; kNoPin if the board has none.
 Pin pin_of_external(int number);
+/// The pin of ICP1.
+Pin pin_of_capture();
 /// When the firmware begins: fills in all that.
 void place_pins();
 

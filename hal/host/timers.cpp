@@ -44,8 +44,10 @@ SimTime Timer::ticks_from_now(int64_t count) const { return time_of(ticks() + co
 
 int64_t Timer::position() const { return ticks() % period_; }
 
-uint16_t Timer::count() const {
-  const int64_t at = position();
+uint16_t Timer::count() const { return count_at(ticks()); }
+
+uint16_t Timer::count_at(int64_t tick) const {
+  const int64_t at = tick % period_;
   return static_cast<uint16_t>(counting_.dual_slope && at > top_ ? period_ - at : at);
 }
 
@@ -58,6 +60,7 @@ void Timer::decode() {
 }
 
 Timer::Phase Timer::leave_registers() {
+  if (captures_edges()) hear();
   sync_waves();
   sync();
   sync_disabled();
@@ -77,16 +80,21 @@ void Timer::take_registers(const Phase& phase) {
 
 void Timer::set_control_a(uint8_t value) {
   const Phase phase = leave_registers();
+  const bool captured = captures_edges();
   control_a_ = value;
   take_registers(phase);
+  if (captured != captures_edges()) refresh_external();
 }
 
 void Timer::set_control_b(uint8_t value) {
   const Phase phase = leave_registers();
-  const bool counted = counts_edges();
+  const bool counted = counts_edges(), captured = captures_edges();
+  const uint8_t before = control_b_;
   control_b_ = value;
   take_registers(phase);
-  if (counted != counts_edges()) refresh_external();
+  if (value & (kCanceler | kRisingCapture)) listen_to_captures();
+  if (counted != counts_edges() || captured != captures_edges()) refresh_external();
+  if (value & ~before & kCanceler) begin_canceler();
 }
 
 void Timer::set_connection(int channel, uint8_t bits) {
@@ -184,22 +192,23 @@ void Timer::count_edge(bool level) {
   if (!counts_edges() || level != (control_b_ & 1)) return;  // CS: 6 falling, 7 rising
   overflows_seen_ = disabled_seen_ = ++base_tick_;
   const int64_t now = position();
-  if (now == 0 && overflows()) flags_ |= overflow;
-  for (int channel = 0; channel < 2; ++channel) {
+  for (int flag = 0; flag < kFlags; ++flag) {
     int64_t at[2] = {0, 0};
-    const int count = matches(channel, at);
+    const int count = raises(flag, at);
     for (int i = 0; i < count; ++i)
-      if (at[i] == now) flags_ |= channel == 0 ? compare_a : compare_b;
+      if (at[i] == now) flags_ |= bit_of(flag);
   }
 }
 
 void Timer::set_capture(uint16_t value) {
+  if (counting_.top != avr::Counting::Top::capture) return;  // 16.6: only then it can be written
   const Phase phase = leave_registers();
   capture_ = value;
   take_registers(phase);
 }
 
 void Timer::set_count(uint16_t value) {
+  if (captures_edges()) hear();
   sync_waves();
   sync();
   sync_disabled();
@@ -214,19 +223,22 @@ void Timer::set_count(uint16_t value) {
 void Timer::set_enabled(uint8_t mask) {
   sync();
   sync_disabled();
-  enabled_ = mask & (overflow | compare_a | compare_b);
+  enabled_ = mask & (overflow | compare_a | compare_b | (has_capture() ? captured : 0));
+  if (enabled_ & captured) listen_to_captures();
   refresh_due();
 }
 
 void Timer::clear_flags(uint8_t mask) {
   sync();
   sync_disabled();
+  if (mask & captured) listen_to_captures();
   flags_ &= static_cast<uint8_t>(~mask);
 }
 
 uint8_t Timer::flags() {
   sync();
   sync_disabled();
+  listen_to_captures();
   return flags_;
 }
 
@@ -242,6 +254,12 @@ int Timer::matches(int channel, int64_t (&at)[2]) const {
   return at[0] == at[1] ? 1 : 2;
 }
 
+int Timer::raises(int flag, int64_t (&at)[2]) const {
+  if (flag == 1 || flag == 2) return matches(flag - 1, at);
+  at[0] = flag == 3 && counting_.dual_slope ? (top_ + 1) % period_ : 0;
+  return flag == 0 ? overflows() : counting_.top == avr::Counting::Top::capture;
+}
+
 bool Timer::passed(int64_t event, int64_t until) const {
   return (until - event + period_) / period_ > (disabled_seen_ - event + period_) / period_;
 }
@@ -249,21 +267,19 @@ bool Timer::passed(int64_t event, int64_t until) const {
 void Timer::sync_disabled() {
   if (prescaler_ == 0) return;
   const int64_t until = ticks();
-  if (!(enabled_ & overflow) && overflows() && passed(0, until)) flags_ |= overflow;
-  for (int channel = 0; channel < 2; ++channel) {
-    const uint8_t flag = channel == 0 ? compare_a : compare_b;
-    if ((enabled_ | flags_) & flag) continue;
-    int64_t at[2];
-    const int count = matches(channel, at);
+  for (int flag = 0; flag < kFlags; ++flag) {
+    if ((enabled_ | flags_) & bit_of(flag)) continue;
+    int64_t at[2] = {0, 0};
+    const int count = raises(flag, at);
     for (int i = 0; i < count; ++i)
-      if (passed(at[i], until)) flags_ |= flag;
+      if (passed(at[i], until)) flags_ |= bit_of(flag);
   }
   disabled_seen_ = until;
 }
 
 SimTime Timer::next(int flag, int64_t after) const {
   int64_t at[2] = {0, 0};
-  const int count = flag > 0 ? matches(flag - 1, at) : overflows() ? 1 : 0;
+  const int count = raises(flag, at);
   int64_t first = INT64_MAX;
   for (int i = 0; i < count; ++i) {
     const int64_t tick = after + 1 + (at[i] - (after + 1) % period_ + period_) % period_;
@@ -274,15 +290,15 @@ SimTime Timer::next(int flag, int64_t after) const {
 
 void Timer::refresh_due() {
   due_ = kNever;
-  for (int flag = 0; flag < 3; ++flag) {
-    due_of_[flag] = prescaler_ != 0 && enabled_ >> flag & 1 ? next(flag, ticks()) : kNever;
+  for (int flag = 0; flag < kFlags; ++flag) {
+    due_of_[flag] = prescaler_ != 0 && enabled_ & bit_of(flag) ? next(flag, ticks()) : kNever;
     if (due_of_[flag] < due_) due_ = due_of_[flag];
   }
 }
 
 void Timer::raise_due() {
-  for (int flag = 0; flag < 3; ++flag)
-    if (state.now >= due_of_[flag]) flags_ |= static_cast<uint8_t>(1 << flag);
+  for (int flag = 0; flag < kFlags; ++flag)
+    if (state.now >= due_of_[flag]) flags_ |= bit_of(flag);
   if (flags_ & overflow && enabled_ & overflow) overflows_seen_ = ticks();
   refresh_due();
 }

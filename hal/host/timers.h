@@ -4,8 +4,9 @@
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
 // A tick is `prescaler` CPU cycles. What a compare register of PWM is given holds for the level of its pin
-// from TOP (BOTTOM where there is one slope, or the mode is frequency correct) on. Not modelled: input
-// capture, double buffering of OCR for flags and duties, what an external clock makes of output pins.
+// from TOP (BOTTOM where there is one slope, or the mode is frequency correct) on. Edges of ICP1 are captured
+// in timer_capture.cpp. Not modelled: double buffering of OCR for flags and duties, what an external clock
+// makes of output pins.
 #pragma once
 
 #include <stdint.h>
@@ -19,7 +20,12 @@ namespace host {
 
 class Timer {
  public:
-  enum Flag : uint8_t { overflow = 1, compare_a = 2, compare_b = 4 };  ///< bits of TIFRn and TIMSKn
+  enum Flag : uint8_t {
+    overflow = 1,
+    compare_a = 2,
+    compare_b = 4,
+    captured = 0x20
+  };  ///< bits of TIFRn, TIMSKn
 
   constexpr explicit Timer(uint8_t number) : number_(number) {}
 
@@ -48,7 +54,10 @@ class Timer {
   /// When the next enabled flag will be raised.
   SimTime due() const { return due_; }
   /// The same without the overflow.
-  SimTime due_to_match() const { return due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2]; }
+  SimTime due_to_match() const {
+    const SimTime match = due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2];
+    return match < due_of_[3] ? match : due_of_[3];
+  }
   /// Flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
   /// The handler of `flag` starts.
@@ -70,6 +79,10 @@ class Timer {
   /// Whether it counts edges of a pin; the pin has got that level.
   bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
   void count_edge(bool level);
+
+  /// Whether it captures edges of a pin; the pin has got that level at that moment.
+  bool captures_edges() const { return listens_ && counting_.top != avr::Counting::Top::capture; }
+  void capture_edge(bool level, SimTime at);
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
   bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }
@@ -97,6 +110,7 @@ class Timer {
   int64_t position() const;
   int64_t tick_at(SimTime at) const;
   int64_t ticks() const { return tick_at(state.now); }
+  uint16_t count_at(int64_t tick) const;
   SimTime time_of(int64_t tick) const;
   bool passed(int64_t event, int64_t until) const;
   void raise_due();
@@ -108,8 +122,19 @@ class Timer {
   }
   /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
   int matches(int channel, int64_t (&at)[2]) const;
+  /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP.
+  int raises(int flag, int64_t (&at)[2]) const;
+  static constexpr int kFlags = 4;
+  static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
+  /// From now on edges of ICPn are heard: a sketch has shown interest in them.
+  void listen_to_captures();
+  /// The noise canceler begins at the pin's level.
+  void begin_canceler();
+  bool has_capture() const { return kChip.timers[number_].capture != 0; }
   bool wide() const { return kChip.timers[number_].bits == 16; }
   uint16_t counter_max() const { return wide() ? 0xFFFF : 0xFF; }
+  /// ICNCn and ICESn in TCCRnB.
+  static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
 
   uint8_t number_;
   uint8_t control_a_ = 0, control_b_ = 0, enabled_ = 0, flags_ = 0;
@@ -127,7 +152,7 @@ class Timer {
   int64_t overflows_seen_ = 0;  ///< the tick up to which take_overflows() has counted
   int64_t disabled_seen_ =
       0;  ///< the tick up to which flags that are not enabled are known: they are not timed
-  SimTime due_of_[3] = {kNever, kNever, kNever};  ///< of overflow, match A, match B; kNever where not enabled
+  SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< of flags 0..3; kNever where not enabled
   SimTime due_ = kNever;
   // Levels of its pins: of one that is toggled as it was left at a tick, of PWM the value that was replaced,
   // and when.
@@ -135,6 +160,12 @@ class Timer {
   int64_t toggled_at_[2] = {0, 0};
   uint16_t held_[2] = {0, 0};
   SimTime replaced_at_[2] = {-1, -1};  ///< since the counter was last set; else -1
+  // Captures: whether any are wanted, what the noise canceler has let through and what it has got since when,
+  // and, should it take the last edge back, what was there before that.
+  bool listens_ = false;
+  bool passed_ = false, level_ = false, may_take_back_ = false, had_flag_ = false;
+  SimTime changed_at_ = 0;
+  uint16_t had_capture_ = 0;
 };
 
 extern Timer timer0, timer1, timer2;

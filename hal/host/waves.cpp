@@ -44,20 +44,20 @@ void tell_waves() {
   for_each_followed([](Pin pin) {
     SimTime& next = next_edges[pin];
     // Flags tell no more than two edges: of those behind them only the last one counts, but to a timer.
-    const bool counted = places[pin].counted_by >= 0;
-    for (int told = 0; (counted || told < 2) && next <= state.now; ++told) {
-      hear_level(pin, level_at(pin, next));
+    const bool timed = places[pin].counted_by >= 0 || places[pin].captured_by >= 0;
+    for (int told = 0; (timed || told < 2) && next <= state.now; ++told) {
+      hear_level(pin, level_at(pin, next), next);
       next = next_edge(pin, next);
     }
     if (next > state.now) return;
-    hear_level(pin, wave_level(pin));
+    hear_level(pin, wave_level(pin), state.now);
     next = wave_until(pin);
   });
 }
 
 void follow_anew() {
   for_each_followed([](Pin pin) {
-    hear_level(pin, wave_level(pin));
+    hear_level(pin, wave_level(pin), state.now);
     next_edges[pin] = wave_until(pin);
   });
 }

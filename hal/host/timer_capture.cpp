@@ -1,0 +1,51 @@
+// Input capture (datasheet, 16.6): an edge of ICP1 copies TCNT1 to ICR1 and sets ICF1, which comes 3 cycles
+// behind the edge, and 4 more with the noise canceler. That lets no level through that lasts less than 4.
+#include "hal/host/external.h"
+#include "hal/host/ports.h"
+#include "hal/host/timers.h"
+
+namespace robosim {
+namespace host {
+namespace {
+
+constexpr int kEdgeCycles = 3, kCancelerCycles = 4;
+
+}  // namespace
+
+void Timer::listen_to_captures() {
+  if (listens_ || !has_capture()) return;
+  listens_ = true;
+  refresh_external();
+}
+
+void Timer::begin_canceler() {
+  passed_ = level_ = read_pin(pin_of_capture());
+  changed_at_ = state.now;
+  may_take_back_ = false;
+}
+
+void Timer::capture_edge(bool level, SimTime at) {
+  const bool rising = control_b_ & kRisingCapture, cancels = control_b_ & kCanceler;
+  if (cancels) {
+    if (at - changed_at_ >= cycles(kCancelerCycles)) passed_ = level_;
+    level_ = level;
+    changed_at_ = at;
+    if (level == passed_) {
+      if (level == rising || !may_take_back_) return;
+      may_take_back_ = false;
+      capture_ = had_capture_;
+      if (!had_flag_) flags_ &= static_cast<uint8_t>(~captured);
+      return;
+    }
+  }
+  may_take_back_ = cancels && level == rising;
+  if (level != rising) return;
+  had_capture_ = capture_;
+  had_flag_ = flags_ & captured;
+  capture_ =
+      count_at(tick_at((at > base_ ? at : base_) + cycles(kEdgeCycles + (cancels ? kCancelerCycles : 0))));
+  flags_ |= captured;
+}
+
+}  // namespace host
+}  // namespace robosim
