@@ -1,6 +1,7 @@
 #include "sim/serve/patience.h"
 
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 
@@ -9,11 +10,15 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace robosim::serve {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kReadAtOnce = 64 * 1024, kMostAway = 4 * 1024 * 1024;
+constexpr int kPause_ms = 100;  // with nothing in it there is no more
 
 ino_t inode_of(int descriptor) {
   struct stat status {};
@@ -65,7 +70,12 @@ Patience::Connection* Patience::accepted() {
 
 void Patience::answer(Connection* connection, const std::function<void()>& work) {
   own_ = connection;
-  awaits_next();
+  if (own_) {
+    const std::lock_guard lock(mutex_);
+    own_->since = Clock::now();
+    own_->awaited = true;
+    changed_.notify_one();
+  }
   work();
   own_ = nullptr;
   const std::lock_guard lock(mutex_);
@@ -78,12 +88,17 @@ void Patience::is_here() {
   own_->awaited = false;
 }
 
-void Patience::awaits_next() {
+void Patience::read_away() {
   if (!own_) return;
-  const std::lock_guard lock(mutex_);
-  own_->since = Clock::now();
-  own_->awaited = true;
-  changed_.notify_one();
+  is_here();
+  ::shutdown(own_->socket, SHUT_WR);
+  std::vector<char> bytes(kReadAtOnce);
+  pollfd more{own_->socket, POLLIN, 0};
+  for (std::size_t left = kMostAway; left > 0 && ::poll(&more, 1, kPause_ms) > 0;) {
+    const ssize_t size = ::recv(own_->socket, bytes.data(), std::min(bytes.size(), left), MSG_DONTWAIT);
+    if (size <= 0) return;
+    left -= static_cast<std::size_t>(size);
+  }
 }
 
 void Patience::watch() {

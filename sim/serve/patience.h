@@ -25,12 +25,12 @@ class Patience {
   /// The connection that has just been accepted: the library does not say which. Nothing where it is gone
   /// again.
   Connection* accepted();
-  /// Answers its requests, by `work`, in this thread; from now on the first one is awaited.
+  /// Answers its request, by `work`, in this thread; from now on it is awaited.
   void answer(Connection* connection, const std::function<void()>& work);
 
   // Of the connection that this thread answers:
-  void is_here();      ///< the request, as a whole
-  void awaits_next();  ///< that one is answered
+  void is_here();    ///< the request, as a whole
+  void read_away();  ///< what comes of one that is answered already, or its sender would not see the answer
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -46,6 +46,10 @@ std::string token_of(const Request& request) {
   return cookies.substr(begin, cookies.find(';', begin) - begin);
 }
 
+bool has_body(const Request& request) {
+  return request.has_header("Transfer-Encoding") || request.has_header("Content-Length");
+}
+
 // Of two names neither is meant.
 std::string host_of(const Request& request) {
   return request.get_header_value_count("Host") == 1 ? request.get_header_value("Host") : "";
@@ -139,11 +143,15 @@ struct Server::Inside {
         guard(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         patience(port, settings.patience, too_slow(settings.patience)) {
     http.new_task_queue = [this] { return new Threads(patience); };
-    http.set_logger([this](const Request&, const Response&) { patience.awaits_next(); });  // it is answered
+    // The library leaves the body of a refused request unread, and would take it for the next one: then a
+    // page of another site could send us, in such a body, what its own headers do not allow it.
+    http.set_keep_alive_max_count(1);
+    http.set_logger([this](const Request& request, const Response&) {
+      if (request.body.empty() && has_body(request)) patience.read_away();
+    });
     http.set_payload_max_length(kLongestImage);
     http.set_read_timeout(kPatience_s);
     http.set_write_timeout(kPatience_s);
-    http.set_keep_alive_timeout(kPatience_s);
     http.set_tcp_nodelay(true);  // each frame at once
     http.set_default_headers({{"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},

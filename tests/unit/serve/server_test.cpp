@@ -172,23 +172,53 @@ TEST_F(Serving, RefusesOtherSites) {
   EXPECT_EQ(http_->Get("/", {{"Host", ours}, {"Host", "evil.example"}})->status, 421);
 }
 
+Descriptor connected(int port) {
+  Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in server{};
+  server.sin_family = AF_INET;
+  server.sin_port = htons(static_cast<std::uint16_t>(port));
+  server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(socket.get(), reinterpret_cast<sockaddr*>(&server), sizeof server) != 0)
+    throw std::runtime_error("no connection");
+  return socket;
+}
+
+std::string read_all(const Descriptor& socket) {
+  std::string all;
+  char bytes[1000];
+  for (ssize_t size = 0; (size = ::read(socket.get(), bytes, sizeof bytes)) > 0;)
+    all.append(bytes, static_cast<std::size_t>(size));
+  return all;
+}
+
+// Or a page of another site could send any request in the body of one that is refused.
+TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
+  serve("echo ran\n");
+  std::string body;
+  while (body.size() < 200'000) body += "GET /api/folder HTTP/1.1\r\nHost: " + host() + "\r\n\r\n";
+  for (const std::string& own : {"Host: " + host() + "\r\nOrigin: http://evil.example", "Host: " + host(),
+                                 std::string("Host: evil.example")}) {
+    const Descriptor socket = connected(port());
+    const std::string all = "POST /api/run HTTP/1.1\r\n" + own +
+                            "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+    ASSERT_EQ(::send(socket.get(), all.data(), all.size(), MSG_NOSIGNAL), static_cast<ssize_t>(all.size()));
+    const std::string answer = read_all(socket);
+    EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 4")) << own;
+    EXPECT_EQ(answer.find("HTTP/1.1", 1), answer.npos) << answer;
+    EXPECT_THAT(answer, testing::EndsWith("}")) << "its sender sees the answer";
+  }
+}
+
 /// Sends `text`, and then a byte now and then, until there is an answer.
 struct Drips {
   Drips(int port, std::string text) {
-    const Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    sockaddr_in server{};
-    server.sin_family = AF_INET;
-    server.sin_port = htons(static_cast<std::uint16_t>(port));
-    server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (::connect(socket.get(), reinterpret_cast<sockaddr*>(&server), sizeof server) != 0) return;
+    const Descriptor socket = connected(port);
     pollfd answers{socket.get(), POLLIN, 0};
     for (int drops = 0; ::poll(&answers, 1, 2) == 0 && drops < kMost; ++drops) {
       if (::send(socket.get(), text.data(), text.size(), MSG_NOSIGNAL) < 0) break;
       text = "x";
     }
-    char bytes[1000];
-    for (ssize_t size = 0; (size = ::read(socket.get(), bytes, sizeof bytes)) > 0;)
-      answer.append(bytes, static_cast<std::size_t>(size));
+    answer = read_all(socket);
   }
   static constexpr int kMost = 1000;
   std::string answer;
