@@ -1,5 +1,6 @@
 #include "hal/host/interrupts.h"
 
+#include "hal/host/access.h"
 #include "hal/host/adc.h"
 #include "hal/host/clock.h"
 #include "hal/host/external.h"
@@ -227,6 +228,7 @@ bool may_interrupt(bool held_back) {
   if (!held_back && !interrupts_enabled()) return false;
   const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
   if (spi.may_interrupt() || two_wire.may_interrupt() || watchdog.may_interrupt()) return true;
+  if (chip_may_interrupt()) return true;
   return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();
 }
 

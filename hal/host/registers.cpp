@@ -310,6 +310,12 @@ void begin_access(robosim_register address, int bytes, const void* place) {
   sync_peripherals();
 }
 
+bool chip_may_interrupt() {
+  constexpr uint8_t kAcd = 0x80, kAcie = 0x08, kEerie = 0x08;
+  const bool compares = (plain[kChip.comparator.address] & (kAcd | kAcie)) == kAcie;
+  return compares || plain[reg::kEecr] & kEerie;
+}
+
 uint16_t register_value(robosim_register address, int bytes) {
   if (bytes == 1) return read(address);
   if (is_word(address)) return read_word(address);
@@ -344,6 +350,8 @@ void robosim_write8(robosim_register address, uint8_t value) {
   host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
+  // A timer's flag that init()'s PWM has raised long ago is served before the sketch's next statement.
+  if (address >= host::reg::kTimsk0 && address <= host::reg::kTimsk2) host::spend(0);
 }
 
 uint16_t robosim_read16(robosim_register address) {

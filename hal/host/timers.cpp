@@ -108,7 +108,8 @@ void Timer::set_connection(int channel, uint8_t bits) {
 
 void Timer::set_compare(int channel, uint16_t value) {
   const bool is_top = channel == 0 && counting_.top == avr::Counting::Top::compare_a;
-  const bool interrupts = enabled_ & (channel == 0 ? compare_a : compare_b);
+  const uint8_t flag = channel == 0 ? compare_a : compare_b;
+  const bool interrupts = enabled_ & flag;
   if (value == compare_[channel]) return;
   if (is_top || interrupts) {
     const Phase phase = leave_registers();
@@ -116,6 +117,7 @@ void Timer::set_compare(int channel, uint16_t value) {
     return take_registers(phase);
   }
   sync_waves();
+  if (!(flags_ & flag)) sync_disabled();
   if (counting_.kind == avr::Counting::Kind::pwm) {
     hold(channel);
   } else {
@@ -235,6 +237,12 @@ void Timer::clear_flags(uint8_t mask) {
   flags_ &= static_cast<uint8_t>(~mask);
 }
 
+void Timer::leave_bottom() {
+  if (compare_[0] == 0) flags_ |= compare_a;
+  if (compare_[1] == 0) flags_ |= compare_b;
+  disabled_seen_ = base_tick_ + 1;
+}
+
 uint8_t Timer::flags() {
   sync();
   sync_disabled();
@@ -245,18 +253,15 @@ uint8_t Timer::flags() {
 int Timer::matches(int channel, int64_t (&at)[2]) const {
   const int64_t value = compare_[channel];
   if (value > top_) return 0;
-  if (!counting_.dual_slope) {  // the flag follows one tick after the match
-    at[0] = (value + 1) % period_;
-    return 1;
-  }
-  at[0] = value % period_;
-  at[1] = (2 * top_ - value) % period_;
+  at[0] = (value + 1) % period_;  // the flag follows one tick after the match
+  if (!counting_.dual_slope) return 1;
+  at[1] = (2 * top_ - value + 1) % period_;
   return at[0] == at[1] ? 1 : 2;
 }
 
 int Timer::raises(int flag, int64_t (&at)[2]) const {
   if (flag == 1 || flag == 2) return matches(flag - 1, at);
-  at[0] = flag == 3 && counting_.dual_slope ? (top_ + 1) % period_ : 0;
+  at[0] = flag == 0 ? overflows_at() : counting_.dual_slope ? (top_ + 1) % period_ : 0;
   return flag == 0 ? overflows() : counting_.top == avr::Counting::Top::capture;
 }
 
@@ -267,6 +272,7 @@ bool Timer::passed(int64_t event, int64_t until) const {
 void Timer::sync_disabled() {
   if (prescaler_ == 0) return;
   const int64_t until = ticks();
+  if (until < disabled_seen_) return;
   for (int flag = 0; flag < kFlags; ++flag) {
     if ((enabled_ | flags_) & bit_of(flag)) continue;
     int64_t at[2] = {0, 0};
@@ -306,7 +312,8 @@ void Timer::raise_due() {
 int64_t Timer::take_overflows() {
   if (state.now < due_of_[0]) return 0;
   const int64_t until = ticks();
-  const int64_t count = until / period_ - overflows_seen_ / period_;
+  const int64_t ahead = period_ - overflows_at();
+  const int64_t count = (until + ahead) / period_ - (overflows_seen_ + ahead) / period_;
   overflows_seen_ = until;
   due_of_[0] = next(0, until);
   due_ = due_of_[0] < due_to_match() ? due_of_[0] : due_to_match();

@@ -47,6 +47,10 @@ class Timer {
   void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
+  /// In init(), which has it counted by 8 for a moment before PWM (CS11, then CS10, then WGM10): it most
+  /// likely comes to 1 there, which raises its matches, but no overflow before the next BOTTOM.
+  void leave_bottom();
+
   /// Raises the enabled flags that are due.
   void sync() {
     if (state.now >= due_) raise_due();
@@ -120,6 +124,9 @@ class Timer {
   bool overflows() const {
     return counting_.kind != avr::Counting::Kind::clear_on_match || top_ == counter_max();
   }
+  /// The position at which the flag of an overflow is raised: a tick behind BOTTOM where there are two
+  /// slopes, so that a counter that begins there raises it at once.
+  int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
   /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
   int matches(int channel, int64_t (&at)[2]) const;
   /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP.

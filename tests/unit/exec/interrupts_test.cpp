@@ -214,5 +214,17 @@ void loop() {})");
   EXPECT_LT(host_->last_call(), 10 * kMillisecond);
 }
 
+TEST_F(InterruptsTest, WhereAnInterruptOfTheChipAloneIsEnabledNothingHangs) {
+  const std::pair<const char*, bool> kSetups[] = {
+      {"ACSR = _BV(ACIE);", false}, {"EECR |= _BV(EERIE);", false}, {"ACSR = _BV(ACD) | _BV(ACIE);", true}};
+  for (const auto& [setup, hangs] : kSetups) {
+    SCOPED_TRACE(setup);
+    start(std::string("volatile byte n;\nISR(ANALOG_COMP_vect) { ++n; }\nISR(EE_READY_vect) { ++n; }\n") +
+          "void setup() { " + setup + " while (!n); }\nvoid loop() {}\n");
+    run(2 * kSecond);
+    EXPECT_EQ(host_->hangs(), hangs);
+  }
+}
+
 }  // namespace
 }  // namespace robosim::exec

@@ -37,8 +37,8 @@ void loop() { for (volatile int i = 0; i < 100; ++i); delay(3); analogRead(0); }
   run(500 * kMillisecond);
   const std::vector<SimTime> times = changes(13);
   ASSERT_GT(times.size(), 20u);
-  // Timer 2 overflows every 256 * 1024 cycles.
-  for (std::size_t i = 2; i < times.size(); ++i)
+  // Timer 2 overflows every 256 * 1024 cycles; the first handler is that of init()'s PWM.
+  for (std::size_t i = 3; i < times.size(); ++i)
     EXPECT_NEAR(static_cast<double>(times[i] - times[i - 1]), 16.384e6, 15e3);
 }
 
@@ -73,6 +73,35 @@ TEST_F(TimersTest, FlagsCanBePolled) {
 }
 void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
+}
+
+// On target avr TIFR1 has the same; TOV1 by chance, as the prescaler runs since the reset.
+TEST_F(TimersTest, InitsPwmHasRaisedFlagsThatStayInAnotherMode) {
+  output(R"(volatile int count;
+ISR(TIMER1_COMPA_vect) { ++count; }
+ISR(TIMER2_OVF_vect) { count += 10; TIMSK2 = 0; }
+void setup() {
+  Serial.begin(115200);
+  TCCR1A = TCCR1B = 0;
+  TCNT1 = 0;
+  OCR1A = 15624;
+  OCR1B = 15000;
+  TCCR1B |= _BV(WGM12) | _BV(CS12) | _BV(CS10);
+  TIMSK1 |= _BV(OCIE1A);
+  delayMicroseconds(100);
+  Serial.println(count);
+  Serial.println(TIFR1);
+  TIFR1 = _BV(OCF1B);
+  Serial.println(TIFR1);
+  TCCR2A = TCNT2 = 0;
+  TCCR2B = 7;
+  Serial.println(TIFR2);
+  TIMSK2 = _BV(TOIE2);
+  delayMicroseconds(100);
+  Serial.println(count);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(1, 4, 0, 7, 11));
 }
 
 TEST_F(TimersTest, AnotherPrescalerOfTimer0ChangesMillisWithIt) {
