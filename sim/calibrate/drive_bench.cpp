@@ -54,6 +54,14 @@ world::WheelCommand command(const robot::Description& robot, const robot::MotorS
   return forward;
 }
 
+grid::Map open_floor() {
+  grid::Map floor;
+  floor.width = floor.height = 40;
+  floor.cell_m = kCell;
+  floor.cells.assign(1600, grid::Cell::floor);
+  return floor;
+}
+
 const robot::MotorSpec* motor_of(const robot::Description& robot, int side) {
   for (const auto& part : robot.parts)
     if (const auto* motor = dynamic_cast<const robot::MotorSpec*>(part.get()); motor && motor->wheel == side)
@@ -84,7 +92,9 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
     : logs_(logs),
       timed_(timed),
       robot_(nominal(robot)),
-      body_(robot::body_params(robot_, 1, Profile::typical_2)) {
+      body_(robot::body_params(robot_, 1, Profile::typical_2)),
+      floor_(open_floor()),
+      world_(floor_) {
   if (volts > 0.0) body_.supply_volts = volts;
   for (const int side : {0, 1}) {
     // A file that has no friction gets some to begin with.
@@ -92,16 +102,13 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
     wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
     motors_[side] = motor_of(robot_, side);
   }
-  floor_.width = floor_.height = 40;
-  floor_.cell_m = kCell;
-  floor_.cells.assign(1600, grid::Cell::floor);
 }
 
 void Bench::check() {
   double whole = 0.0;
   for (const Log& log : logs_) {
     if (log.drives.empty()) continue;
-    per_turn(log);
+    const PerTurn counts = per_turn(log);
     for (const Drive& drive : log.drives) {
       spins_ = spins_ || drive.told[0].front() * drive.told[1].front() < 0;
       whole += drive.t.back() - drive.t.front();
@@ -111,20 +118,31 @@ void Bench::check() {
                                      "of driving are read",
                                      whole, kMostDriving));
       for (const std::size_t side : {0u, 1u}) check(log, drive, side);
+      plans_.push_back(plan(drive, counts));
     }
   }
 }
+
 std::vector<double> Bench::residuals(const Factors& x, std::vector<DriveCurve>* curves) const {
-  std::vector<double> all;
-  world::World world(floor_);
-  world.add_body(with(body_, x), kStart);
-  for (const Log& log : logs_) {
-    if (log.drives.empty()) continue;
-    const PerTurn counts = per_turn(log);
-    for (const Drive& drive : log.drives) compare(drive, follow(world, drive), counts, all, curves);
+  return std::move(residuals({&x, 1}, curves).front());
+}
+
+std::vector<std::vector<double>> Bench::residuals(std::span<const Factors> all) const {
+  return residuals(all, nullptr);
+}
+
+std::vector<std::vector<double>> Bench::residuals(std::span<const Factors> all,
+                                                  std::vector<DriveCurve>* curves) const {
+  const std::vector<Angles> angles = follow(all);
+  const std::vector<double> distances = drive_timed(all);
+  std::vector<std::vector<double>> residuals(all.size());
+  for (std::size_t set = 0; set < all.size(); ++set) {
+    for (std::size_t i = 0; i < plans_.size(); ++i)
+      compare(plans_[i], angles[set * plans_.size() + i], residuals[set], curves);
+    for (std::size_t i = 0; i < timed_.size(); ++i)
+      residuals[set].push_back((distances[set * timed_.size() + i] - timed_[i].distance) / timed_[i].sd);
   }
-  for (const Timed& timed : timed_) all.push_back((drive_timed(world, timed) - timed.distance) / timed.sd);
-  return all;
+  return residuals;
 }
 
 Bench::PerTurn Bench::per_turn(const Log& log) const {
@@ -172,41 +190,73 @@ void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
                                  name, told, counted));
 }
 
-std::array<std::vector<double>, 2> Bench::follow(world::World& world, const Drive& drive) const {
-  world::Body& body = world.body(0);
-  body.place(kStart);
-  const double start[2] = {body.wheel_angle(world::left), body.wheel_angle(world::right)};
-  std::array<std::vector<double>, 2> angles;
-  std::size_t row = 0, sample = 0;
-  for (double now = drive.t.front(); sample < drive.t.size(); now += kTick) {
-    while (sample < drive.t.size() && drive.t[sample] < now + kTick) {  // rates are constant within a tick
-      for (const world::Side side : {world::left, world::right})
-        angles[side].push_back(body.wheel_angle(side) - start[side] +
-                               body.wheel_rate(side) * (drive.t[sample] - now));
-      ++sample;
-    }
-    world::WheelCommand mean[2];
+Bench::Plan Bench::plan(const Drive& drive, const PerTurn& per_turn) const {
+  Plan plan{&drive, per_turn, {}, {}};
+  std::size_t row = 0, sample = 0, tick = 0;
+  for (double now = drive.t.front(); sample < drive.t.size(); now += kTick, ++tick) {
+    for (; sample < drive.t.size() && drive.t[sample] < now + kTick; ++sample)
+      plan.samples.push_back({tick, drive.t[sample] - now});
+    Plan::Command mean{tick, {}};
     for (double from = now; from < now + kTick;) {
       const double to = row + 1 < drive.t.size() ? std::min(drive.t[row + 1], now + kTick) : now + kTick;
       for (const int side : {0, 1}) {
         const world::WheelCommand told =
             command(robot_, *motors_[side], drive.told[static_cast<std::size_t>(side)][row]);
-        mean[side].drive += told.drive * (to - from) / kTick;
-        mean[side].brake += told.brake * (to - from) / kTick;
+        mean.of[side].drive += told.drive * (to - from) / kTick;
+        mean.of[side].brake += told.brake * (to - from) / kTick;
       }
       from = to;
       if (row + 1 < drive.t.size() && to >= drive.t[row + 1]) ++row;
     }
-    body.command(world::left, mean[0]);
-    body.command(world::right, mean[1]);
-    world.step();
+    if (plan.commands.empty() || mean.of[0] != plan.commands.back().of[0] ||
+        mean.of[1] != plan.commands.back().of[1])
+      plan.commands.push_back(mean);
+  }
+  return plan;
+}
+
+// Of each set of factors each drive.
+std::vector<Bench::Angles> Bench::follow(std::span<const Factors> all) const {
+  struct Under {
+    const Plan* plan;
+    std::size_t command = 0, sample = 0;
+  };
+  batch::Bodies bodies(world_);
+  std::vector<Under> ways;
+  for (const Factors& x : all)
+    for (const Plan& plan : plans_) {
+      bodies.add(with(body_, x), kStart);
+      ways.push_back({&plan});
+    }
+  std::vector<Angles> angles(ways.size());
+  std::size_t left = ways.size();
+  for (std::size_t tick = 0; left > 0; ++tick) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      auto& [plan, command, sample] = ways[i];
+      if (sample == plan->samples.size()) continue;
+      for (; sample < plan->samples.size() && plan->samples[sample].tick == tick; ++sample)
+        for (const world::Side side : {world::left, world::right})  // rates are constant within a tick
+          angles[i][side].push_back(bodies.wheel_angle(i, side) +
+                                    bodies.wheel_rate(i, side) * plan->samples[sample].into);
+      if (sample == plan->samples.size()) {  // it is over
+        bodies.place(i, kStart);
+        for (const world::Side side : {world::left, world::right}) bodies.command(i, side, {});
+        --left;
+      } else if (command < plan->commands.size() && plan->commands[command].tick == tick) {
+        for (const world::Side side : {world::left, world::right})
+          bodies.command(i, side, plan->commands[command].of[side]);
+        ++command;
+      }
+    }
+    if (left > 0) bodies.step();
   }
   return angles;
 }
 
-void Bench::compare(const Drive& drive, const std::array<std::vector<double>, 2>& angles,
-                    const PerTurn& per_turn, std::vector<double>& all,
+void Bench::compare(const Plan& plan, const Angles& angles, std::vector<double>& all,
                     std::vector<DriveCurve>* curves) const {
+  const Drive& drive = *plan.drive;
+  const PerTurn& per_turn = plan.per_turn;
   DriveCurve curve{drive.t, {}, {}, {drive.told[0].front(), drive.told[1].front()}};
   for (const std::size_t side : {0u, 1u}) {
     std::vector<double> errors;
@@ -235,19 +285,42 @@ void Bench::compare(const Drive& drive, const std::array<std::vector<double>, 2>
   if (curves) curves->push_back(std::move(curve));
 }
 
-double Bench::drive_timed(world::World& world, const Timed& timed) const {
-  world::Body& body = world.body(0);
-  body.place(kStart);
-  const double before = body.distance();
-  const int ticks = static_cast<int>(std::lround(timed.seconds / kTick));
-  for (int tick = 0; tick < ticks + static_cast<int>(kRollsFor / kTick); ++tick) {
+// Of each set of factors each timed drive: how far it comes, m.
+std::vector<double> Bench::drive_timed(std::span<const Factors> all) const {
+  struct Under {
+    const Timed* timed;
+    int ticks;
+    bool is_over = false;
+  };
+  batch::Bodies bodies(world_);
+  std::vector<Under> ways;
+  for (const Factors& x : all)
+    for (const Timed& timed : timed_) {
+      bodies.add(with(body_, x), kStart);
+      ways.push_back({&timed, static_cast<int>(std::lround(timed.seconds / kTick))});
+    }
+  const auto tell = [&](std::size_t body, int told) {
     for (const int side : {0, 1})
-      body.command(static_cast<world::Side>(side),
-                   command(robot_, *motors_[side], tick < ticks ? timed.told : 0));
-    world.step();
-    if (tick > ticks && body.speed() == 0.0) break;
+      bodies.command(body, static_cast<world::Side>(side), command(robot_, *motors_[side], told));
+  };
+  std::size_t left = ways.size();
+  for (int tick = 0; left > 0; ++tick) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      if (tick == 0) tell(i, ways[i].timed->told);
+      if (tick == ways[i].ticks) tell(i, 0);
+    }
+    bodies.step();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const bool stands = tick > ways[i].ticks && bodies.speed(i) == 0.0;
+      if (ways[i].is_over || !(stands || tick + 1 == ways[i].ticks + static_cast<int>(kRollsFor / kTick)))
+        continue;
+      ways[i].is_over = true;
+      --left;
+    }
   }
-  return body.distance() - before;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < ways.size(); ++i) distances.push_back(bodies.distance(i));
+  return distances;
 }
 
 }  // namespace robosim::calibrate

@@ -1,10 +1,14 @@
 // A robot's body that is driven as a log says, with figures that may be changed: what it makes of a drive,
-// against what was counted. The figures, and what can be told from them, are at the top of drive_fit.h.
+// against what was counted. The figures, and what can be told from them, are at the top of drive_fit.h. What
+// the motors are told in each tick is found once; all drives, of as many sets of figures as are asked for,
+// are then driven side by side, as bodies of one batch (sim/batch/bodies.h).
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "sim/batch/bodies.h"
 #include "sim/calibrate/drive_fit.h"
 #include "sim/robot/parts/motor.h"
 #include "sim/world/world.h"
@@ -43,16 +47,35 @@ class Bench {
   /// What was counted less what these factors make, in counts; of timed drives over what they are uncertain
   /// by. Of a longer drive each half second is looked at by itself: errors of its place grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
+  /// The same of each of many.
+  std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;
 
  private:
-  using PerTurn = std::array<double, 2>;  ///< counts of each wheel
+  using PerTurn = std::array<double, 2>;              ///< counts of each wheel
+  using Angles = std::array<std::vector<double>, 2>;  ///< rad, of each wheel, at a drive's samples
+  /// A drive, tick by tick.
+  struct Plan {
+    const Drive* drive;
+    PerTurn per_turn;
+    struct Command {
+      std::size_t tick;
+      world::WheelCommand of[2];
+    };
+    std::vector<Command> commands;  ///< where they change
+    struct Sample {
+      std::size_t tick;
+      double into;  ///< s, of the tick
+    };
+    std::vector<Sample> samples;
+  };
 
   PerTurn per_turn(const Log&) const;
   void check(const Log&, const Drive&, std::size_t side) const;
-  std::array<std::vector<double>, 2> follow(world::World&, const Drive&) const;
-  void compare(const Drive&, const std::array<std::vector<double>, 2>& angles, const PerTurn&,
-               std::vector<double>& all, std::vector<DriveCurve>* curves) const;
-  double drive_timed(world::World&, const Timed&) const;
+  Plan plan(const Drive&, const PerTurn&) const;
+  std::vector<Angles> follow(std::span<const Factors>) const;
+  std::vector<double> drive_timed(std::span<const Factors>) const;
+  void compare(const Plan&, const Angles&, std::vector<double>& all, std::vector<DriveCurve>* curves) const;
+  std::vector<std::vector<double>> residuals(std::span<const Factors>, std::vector<DriveCurve>*) const;
 
   const std::vector<Log>& logs_;
   const std::vector<Timed>& timed_;
@@ -60,7 +83,9 @@ class Bench {
   world::BodyParams body_;
   const robot::MotorSpec* motors_[2] = {};
   bool spins_ = false;
-  grid::Map floor_;
+  const grid::Map floor_;
+  const world::World world_;
+  std::vector<Plan> plans_;  ///< after check()
 };
 
 /// The body with its figures times these factors.

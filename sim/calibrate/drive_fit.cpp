@@ -33,15 +33,19 @@ double sum_of_squares(const std::vector<double>& values) {
 std::vector<std::vector<double>> covariance(const Bench& bench, const Factors& x, const std::vector<int>& all,
                                             const Factors& held, double variance) {
   constexpr double kStep = 0.01;
+  std::vector<Factors> around;
+  for (const int figure : all)
+    for (const double step : {kStep, -kStep}) {
+      around.push_back(x);
+      around.back()[static_cast<std::size_t>(figure)] += step;
+    }
+  const std::vector<std::vector<double>> beside = bench.residuals(around);
   std::vector<std::vector<double>> slopes;
-  for (const int figure : all) {
-    Factors above = x, below = x;
-    above[static_cast<std::size_t>(figure)] += kStep;
-    below[static_cast<std::size_t>(figure)] -= kStep;
-    std::vector<double> slope = bench.residuals(above);
-    const std::vector<double> low = bench.residuals(below);
-    for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (slope[i] - low[i]) / (2.0 * kStep);
-    slopes.push_back(std::move(slope));
+  for (std::size_t figure = 0; figure < all.size(); ++figure) {
+    const std::vector<double>&above = beside[2 * figure], &below = beside[2 * figure + 1];
+    slopes.emplace_back();
+    for (std::size_t i = 0; i < above.size(); ++i)
+      slopes.back().push_back((above[i] - below[i]) / (2.0 * kStep));
   }
   std::vector<std::vector<double>> information(all.size(), std::vector<double>(all.size(), 0.0));
   for (std::size_t a = 0; a < all.size(); ++a) {

@@ -36,6 +36,10 @@
 #include "sim/base/vec.h"
 #include "sim/world/winding.h"
 
+namespace robosim::batch {
+class Bodies;
+}
+
 namespace robosim::world {
 
 class Ground;
@@ -212,6 +216,7 @@ class Body {
 
  private:
   friend class World;
+  friend class batch::Bodies;  // the same tick of many at once
 
   // What a wheel's parameters amount to: forces at the tyre's tread, speeds of the tread, impulses of one
   // tick.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/base/noise.h"
@@ -71,6 +72,9 @@ class Floor {
     }
     return painted_darkness(p.x, p.y, footprint_m);
   }
+  /// The same of many sensors, at (x, y) each.
+  void darkness(std::span<const double> x, std::span<const double> y, std::span<const double> footprint_m,
+                std::span<double> dark) const;
   /// The same by the light of a band.
   double darkness(Vec2 p, double footprint_m, Band band) const {
     return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);
@@ -84,6 +88,8 @@ class Floor {
   }
   /// Worn lines have lost their paint in places drawn from `noise`.
   void wear(const NoiseStream& noise) { lines_.wear(noise); }
+  /// Whether brightness() is another at some places.
+  bool varies() const { return variation_ != 0.0; }
   /// The light that the floor (not what is dark) sends back at p, against its mean.
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 

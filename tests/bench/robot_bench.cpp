@@ -2,7 +2,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <vector>
+
 #include "hal/board/board_spec.h"
+#include "sim/batch/robots.h"
 #include "sim/exec/core/board_state.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
@@ -42,7 +45,46 @@ void robot_tick(benchmark::State& state) {
   benchmark::DoNotOptimize(seen);
 }
 
-BENCHMARK(robot_tick)->Name("robot/tick, five sensors read every")->ArgName("ms")->Arg(1)->Arg(5);
+BENCHMARK(robot_tick)
+    ->Name("robot/tick, five sensors read every")
+    ->ArgName("ms")
+    ->Arg(1)
+    ->Arg(5)
+    ->Arg(1000000000);
+
+// The same of 64 robots in a batch; the time is that of one of them.
+void batch_tick(benchmark::State& state) {
+  constexpr std::size_t kRobots = 64;
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description description = robot::load_description("uno5");
+  const world::World world(map);
+  batch::Robots robots(world);
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    robots.add(description, i + 1, robot::Profile::typical, {{1.2, 0.6}, {1.0, 0.0}});
+    robots.tell(i, world::left, {0.3, 0.7});
+    robots.tell(i, world::right, {0.5, 0.5});
+  }
+  std::vector<double> volts(kRobots);
+  std::size_t robot = 0;
+  int until_read = 0;
+  for (auto _ : state) {
+    if (++robot < kRobots) continue;
+    robot = 0;
+    if (until_read-- == 0) {
+      for (std::size_t sensor = 0; sensor < 5; ++sensor) robots.read(sensor, robots.now(), volts);
+      until_read = static_cast<int>(state.range(0)) - 1;
+    }
+    robots.step();
+  }
+  benchmark::DoNotOptimize(volts.data());
+}
+
+BENCHMARK(batch_tick)
+    ->Name("batch/tick of one of 64, five sensors read every")
+    ->ArgName("ms")
+    ->Arg(1)
+    ->Arg(5)
+    ->Arg(1000000000);
 
 }  // namespace
 }  // namespace robosim

@@ -91,6 +91,8 @@ workload() {  # the table's first column
     'recording: `.csv` and `.vcd`') each "$(recorded_for 200ms)" "$(recorded_for 2200ms)" 2000 ;;
     'a tick, sensors read in each') work_of ticks-1ms 200 1200 ;;
     'a tick, sensors read in each fifth') work_of ticks-5ms 200 2200 ;;
+    'robots without firmware, one by one') work_of robots-5ms 200 700 ;;
+    'robots without firmware, a batch') work_of batch-5ms 200 700 ;;
     'a move on cells') work_of moves 1000 101000 ;;
     'a scan on cells') work_of scans 1 3 ;;
     'a map'\''s row') work_of map-rows 1000 3000 ;;

@@ -8,16 +8,24 @@
 #include <exception>
 #include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "hal/board/board_spec.h"
 #include "sim/base/file.h"
+#include "sim/batch/robots.h"
 #include "sim/cells/survey.h"
 #include "sim/cells/walk.h"
+#include "sim/exec/core/board_state.h"
 #include "sim/grid/generator.h"
 #include "sim/judge/goal.h"
+#include "sim/robot/describe.h"
 #include "sim/robot/description.h"
+#include "sim/robot/robot.h"
 #include "sim/run/simulation.h"
+#include "sim/world/world.h"
 #include "tests/support/built_in_driver.h"
 
 namespace robosim {
@@ -34,6 +42,62 @@ void ticks(SimTime looks_every, int count) {
   setup.limit = count * kTick;
   if (const judge::Outcome outcome = run::simulate(setup).front(); outcome.verdict != judge::Verdict::reached)
     throw std::runtime_error(outcome.why);
+}
+
+// Body, motors and sensors alone: 64 uno5s go round in circles on the oval's floor, one after another or as a
+// batch. Their five sensors are read every `looks_every` ticks.
+constexpr std::size_t kRobots = 64;
+const Pose kStart{{1.2, 0.6}, {1.0, 0.0}};
+
+void single_robots(int looks_every, int count) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description description = robot::load_description("uno5");
+  struct Single {
+    Single(const robot::Description& d, const grid::Map& floor, std::uint64_t seed)
+        : world(floor),
+          robot(d, world, world.add_body(robot::body_params(d, seed, Profile::typical), kStart), board, seed,
+                Profile::typical) {}
+    world::World world;
+    exec::BoardState board{*find_board("uno")};
+    robot::Robot robot;
+  };
+  std::vector<std::unique_ptr<Single>> all;
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    all.push_back(std::make_unique<Single>(description, map, i + 1));
+    exec::BoardState& board = all.back()->board;
+    for (const Pin pin : {7, 9}) board.set_drive(pin, {PinMode::output, true, false, 1.0, 0}, 0);
+    for (const Pin pin : {8, 10}) board.set_drive(pin, {PinMode::output, false, false, 0.0, 0}, 0);
+    board.set_drive(5, {PinMode::output, false, true, 0.3, 0}, 0);
+    board.set_drive(6, {PinMode::output, false, true, 0.5, 0}, 0);
+  }
+  for (int tick = 0; tick < count; ++tick) {
+    const SimTime t = tick * kTick;
+    for (const auto& each : all) {
+      each->robot.begin_tick(t);
+      if (tick % looks_every == 0)
+        for (Pin pin = 14; pin < 19; ++pin) each->board.read_volts(pin, t);
+      each->robot.end_tick(t + kTick);
+      each->world.step();
+    }
+  }
+}
+
+void batch_of_robots(int looks_every, int count) {
+  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const robot::Description description = robot::load_description("uno5");
+  const world::World world(map);
+  batch::Robots robots(world);
+  for (std::size_t i = 0; i < kRobots; ++i) {
+    robots.add(description, i + 1, Profile::typical, kStart);
+    robots.tell(i, world::left, {0.3, 0.7});
+    robots.tell(i, world::right, {0.5, 0.5});
+  }
+  std::vector<double> volts(kRobots);
+  for (int tick = 0; tick < count; ++tick) {
+    if (tick % looks_every == 0)
+      for (std::size_t sensor = 0; sensor < 5; ++sensor) robots.read(sensor, robots.now(), volts);
+    robots.step();
+  }
 }
 
 void moves(int count) {
@@ -78,6 +142,10 @@ void read_rows(int count) {
 const std::map<std::string, std::function<void(int)>> kWorkloads = {
     {"ticks-1ms", [](int count) { ticks(kMillisecond, count); }},
     {"ticks-5ms", [](int count) { ticks(5 * kMillisecond, count); }},
+    {"robots-1ms", [](int count) { single_robots(1, count); }},
+    {"robots-5ms", [](int count) { single_robots(5, count); }},
+    {"batch-1ms", [](int count) { batch_of_robots(1, count); }},
+    {"batch-5ms", [](int count) { batch_of_robots(5, count); }},
     {"moves", moves},
     {"scans", scans},
     {"map-rows", read_rows},

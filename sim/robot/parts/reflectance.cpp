@@ -95,9 +95,7 @@ PinUse use_of(const ReflectanceSpec& spec) {
 class ReflectancePart final : public Part {
  public:
   ReflectancePart(const ReflectanceSpec& spec, PartContext& context)
-      : spec_(spec),
-        context_(context),
-        emitter_(context.kept, kLagOfRise * context.individual.draw(spec.rise, spec.name, "rise")) {
+      : spec_(spec), context_(context), emitter_(context.kept, lag_of(spec, context.individual)) {
     for (const ReflectanceSpec::Element& element : spec.elements) {
       switch (spec.read) {
         case Read::analog:
@@ -225,24 +223,39 @@ double Emitter::lagging(SimTime t) const {
   return state_.brightness + (state_.from - state_.brightness) * decay(x);
 }
 
+double lag_of(const ReflectanceSpec& spec, const Individual& individual) {
+  return kLagOfRise * individual.draw(spec.rise, spec.name, "rise");
+}
+
+ElementFigures::ElementFigures(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
+                               const Individual& individual)
+    : height(individual.draw(spec.height, element.name, "height")),
+      footprint(footprint_of(spec, individual, element.name, height)),
+      light(light_from(height, individual.profile())),
+      shift(-individual.draw(spec.ambient, element.name, "ambient")),
+      noise(individual.ideal() ? 0.0 : individual.draw(spec.noise, element.name, "noise")),
+      dark_noise(individual.draw(kDarkNoise, element.name, "dark_noise")),
+      stream(individual.noise(element.name, "reading")) {}
+
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                const PartContext& context, const Emitter& emitter)
+    : Sensor(spec, element, ElementFigures(spec, element, context.individual), context, emitter) {}
+
+Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
+               const ElementFigures& figures, const PartContext& context, const Emitter& emitter)
     : context_(context),
       name_(element.name),
       part_(spec.name),
       emitter_(emitter),
       home_(element.at),
-      height_(context.individual.draw(spec.height, name_, "height")),
-      footprint_(footprint_of(spec, context.individual, name_, height_)),
+      height_(figures.height),
+      footprint_(figures.footprint),
       exposure_(world::exposure(height_)),
       lag_(static_cast<SimTime>(emitter.lag())),
       hilly_(context.view.world && context.view.world->ground()),
       widens_(spec.footprint.value == 0.0),
-      healthy_{light_from(height_, context.individual.profile()),
-               -context.individual.draw(spec.ambient, name_, "ambient"),
-               context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, name_, "noise"),
-               context.individual.draw(kDarkNoise, name_, "dark_noise")},
-      stream_(context.individual.noise(name_, "reading")),
+      healthy_{figures.light, figures.shift, figures.noise, figures.dark_noise},
+      stream_(figures.stream),
       state_{.at = home_, .now = healthy_} {
   context.kept.add(state_);
 }

@@ -64,6 +64,21 @@ class ReflectanceSpec final : public PartSpec {
   std::vector<SensorPlace> sensors() const override;
 };
 
+/// What one element of one robot has been drawn as.
+struct ElementFigures {
+  ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Individual&);
+
+  double height, footprint;  ///< m
+  double light;              ///< that comes back from white
+  double shift;              ///< of blackness
+  double noise;              ///< of blackness, standard deviation
+  double dark_noise;         ///< what of it is left over black
+  NoiseStream stream;        ///< of its readings
+};
+
+/// s, by which the phototransistors of a part lag: tau.
+double lag_of(const ReflectanceSpec&, const Individual&);
+
 /// The emitter LEDs of a part: full brightness unless their pin drives them otherwise (their transistor's
 /// gate is pulled up on the board).
 class Emitter final : public PinWatcher {
@@ -149,6 +164,8 @@ class Sensor : public Breakable {
   const PartContext& context_;
 
  private:
+  Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ElementFigures&, const PartContext&,
+         const Emitter&);
   /// Whether no light comes back: a finger is on it, or it is held up in the air.
   bool dark() const { return state_.covered || context_.view.body->lifted(); }
   double brightness(const Pose& pose) const {
@@ -183,10 +200,7 @@ class Sensor : public Breakable {
   void swap_with(Sensor*);
 
   struct Figures {
-    double light;  // that comes back from white
-    double shift;  // of blackness
-    double noise;
-    double dark_noise;  // what of it is left over black
+    double light, shift, noise, dark_noise;  // of ElementFigures
   };
   struct State {
     Vec2 at;                  // where what its wire says comes from

@@ -16,6 +16,12 @@ constexpr FaultKind kMotorFaults[] = {
 
 }  // namespace
 
+world::WheelCommand over_a_tick(const world::WheelCommand& command) {
+  constexpr auto kWhole = static_cast<double>(kTick);
+  return {command.drive * kWhole / kWhole, command.brake * kWhole / kWhole, command.against * kWhole / kWhole,
+          command.period_s};
+}
+
 WheelMotor::WheelMotor(const PartSpec& spec, PartContext& context) : name_(spec.name), view_(context.view) {
   context.kept.add(state_);
 }

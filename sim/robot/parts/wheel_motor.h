@@ -7,6 +7,10 @@
 
 namespace robosim::robot {
 
+/// What take() makes of a command that holds from the beginning of a tick to its end: a mean over time, which
+/// may differ from it by rounding.
+world::WheelCommand over_a_tick(const world::WheelCommand& command);
+
 /// The command of a tick is the time average of what set() said during it.
 class WheelMotor : public Part, public Breakable {
  public:

@@ -1,0 +1,104 @@
+// Many robots without firmware, each alone on one floor: their motors get commands, their bodies move, their
+// line sensors read. For studies of parameters, and for whatever searches or learns by trying.
+//
+//   grid::Map map = grid::read_map("oval.map");
+//   world::World world(map);
+//   batch::Robots robots(world);
+//   for (std::uint64_t seed = 1; seed <= 1000; ++seed) robots.add(robot, seed, Profile::typical_2, start);
+//   std::vector<double> volts(robots.size());
+//   while (robots.now() < kSecond) {
+//     robots.read(2, robots.now(), volts);          // the third sensor of each, now
+//     robots.tell(17, world::left, {0.6, 0.4});     // as a driver makes of its pins
+//     robots.step();
+//   }
+//
+// A robot of a batch does what robot::Robot does that is made of the same description, seed and number: with
+// the same commands it has the same poses, and reads the same volts, noise included, bit for bit
+// (tests/unit/batch). It costs less, as nothing in it waits for anything: no pins, no edges, no parts that
+// nobody asks; the arithmetic of a block of robots at once (bodies.h), and the pose once for all sensors that
+// read at one time.
+//
+// Robots of a batch neither see nor touch each other.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/noise.h"
+#include "sim/base/profile.h"
+#include "sim/batch/bodies.h"
+#include "sim/robot/description.h"
+
+namespace robosim::batch {
+
+/// One sensor of each robot of a block. Figures as robot::ElementFigures and robot::AnalogInputs have them.
+struct SensorBlock {
+  Lanes at_x, at_y, footprint;  // m
+  Lanes light, shift, noise, dark_noise, beside_dark_noise;
+  Lanes white, span, supply, adc_noise;  // V
+  Lanes lag;                             // ns
+  NoiseStream stream[kLanes], adc[kLanes];
+  std::uint64_t pin[kLanes] = {};
+  std::uint64_t samples = 0;
+  bool is_converted_noisily = false;
+};
+
+/// The poses of a block's robots when a sensor reads.
+struct SensorPoses {
+  Lanes x, y, heading_x, heading_y;
+};
+
+class Robots {
+ public:
+  /// The world's floor, walls and obstacles are theirs, and may be changed between ticks; it must outlive
+  /// this. Throws std::invalid_argument where its floor is not a plane of one kind, or lamps stand about it.
+  explicit Robots(const world::World& world);
+
+  /// A further robot; the first has number 0. `individual` is what robot::Robot calls its number. Of its
+  /// parts it has the motors, and reflectance sensors with `read = "analog"` whose emitters are on; the
+  /// others are left out. Throws InputError for what would change how it drives or reads: a [battery],
+  /// steered wheels, a fan, other reflectance sensors, an emitter on a pin; and where it has more or fewer
+  /// sensors than the first.
+  std::size_t add(const robot::Description&, std::uint64_t seed, Profile, const Pose& start,
+                  std::uint32_t individual = 0);
+  std::size_t size() const { return bodies_.size(); }
+  std::size_t sensors() const { return sensors_; }
+
+  /// What the driver makes of its pins from now on, the beginning of a tick (robot::bridge_command). Of a
+  /// differential's motor both sides are to be told.
+  void tell(std::size_t robot, world::Side, const world::WheelCommand&);
+  /// What sensor number `sensor`, in the file's order, gives at `t` of each robot: V. `t` is a time of the
+  /// tick that begins now. Takes a sample of noise.
+  void read(std::size_t sensor, SimTime t, std::span<double> volts);
+  /// One tick of all.
+  void step();
+  /// The beginning of the tick.
+  SimTime now() const { return now_; }
+
+  const Bodies& bodies() const { return bodies_; }
+
+ private:
+  struct Told {
+    std::size_t robot;
+    world::Side side;
+    world::WheelCommand command;
+  };
+
+  void add_sensors(const robot::Description&, std::uint64_t seed, Profile, std::uint32_t individual);
+  void find_poses(std::size_t sensor, SimTime t);
+
+  const world::Floor& floor_;
+  Bodies bodies_;
+  std::size_t sensors_ = 0;
+  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // of each sensor, block by block
+  std::vector<SensorPoses> poses_;
+  SimTime posed_at_ = -1;   // the time of poses_
+  std::vector<Told> told_;  // in this tick
+  std::vector<world::WheelCommand> commands_[2];
+  std::vector<bool> lags_;  // of each sensor: one of them does
+  SimTime now_ = 0;
+};
+
+}  // namespace robosim::batch
