@@ -101,12 +101,15 @@ std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   return found;
 }
 
-/// Whether a cycle can be left, or does nothing at all.
+/// Whether a cycle does nothing at all.
+bool is_idle(const Steps& function, const Addresses& cycle) {
+  return std::all_of(cycle.begin(), cycle.end(),
+                     [&](std::uint32_t address) { return at(function, address).kind == Step::Kind::jump; });
+}
+
+/// Whether it can be left, or does nothing.
 bool is_left(const Steps& function, const Addresses& cycle) {
-  const bool idle = std::all_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
-    return at(function, address).kind == Step::Kind::jump;
-  });
-  return idle || std::any_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
+  return is_idle(function, cycle) || std::any_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
            const auto& next = at(function, address).next;
            return std::any_of(next.begin(), next.end(),
                               [&](std::uint32_t to) { return !cycle.contains(to); });
@@ -180,18 +183,43 @@ std::optional<std::uint32_t> mark_by_shape(const Steps& function, const Addresse
   return wide ? std::nullopt : std::optional(head);
 }
 
+struct Loop {
+  Addresses cycle;
+  Addresses outside;  ///< its calls and branches that are not loop()'s
+};
+
+/// Where loop() is inlined: leaves out what goes round within it and never comes back to main(), such as the
+/// `for (;;) {}` that many a sketch ends with. False if that cannot be told.
+bool keep_those_of_main(const Steps& function, std::vector<Loop>& loops) {
+  const auto erase_if_others = [&](const auto& is) {
+    if (!std::all_of(loops.begin(), loops.end(), is)) std::erase_if(loops, is);
+  };
+  erase_if_others([](const Loop& loop) { return loop.outside.empty(); });
+  erase_if_others([&](const Loop& loop) { return is_idle(function, loop.cycle); });
+  return std::none_of(loops.begin(), loops.end(), [&](const Loop& from) {
+    const Addresses behind = reachable(function, *from.cycle.begin());
+    return std::any_of(loops.begin(), loops.end(), [&](const Loop& to) {
+      return &to != &from && to.outside.empty() && behind.contains(*to.cycle.begin());
+    });
+  });
+}
+
 }  // namespace
 
 Rounds rounds_of(const Steps& function, std::uint32_t entry, const Inside& inside, const LineOf& line) {
   const Addresses reached = reachable(function, entry);
-  Rounds rounds;
-  for (const Addresses& cycle : cycles(function, reached)) {
+  std::vector<Loop> loops;
+  for (Addresses& cycle : cycles(function, reached)) {
     if (inside ? std::none_of(cycle.begin(), cycle.end(), inside) : is_left(function, cycle)) continue;
-    const Addresses heads = heads_of(function, reached, entry, cycle);
-    Addresses outside;
-    for (const std::uint32_t address : cycle)
+    Loop& loop = loops.emplace_back(Loop{std::move(cycle), {}});
+    for (const std::uint32_t address : loop.cycle)
       if (inside && !inside(address) && at(function, address).kind == Step::Kind::call_or_branch)
-        outside.insert(address);
+        loop.outside.insert(address);
+  }
+  if (inside && !keep_those_of_main(function, loops)) return {};
+  Rounds rounds;
+  for (const auto& [cycle, outside] : loops) {
+    const Addresses heads = heads_of(function, reached, entry, cycle);
     const auto mark = outside.empty() ? mark_by_shape(function, cycle, heads, line)
                                       : mark_by_code_outside(function, cycle, heads, outside);
     if (!mark) return {};

@@ -7,7 +7,8 @@
 //
 //   where loop() is inlined    one that each way over main()'s own code passes, and no way that stays inside
 //                              loop(). That code is told by its calls and branches: what is only computed
-//                              inside loop() may be laid to main() by the compiler
+//                              inside loop() may be laid to main() by the compiler. Loops that never come
+//                              back to main()'s code are a part of the round that they end
 //   otherwise                  the head of the loop, if one jump leads back there, and by the lines of the
 //                              source no loop within is as long as the whole
 //

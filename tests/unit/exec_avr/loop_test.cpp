@@ -78,6 +78,17 @@ TEST_F(AvrLoopTest, EachReturnEndsARound) {
              " case 4: PIND = 1; n = 5; break;\n default: n = 0; }"));
 }
 
+TEST_F(AvrLoopTest, ALoopThatNeverEndsIsAPartOfTheLastRound) {
+  for (const std::string setup : {kSetup, "byte n;\nvoid setup() { DDRB = 32; Serial.begin(9600); }\n"})
+    for (const char* end : {"for (;;) {}", "for (;;) { PIND = 1; n = 0; }"}) {
+      const std::string text = setup + "void loop() {\nfor (byte i = 0; i < 9; i++) PIND = i;\nPINB = 32;\n" +
+                               "if (++n == 200) { " + end + " }\n}";
+      const Resources r = run_for(text, 100 * kMillisecond);
+      EXPECT_EQ(changes(13).size(), 201u) << text;
+      EXPECT_NEAR(static_cast<double>(r.loops), 200.0, 1.0) << text;
+    }
+}
+
 TEST_F(AvrLoopTest, ALoopThatIsCalledOrCallsOnIsCounted) {
   const std::string within = "while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = 32;";
   expect_true_rounds("void __attribute__((noinline)) loop();\n" + sketch(within));
