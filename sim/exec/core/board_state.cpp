@@ -19,6 +19,11 @@ void BoardState::set_drive(Pin pin, const PinDrive& drive, SimTime t) {
   for (PinWatcher* watcher : wires_[pin].watchers) watcher->pin_changed(pin, drive, t);
 }
 
+void BoardState::set_drive_heard(Pin pin, const PinDrive& drive, SimTime t) {
+  if (drive.mode == PinMode::output && !drive.pwm && wants_edges(pin)) schedule_edge(pin, drive.level, t);
+  set_drive(pin, drive, t);
+}
+
 bool BoardState::level_on(Pin pin, SimTime t) {
   const PinState& state = state_.pins[pin];
   if (state.drive.mode == PinMode::output)

@@ -67,6 +67,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// From `now` on edges on `pin` are wanted, or no longer: a change of the level that it has then. Where
   /// they become wanted, firmware's side looks at the pin for that, and this is what it finds.
   bool set_wants_edges(Pin pin, bool wanted, SimTime now);
+  /// As set_drive(); where edges are wanted, a change of the level is one. Those of PWM are none.
+  void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t);
   /// The receiver listens from `now` on, a byte taking `byte_time`; 0 = it does not. Bytes sent before are
   /// lost.
   void listen(SimTime byte_time, SimTime now);

@@ -29,6 +29,9 @@ class ClockedBoard final : public FirmwarePort {
   bool set_wants_edges(Pin pin, bool wanted, SimTime now) {
     return board_.set_wants_edges(pin, wanted, at(now));
   }
+  void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t) {
+    board_.set_drive_heard(pin, drive, at(t));
+  }
   void listen(SimTime byte_time, SimTime now) { board_.listen(byte_time, at(now)); }
   SimTime same_until(Pin pin, SimTime t) const {
     return state_.clock.to_firmware(board_.same_until(pin, at(t)));

@@ -62,7 +62,7 @@ void Ports::refresh(ChipPin pin) {
   const PinDrive drive = drive_of(pin);
   std::uint32_t& pwm = ports_[static_cast<std::size_t>(pin.port)].pwm;
   pwm = (pwm & ~(1u << pin.bit)) | (drive.pwm ? 1u << pin.bit : 0);
-  link_.board.set_drive(number_of(pin), drive, link_.clock.time());
+  link_.board.set_drive_heard(number_of(pin), drive, link_.clock.time());
 }
 
 void Ports::refresh_port(int port) {

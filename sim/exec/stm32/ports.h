@@ -2,8 +2,9 @@
 // 9, 10).
 //
 // A read of GPIOx_IDR asks the robot for all inputs of the port; one through the bit-band region
-// (PM0056 2.2.5) asks for one pin only. Open-drain outputs that are high count as inputs. PWM is told as a
-// duty, never as edges; a program that reads the pin sees its level.
+// (PM0056 2.2.5) asks for one pin only. Open-drain outputs that are high count as inputs. EXTI and timers
+// hear an output of the chip's own as they hear the robot. PWM is told as a duty, never as edges; a program
+// that reads the pin sees its level.
 #pragma once
 
 #include <array>

@@ -39,6 +39,31 @@ TEST_F(ExtiTest, ALineOfTheEventMaskWakesWithoutAnInterrupt) {
   EXPECT_EQ(load(kExtiPr), 1u);
 }
 
+// RM0008 9.1.10: the input stays connected while the pin is an output.
+TEST_F(ExtiTest, AnOutputOfTheChipsOwnIsHeard) {
+  enable(kIrqExti0);
+  store(kGpioA + kBsrr, 1);
+  store(kExtiImr, 1);
+  store(kExtiFtsr, 1);
+  store(kGpioA + kCrl, 0x44444442);  // PA0: push-pull
+  pass(4);
+  store(kExtiPr, 1);
+  const auto drive = [&](std::uint32_t how) {
+    store(kGpioA + kBsrr, how);
+    pass(4);
+    const bool heard = load(kExtiPr);
+    store(kExtiPr, 1);
+    return heard;
+  };
+  EXPECT_TRUE(drive(1u << 16));
+  EXPECT_FALSE(drive(1u << 16));
+  EXPECT_FALSE(drive(1)) << "only falling edges are asked for";
+  EXPECT_TRUE(drive(1u << 16));
+  store(kExtiImr, 0);
+  EXPECT_FALSE(drive(1));
+  EXPECT_FALSE(drive(1u << 16));
+}
+
 TEST_F(ExtiTest, TheLinesOfTheChipItselfHaveInterruptsOfTheirOwn) {
   for (const auto& [line, irq] : {std::pair{16, kIrqPvd}, {17, kIrqRtcAlarm}, {18, kIrqUsbWakeup}}) {
     enable(irq);
