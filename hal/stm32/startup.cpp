@@ -147,7 +147,8 @@ __attribute__((section(".isr_vector"), used)) const Vector robosim_vectors[16 + 
     USBWakeUp_IRQHandler,
 };
 
-int main() {
+// A sketch may have its own, which calls init() itself, as on an AVR.
+__attribute__((weak)) int main() {
   init();
   setup();
   for (;;) {

@@ -33,6 +33,12 @@ TEST_F(Stm32ChipTest, PrintsNumbersOfItsOwnWidths) {
             "FFFFFFFF\r\n1.500\r\n4\r\n   -2.35\r\n0\r\na7\r\n");
 }
 
+TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
+  EXPECT_EQ(
+      output("int main() { init(); Serial.begin(115200); delay(5); Serial.print(millis()); for (;;) {} }"),
+      "5");
+}
+
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
   // More by what the calls themselves take, which is nine times as much at 8 MHz.
   for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
