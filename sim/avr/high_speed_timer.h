@@ -1,18 +1,23 @@
-// Timer 4 of an ATmega32U4, as far as it makes PWM. Data sheet 7766J, chapter 15.
+// Timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
 //
-//   TOP    OCR4C, with the two bits of TC4H as they were written with it; 0xFF after a reset
-//   WGM4   0 fast PWM: high for OCR4x + 1 of TOP + 1 ticks
-//          1 phase and frequency correct: OCR4x of TOP
-//   COM4x  2 cleared at the match, 3 set; PWM4x switches PWM on for A, B and D
+//   TOP    OCR4C; 0xFF after a reset
+//   PWM4x  0 for all: up to TOP and anew from 0; TOV4 there; OCR4x hold at once
+//   WGM4   of PWM: 0 fast: the same; high for OCR4x + 1 of TOP + 1 ticks
+//                  1 phase and frequency correct: up and down, TOV4 at 0; OCR4x of TOP
+//   COM4x  at a match 1 toggles, 2 clears, 3 sets; of PWM 2 is cleared at the match, 3 set
+//   CS4    the clock divided by 2^(CS4 - 1)
+//   TC4H   the two high bits of each register: written before the low byte, kept when TCNT4 is read
 //
-// Pins are told as a duty, taken over at once. Not modelled: counting (TCNT4 stands, no flag is set and
-// nothing interrupts), dead times and the inverted outputs, PWM6, the fault unit, enhanced mode.
+// PWM is told as a duty, a new one at once; flags, counts and the level that PINx reads keep to TOP or
+// BOTTOM. With PWM on for one output all count as it does. Not modelled: the PLL as its clock, dead times and
+// the inverted outputs, PWM6, the fault unit, enhanced mode, and TLOCK4.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "sim/avr/pins.h"
+#include "sim/avr/timer_counter.h"
 
 namespace robosim::avr {
 
@@ -23,29 +28,72 @@ class HighSpeedTimer final : public Peripheral {
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
+  std::uint64_t may_interrupt() const override;
 
  private:
-  static constexpr std::size_t kOutputs = 4;  ///< A to D; C is TOP
+  static constexpr std::size_t kOutputs = 4;   ///< A to D; C is TOP
+  static constexpr std::size_t kChannels = 3;  ///< of the counter: A, B and D
   struct State {
+    Counter counter;
+    Cycle at = 0;     ///< all ticks up to this cycle are counted
+    Cycle began = 0;  ///< a cycle at which the prescaler's count was 0
     std::array<std::uint16_t, kOutputs> compare{};
-    std::array<bool, kOutputs> taken{};
+    std::array<bool, kOutputs> taken{}, level{};  ///< level: as the last match left it; not of PWM
+    std::uint8_t flags = 0, enables = 0, requested = 0,
+                 heard = 0;  ///< as Counter::Hit; heard: a bit an output
     bool runs = true;
+    bool drives_stale = false;
   };
 
+  // registers
   void write(Address address, std::uint8_t value);
   void write_compare(Address address, std::uint8_t value);
-  void tell_drives();
-  /// COM of an output, and whether PWM is switched on for it.
-  int connection(std::size_t output) const;
-  bool has_pwm(std::size_t output) const;
+  std::uint8_t read_count(Address address);
+  void write_count(Address address, std::uint8_t value);
+  std::uint8_t read_flags(Address address);
+  void write_flags(Address address, std::uint8_t value);
+  void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
+  void write_enables(Address address, std::uint8_t value);
   std::uint8_t control(int offset) const {
     return core_.cpu.data[spec_.control + static_cast<unsigned>(offset)];
   }
+  std::uint16_t with_high(std::uint8_t low) const;
+  /// COM of an output, and whether PWM is switched on for it.
+  int connection(std::size_t output) const;
+  bool has_pwm(std::size_t output) const;
+
+  // counting
+  int shift() const;  ///< the prescaler divides by 1 << shift; -1 = no clock
+  bool ticks_come() const { return state_.runs && shift() >= 0; }
+  Cycle tick_after(Cycle at, Cycle ticks) const;
+  Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
+  void set_mode();
+  void count_to(Cycle to);
+  /// After a change: requests, pins, and the next event.
+  void settle();
+  void schedule();
+  void due(Cycle at);
+  void entered(int vector);
+  void request(unsigned flags);
+  int vector_of(std::uint8_t flag) const;
+  std::uint8_t wanted() const;
+
+  // pins
+  bool switches(std::size_t output) const;
+  void match(std::size_t output);
+  bool pwm_level(std::size_t output) const;
+  bool wave_level(int pin);
+  void wave_heard(int pin, bool heard);
+  std::size_t output_of(int pin) const;
+  /// Pins that change, and the edges of those that somebody listens to.
+  void tell();
+  void tell_drives();
 
   Core& core_;
   Pins& pins_;
   const TimerSpec& spec_;
   std::array<int, kOutputs> output_pins_;
+  Events::Id due_ = 0;
   State state_;
 };
 

@@ -12,6 +12,7 @@ namespace robosim::avr {
 
 class IdleChip {
  public:
+  explicit IdleChip(const ChipSpec& spec = kAtmega328p) : bench(spec, loops(spec)) {}
   void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
   std::uint8_t read(Address address) { return bench.chip.cpu().load(address); }
   void run(Cycle cycles) { bench.run(cycles); }
@@ -31,8 +32,8 @@ class IdleChip {
  private:
   static constexpr std::uint32_t kSleep = 0x1000;  // in words
 
-  static std::vector<std::uint8_t> loops() {
-    std::vector<std::uint8_t> flash(kAtmega328p.flash_bytes);
+  static std::vector<std::uint8_t> loops(const ChipSpec& spec) {
+    std::vector<std::uint8_t> flash(spec.flash_bytes);
     for (std::size_t i = 0; i < flash.size(); i += 2) {
       flash[i] = 0xFF;  // rjmp .-2
       flash[i + 1] = 0xCF;
@@ -43,7 +44,7 @@ class IdleChip {
   }
 
  public:
-  conformance::Bench bench{kAtmega328p, loops()};
+  conformance::Bench bench;
 };
 
 }  // namespace robosim::avr
