@@ -22,6 +22,7 @@
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/path_survey.h"
+#include "sim/grid/room.h"
 #include "sim/grid/stripes.h"
 #include "sim/grid/true_graph.h"
 
@@ -29,6 +30,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr std::size_t kListed = 20;  // stations, bends: more are only counted
+constexpr double kRoom_m = 0.08;     // beside a path: half of a stock robot of middling width, and a little
 
 struct Survey {
   grid::Map map;
@@ -164,11 +166,21 @@ std::string paint_text(const grid::Map& map) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string room_text(const grid::Narrowest& narrow) {
+  const std::string where = fmt::format("path {} at {}", narrow.path + 1, at(narrow.cell));
+  const char* const wall = narrow.is_edge ? "the map's edge" : "a wall";
+  if (narrow.room_m <= 0.0) return fmt::format("{} runs into {}: is it meant as an obstacle?", where, wall);
+  return fmt::format("{} is {:.0f} mm from {}: a robot that reaches farther to the side hits it", where,
+                     mm(narrow.room_m), wall);
+}
+
 void describe(const Survey& s, std::ostream& out) {
   const auto& [map, start, network] = s;
   const std::string corners =
       map.corner_m > 0.0 ? fmt::format("bends of {:.10g} mm", mm(map.corner_m)) : "square bends";
-  out << fmt::format("{}: the map is fine\n", map.file);
+  const auto narrow = grid::narrowest(map, kRoom_m);
+  out << fmt::format("{}: {}\n", map.file,
+                     narrow ? "the map can be read, but see the note at the end" : "the map is fine");
   out << fmt::format("  size      {} x {} cells of {:.10g} mm: {:.10g} x {:.10g} mm\n", map.width, map.height,
                      mm(map.cell_m), mm(map.cell_m) * map.width, mm(map.cell_m) * map.height);
   const bool paths_only = !map.course.paths.empty() && count_line_cells(map) == 0;
@@ -204,6 +216,7 @@ void describe(const Survey& s, std::ostream& out) {
                        mm(map.corner_m), list(tight, [](const grid::TightBend& bend) {
                          return fmt::format("{} gets {:.10g} mm", at(bend.cell), mm(bend.radius_m));
                        }));
+  if (narrow) out << "  note: " << room_text(*narrow) << '\n';
 }
 
 // The terminal's size, less a line for the prompt; generous where there is no terminal.

@@ -15,6 +15,7 @@
 namespace robosim::cli {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -56,6 +57,23 @@ TEST_F(MapCommand, CheckReportsTightBendsAndWhatIsOutOfReach) {
   EXPECT_THAT(out_.str(),
               HasSubstr("2 bends are too short in the legs for 80 mm: 1,0 gets 50 mm; 1,1 gets 50 mm"));
   EXPECT_THAT(out_.str(), HasSubstr("2 stations cannot be reached from the start: 7,0; 5,1"));
+}
+
+TEST_F(MapCommand, CheckSaysWhereAPathComesNearAWall) {
+  const auto said = [&](const std::string& y, const std::string& rows) {
+    out_.str("");
+    const std::string text = "+++\n[[path]]\nfrom = [\"200 mm\", \"" + y +
+                             " mm\"]\nsegments = [{ length = \"500 mm\" }]\n+++\n" + rows;
+    EXPECT_EQ(check({file("m.map", text.c_str())}), ExitStatus::ok);
+    return out_.str();
+  };
+  const std::string bare = "_________\n_________\n_________\n_________\n";
+  const std::string wall = "_________\n_________\n____#____\n_________\n";
+  EXPECT_THAT(said("150", bare), AllOf(HasSubstr("the map is fine\n"), Not(HasSubstr("note"))));
+  EXPECT_THAT(said("70", bare), HasSubstr("note: path 1 at 2,3 is 70 mm from the map's edge: a robot"));
+  EXPECT_THAT(said("260", wall), HasSubstr("note: path 1 at 4,1 is 60 mm from a wall: a robot"));
+  EXPECT_THAT(said("260", wall), Not(HasSubstr("the map is fine")));
+  EXPECT_THAT(said("150", wall), HasSubstr("note: path 1 at 4,2 runs into a wall"));
 }
 
 TEST_F(MapCommand, CheckGoesOnAfterAMapThatIsWrong) {
