@@ -282,13 +282,21 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
       AllOf(HasSubstr("3 runs, 0 reached their goal"), HasSubstr("3 timeout"),
             HasSubstr(
                 "<a href=\"report-runs/PidFollower-oval-uno5-host-2.html\">timeout after 1.8 m, seed 2</a>"),
-            HasSubstr("the line was left 0 times in 3 runs")));
+            HasSubstr("The 3 runs that were made again never left the line.")));
   const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-2.html");
   EXPECT_EQ(replay.header().result.verdict, "timeout");
 
   EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}), "other.html is written\n");
   EXPECT_THAT(read_file(folder / "other.html"),
               HasSubstr("3 of the runs came out otherwise when they were made again"));
+
+  // What stands beside a sketch, and was not named.
+  folder.write("Own/Own.ino", "void setup() {}\nvoid loop() {}\n");
+  folder.write("Own/robot.toml", "base = \"uno5\"\n");
+  folder.write("Own/own.map", "S....\n");
+  command({"sweep", "./Own", "--goal", "still", "--for", "50ms", "--seeds", "1..1", "--csv", "own.csv"});
+  EXPECT_EQ(command({"report", "own.csv", "--goal", "still", "--for", "50ms", "--out", "own.html"}),
+            "own.html is written, and a replay beside it\n");
   const Ended ended = robosim_command({"report", "report.html"}, folder.path());
   EXPECT_EQ(ended.status, 2);
   EXPECT_THAT(ended.err, HasSubstr("report.html:1: this is no XML: "));

@@ -44,7 +44,7 @@ std::string cell(const JunitCase& one, std::size_t number, const Shown& shown) {
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
                          bool columns, const Shown& shown) {
   std::string body =
-      "<div class=\"wide\"><table>\n<tr><th class=\"left\">name</th><th>passed</th>"
+      "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">name</th><th>passed</th>"
       "<th class=\"left\">look at</th>";
   if (columns)
     for (const std::string& name : checks.names) body += fmt::format("<th>{}</th>", markup_text(name));
@@ -83,7 +83,7 @@ std::string checks_table(const std::vector<JunitCase>& cases, const Table& check
   }
   const double longest_s = std::max(most_of(all_times), 1e-3), widest_mm = std::max(most_of(all_off), 1e-3);
   std::string body = fmt::format(
-      "<h2>Those that passed, check by check</h2>\n<div class=\"wide\"><table>\n<tr><th "
+      "<h2>Those that passed, check by check</h2>\n<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th "
       "class=\"left\">check</th><th>passed</th><th>times, 0 to {:.1f} s</th>",
       longest_s);
   if (!all_off.empty()) body += fmt::format("<th>off the line, 0 to {:.0f} mm</th>", widest_mm);
@@ -121,7 +121,7 @@ std::string what_failed(const std::vector<JunitCase>& cases, const Shown& shown)
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
           markup_text(one.group), linked(shown, i, markup_text(one.name)), markup_text(one.message));
   if (failures.empty()) return failures;
-  return "<h2>What failed</h2>\n<div class=\"wide\"><table class=\"list\">\n<tr><th "
+  return "<h2>What failed</h2>\n<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
          "class=\"left\">of</th><th "
          "class=\"left\">check</th><th class=\"left\">why</th></tr>\n" +
          failures + "</table></div>\n";

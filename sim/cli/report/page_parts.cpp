@@ -21,6 +21,7 @@ body { margin: 0 auto; max-width: 82rem; padding: 1rem; background: var(--page);
 h1 { font-size: 1.4rem; margin: .2rem 0; } h2 { font-size: 1.1rem; margin: 1.6rem 0 .5rem; }
 p { margin: .3rem 0; } .dim { color: var(--dim); }
 .wide { overflow-x: auto; background: var(--panel); border: 1px solid var(--edge); border-radius: 8px; }
+.wide:focus-visible { outline: 2px solid var(--bar); outline-offset: 1px; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
 th, td { padding: .35rem .5rem; text-align: right; border-bottom: 1px solid var(--edge); white-space: nowrap; }
 th { font-weight: 600; font-size: .85rem; vertical-align: bottom; white-space: normal; } tr:last-child td { border-bottom: 0; }
@@ -34,6 +35,9 @@ figure.times svg.bars { width: 100%; height: 5rem; margin: 0; } svg.bars rect { 
 figure { margin: 0; padding: .6rem; background: var(--panel); border: 1px solid var(--edge); border-radius: 8px; }
 figure svg { width: 100%; height: auto; max-height: 28rem; display: block; } figcaption { margin-top: .4rem; font-size: .9rem; }
 a { color: var(--bar); } td.bad { white-space: normal; } td.bad a { color: inherit; }
+@media (max-width: 60rem) {
+  table:not(.list) th:first-child, table:not(.list) td:first-child { position: sticky; left: 0; max-width: 8rem; overflow: hidden; text-overflow: ellipsis; background: var(--panel); border-right: 1px solid var(--edge); }
+}
 @media (max-width: 40rem) {
   table.list tr:first-child { display: none; } table.list tr { display: block; padding: .4rem .6rem; border-bottom: 1px solid var(--edge); }
   table.list td { display: inline; padding: 0 .4rem 0 0; border: 0; } table.list td.why { display: block; padding: .2rem 0 0; }
@@ -110,7 +114,17 @@ std::string linked(const Shown& shown, std::size_t run, const std::string& marku
 
 std::string places_left(const Shown& shown) {
   std::string maps, text;
-  for (const LeftOn& left : shown.left) maps += heat_map(left);
+  std::size_t nowhere = 0;  // runs in which the line was never left
+  for (const LeftOn& left : shown.left) {
+    if (left.places_mm.empty())
+      nowhere += left.runs;
+    else
+      maps += heat_map(left);
+  }
+  if (maps.empty() && nowhere > 0)
+    text += fmt::format("<p class=\"dim\">{} never left the line.</p>\n",
+                        nowhere == 1 ? "The run that was made again"
+                                     : fmt::format("The {} runs that were made again", nowhere));
   if (!maps.empty())
     text += "<h2>Where robots left the line</h2>\n<div class=\"maps\">\n" + maps + "</div>\n";
   if (shown.other > 0)

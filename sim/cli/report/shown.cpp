@@ -13,6 +13,7 @@
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/fleet_arguments.h"
+#include "sim/launch/names.h"
 #include "sim/record/record_page.h"
 
 namespace robosim::cli {
@@ -93,6 +94,12 @@ std::optional<std::string> made_again(MakeAgain& again, const SweptRun& run, con
   launch.map = run.map;
   launch.robot = run.robot;
   launch.target = run.target;
+  // A table names what stands beside the sketch, and was not asked for, as it is called there.
+  const fs::path folder = launch::choose_sketch(run.sketch, launch.environment).folder;
+  std::error_code error;
+  for (std::string* name : {&launch.map, &launch.robot})
+    if (launch::is_path(*name) && !fs::exists(*name, error) && fs::exists(folder / *name, error))
+      *name = (folder / *name).string();
   return again(launch, run.trace_hash);
 }
 

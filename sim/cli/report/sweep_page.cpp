@@ -56,7 +56,8 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
   std::string body = fmt::format("<h1>{}</h1>\n<p>{} runs, {} reached their goal.</p>\n", markup_text(file),
                                  runs.size(), reached);
   body += fmt::format(
-      "<div class=\"wide\"><table>\n<tr><th class=\"left\">sketch</th><th class=\"left\">map</th><th "
+      "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">sketch</th><th "
+      "class=\"left\">map</th><th "
       "class=\"left\">robot</th>"
       "<th class=\"left\">target</th><th>reached</th><th class=\"left\">look at</th><th>mean time</th>"
       "<th>times, 0&nbsp;to&nbsp;{:.1f}&nbsp;s</th><th>off the line, 0&nbsp;to&nbsp;{:.0f}&nbsp;mm</th><th "
@@ -103,7 +104,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
   }
   if (!failures.empty())
     body += fmt::format(
-        "<h2>Runs that failed{}</h2>\n<div class=\"wide\"><table class=\"list\">\n<tr><th "
+        "<h2>Runs that failed{}</h2>\n<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
         "class=\"left\">sketch</th><th "
         "class=\"left\">map</th><th class=\"left\">target</th><th>seed</th><th "
         "class=\"left\">verdict</th><th>time</th><th class=\"left\">why</th></tr>\n{}</table></div>\n",
