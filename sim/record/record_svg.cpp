@@ -91,6 +91,19 @@ class Drawing {
   }
 
   void areas(bool over_lines) {
+    const auto sticks_out = [&](const FloorShapes::Area& area) {
+      const auto off = [&](double x, double y) {
+        return x < 0.0 || y < 0.0 || x > floor_.width_mm || y > floor_.height_mm;
+      };
+      const auto [x, y, r] = area.disc;
+      return area.over_lines == over_lines &&
+             (r > 0.0 ? off(x - r, y - r) || off(x + r, y + r)
+                      : std::any_of(area.corners.begin(), area.corners.end(),
+                                    [&](const auto& corner) { return off(corner[0], corner[1]); }));
+    };
+    // What sticks out of the floor is cut off there, as a picture within the picture.
+    const bool cut = std::any_of(floor_.areas.begin(), floor_.areas.end(), sticks_out);
+    if (cut) put(R"(<svg width="{:.1f}" height="{:.1f}">)", floor_.width_mm, floor_.height_mm);
     for (const FloorShapes::Area& area : floor_.areas) {
       if (area.over_lines != over_lines) continue;
       if (area.disc[2] > 0.0) {
@@ -102,6 +115,7 @@ class Drawing {
       for (const auto& [x, y] : area.corners) path += (path.empty() ? "M" : "L") + point(x, y);
       put(R"(<path d="{}Z" fill="{}"/>)", path, area.colour);
     }
+    if (cut) put("</svg>");
   }
 
   void stations(const std::vector<wire::Started::Station>& stations) {

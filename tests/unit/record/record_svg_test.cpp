@@ -11,6 +11,7 @@
 namespace robosim::record {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -85,6 +86,19 @@ TEST_F(Picture, ShowsHillsDarkerWhereTheyAreHigher) {
   EXPECT_THAT(svg, HasSubstr(R"(d="M400.0 350.0L380.0 350.0L380.0 450.0L400.0 450.0Z" fill="#f4edde")"));
   EXPECT_THAT(svg, HasSubstr(R"(d="M620.0 350.0L600.0 350.0L600.0 450.0L620.0 450.0Z" fill="#d1b682")"));
   EXPECT_THAT(svg, HasSubstr(R"(fill="#d9e8f3")"));
+}
+
+TEST_F(Picture, CutsOffAtItsEdgeWhatSticksOutOfTheFloor) {
+  const auto with = [&](const std::string& x) {
+    write_file(map, "+++\nsize = [\"1 m\", \"500 mm\"]\n[[surface]]\nat = [\"" + x +
+                        " mm\", \"200 mm\"]\nradius = \"150 mm\"\nkind = \"wet\"\n+++\n");
+    recorder.begin(run);
+    recorder.add(wire::Started{});
+    return drawn();
+  };
+  const std::string cut = R"(<svg width="1000.0" height="500.0">)";
+  EXPECT_THAT(with("500"), AllOf(HasSubstr("<circle"), Not(HasSubstr(cut))));
+  EXPECT_THAT(with("900"), AllOf(HasSubstr("<circle"), HasSubstr(cut)));
 }
 
 TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
