@@ -133,7 +133,7 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& s
   request.script = scripts.front();
   for (std::size_t i = 1; i < scripts.size(); ++i) request.agents[i - 1].script = scripts[i];
   request.for_ns = until_ns;
-  record::Recorders recorders({folder / "run.csv", folder / "run.vcd", folder / "run.svg"});
+  record::Recorders recorders({folder / "run.csv", folder / "run.vcd", folder / kPage});
   recorders.ask(request);
   const std::string map_name = first.map_is_text ? "the test's map" : fs::path(first.map).stem().string();
   record::RecordedRun recorded{runner.hello().version, first.sketch_title, map_name, first.robot.name,

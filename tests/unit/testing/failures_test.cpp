@@ -149,7 +149,8 @@ TEST_F(FailedTests, InRandomWorldsAreReplayedInTheSmallestOne) {
 
 TEST_F(FailedTests, OfSeveralRobotsKeepAFileOfThemThatRunsAgain) {
   const fs::path kept = path("kept/InTheWay.NobodyIsTouched");
-  for (const char* file : {"robots.toml", "B.txt", "map.map", "A-serial.txt", "B-events.txt", "run.csv"})
+  for (const char* file :
+       {"robots.toml", "B.txt", "map.map", "A-serial.txt", "B-events.txt", "run.csv", "run.html"})
     EXPECT_TRUE(fs::exists(kept / file)) << file;
   EXPECT_EQ(read_file(kept / "B.txt"), "at 0ms power off 10000ms\n");
   EXPECT_THAT(text("out.txt"), HasSubstr("A: TooFast on oval (uno5, target host, seed 3)"));
