@@ -177,8 +177,7 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     await said((text) => text.includes('corners'));
     const broken = $('map-said').textContent;
     $('map-undo').click();
-    $('map-text').value = $('map-text').value.replace('corners', 'corner');
-    $('map-text').onchange();
+    const undone = !$('map-text').value.includes('corners');
     await said((text) => !text);
     const key = (name, more = {}) => $('sheet').dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, ...more }));
     key(' ');
@@ -209,8 +208,9 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     image.items.add(new File(['no program'], 'Wrong.elf'));
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: image, bubbles: true }));
     await until(() => $('said').textContent);
-    return { own, wrong: $('said').textContent, broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
+    return { undone, own, wrong: $('said').textContent, broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
   EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
+  EXPECT_EQ(seen["undone"], true) << "what was typed, too";
   EXPECT_EQ(seen["map"], "./my.map");
   EXPECT_EQ(seen["own"], true) << "an image is for its own chip";
   EXPECT_EQ(seen["wrong"],

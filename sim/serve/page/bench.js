@@ -170,7 +170,8 @@ function conclude(done, said, moment) {
   const failed = !done.recording;
   $('state').textContent = failed ? 'it did not run' : '';
   if (failed) $('replay').hidden = true;
-  if (failed) say(`${said}${done.sentence ? `${done.sentence}\n` : ''}`, true);
+  const told = said.replace(/^robosim: the (map|robot) is .*\n/gm, '');  // the form says so
+  if (failed) say(`${told}${done.sentence ? `${done.sentence}\n` : ''}`, true);
   if (!failed) show(done.recording, moment);
 }
 

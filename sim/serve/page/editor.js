@@ -27,7 +27,8 @@ export function segmentTo({ x, y, heading }, toX, toY) {
 
 export class Editor {
   constructor({ listed, maps }) {
-    Object.assign(this, { listed, maps, undone: [], floor: null, path: null, cursor: { x: 1, y: 1 }, asked: 0 });
+    Object.assign(this, { listed, maps, undone: [], known: '', typing: false, floor: null, path: null, cursor: { x: 1, y: 1 }, asked: 0 });
+    this.fit();
     this.canvas = $('sheet');
     this.text = $('map-text');
     $('map-close').onclick = () => { $('editor').hidden = true; };
@@ -37,11 +38,13 @@ export class Editor {
     $('map-undo').onclick = () => this.undo();
     $('map-end').onclick = () => this.endPath();
     $('tool').onchange = () => this.endPath();
-    this.text.onchange = this.text.oninput = () => this.look();
+    this.text.oninput = () => this.typed();
+    this.text.onchange = () => { this.typed(); this.typing = false; };
     this.canvas.onpointerdown = (e) => this.down(e);
     this.canvas.onpointermove = (e) => this.move(e);
     this.canvas.onpointerup = (e) => this.up(e);
     this.canvas.onkeydown = (e) => this.key(e);
+    this.canvas.onwheel = (e) => { e.preventDefault(); this.zoom(Math.exp(-0.0015 * e.deltaY), e.offsetX, e.offsetY); };
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
@@ -57,8 +60,17 @@ export class Editor {
     this.text.value = text;
     this.undone = [];
     this.path = null;
+    this.fit();
     this.canvas.focus();
     return this.look();
+  }
+
+  /** What was typed is taken back as a whole. */
+  typed() {
+    if (this.text.value === this.known) return;
+    if (!this.typing) this.undone.push(this.known);
+    this.typing = true;
+    this.look();
   }
 
   /** A new text; the one before can be had back. */
@@ -66,9 +78,11 @@ export class Editor {
     if (text === this.text.value) return;
     this.undone.push(this.text.value);
     this.text.value = text;
+    this.typing = false;
     this.look();
   }
   undo() {
+    this.typing = false;
     if (this.undone.length) this.text.value = this.undone.pop();
     this.path = null;
     this.look();
@@ -77,6 +91,7 @@ export class Editor {
   /** What the text means; the floor that was last understood stays. */
   async look() {
     const mine = ++this.asked;
+    this.known = this.text.value;
     $('map-replace').hidden = true;
     try {
       const answer = await post('/api/floor', { name: $('map-name').value, text: this.text.value });
@@ -106,8 +121,30 @@ export class Editor {
   }
 
   // Places: mm on the floor, y up; cells from the top left.
-  get scale() { return Math.min((this.canvas.clientWidth - 16) / this.floor.width, (this.canvas.clientHeight - 16) / this.floor.height); }
-  toFloor(px, py) { return [(px - 8) / this.scale, this.floor.height - (py - 8) / this.scale]; }
+  get scale() { return this.larger * Math.min((this.canvas.clientWidth - 16) / this.floor.width, (this.canvas.clientHeight - 16) / this.floor.height); }
+  toFloor(px, py) { return [(px - this.left) / this.scale, this.floor.height - (py - this.top) / this.scale]; }
+  toSheet(x, y) { return [this.left + x * this.scale, this.top + (this.floor.height - y) * this.scale]; }
+  /** All of the map. */
+  fit() { Object.assign(this, { larger: 1, left: 8, top: 8 }); }
+  /** What is under the pixel stays there. */
+  zoom(factor, px, py) {
+    if (!this.floor) return;
+    const [x, y] = this.toFloor(px, py);
+    this.larger = Math.min(Math.max(this.larger * factor, 1), 1000);
+    if (this.larger === 1) this.fit();
+    else this.shift(px, py, ...this.toSheet(x, y));
+    this.draw();
+  }
+  shift(px, py, fromX, fromY) {
+    this.left += px - fromX;
+    this.top += py - fromY;
+  }
+  /** The cell that the keys move stays in sight. */
+  keepInSight() {
+    const [px, py] = this.toSheet(...this.middle(this.cursor)), { clientWidth: width, clientHeight: height } = this.canvas;
+    const edge = Math.min(10 + this.scale * this.floor.cell / 2, width / 2, height / 2), within = (at, most) => Math.min(Math.max(at, edge), most - edge);
+    if (this.larger > 1) this.shift(within(px, width), within(py, height), px, py);
+  }
   cellAt(e) {
     const [x, y] = this.toFloor(e.offsetX, e.offsetY);
     return { x: Math.floor(x / this.floor.cell), y: Math.floor((this.floor.height - y) / this.floor.cell) };
@@ -202,9 +239,12 @@ export class Editor {
     else if (e.key === ' ' || e.key === 'Enter') this.apply(this.cursor, this.middle(this.cursor));
     else if ((e.ctrlKey || e.metaKey) && e.key === 'z') this.undo();
     else if (e.key === 'Escape') this.endPath();
+    else if (['+', '=', '-'].includes(e.key)) this.zoom(e.key === '-' ? 1 / 1.5 : 1.5, ...this.toSheet(...this.middle(this.cursor)));
+    else if (e.key === '0') this.fit();
     else if (tools[Number(e.key) - 1]) $('tool').value = tools[Number(e.key) - 1].value;
     else return;
     e.preventDefault();
+    if (step) this.keepInSight();
     if (step && e.shiftKey) this.apply(this.cursor, this.middle(this.cursor));
     this.draw();
   }
@@ -215,10 +255,14 @@ export class Editor {
     if (!floor || !canvas.clientWidth) return;
     Object.assign(canvas, { width: canvas.clientWidth * ratio, height: canvas.clientHeight * ratio });
     const ctx = canvas.getContext('2d'), { scale } = this;
-    ctx.setTransform(ratio * scale, 0, 0, -ratio * scale, 8 * ratio, (8 + floor.height * scale) * ratio);
+    ctx.setTransform(ratio * scale, 0, 0, -ratio * scale, this.left * ratio, (this.top + floor.height * scale) * ratio);
     const [paper, paint] = floor.light_line ? ['#222', '#fff'] : ['#fdfcf8', '#111'];
     ctx.fillStyle = paper;
     ctx.fillRect(0, 0, floor.width, floor.height);
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(0, 0, floor.width, floor.height);
+    ctx.clip();
     for (const { colour, disc, corners } of floor.areas ?? []) {
       const area = new Path2D();
       if (disc) area.arc(disc[0], disc[1], disc[2], 0, 2 * Math.PI);
@@ -227,6 +271,7 @@ export class Editor {
       ctx.fill(area);
     }
     this.drawSurfaces(ctx);
+    ctx.restore();
     this.drawGrid(ctx, 1 / scale);
     ctx.fillStyle = '#6b7280';
     for (const [x, y, width, height] of floor.walls) ctx.fillRect(x, y, width, height);
@@ -258,6 +303,7 @@ export class Editor {
 
   drawGrid(ctx, px) {
     const { width, height, cell } = this.floor;
+    if (cell < 5 * px) return;  // it would cover the map
     ctx.fillStyle = 'rgb(128 128 128 / 25%)';
     for (let x = 0; x <= width + px; x += cell) ctx.fillRect(x, 0, px, height);
     for (let y = 0; y <= height + px; y += cell) ctx.fillRect(0, y, width, px);
