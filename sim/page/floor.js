@@ -91,7 +91,7 @@ export class FloorPicture {
     this.drawTrail(t);
     ctx.restore();
     this.drawTold(t);
-    this.drawStations();
+    this.drawStations(t);
     this.drawCollisions(t);
     ctx.save();
     ctx.translate(view.width / 2, view.height / 2);
@@ -142,17 +142,26 @@ export class FloorPicture {
     ctx.restore();
     ctx.fillStyle = '#8a4b08';
     for (const [x, y] of floor.obstacles) ctx.fillRect(x - 0.35 * floor.cell, y - 0.35 * floor.cell, 0.7 * floor.cell, 0.7 * floor.cell);
+    ctx.strokeStyle = style('wall');  // beyond it everything is wall
+    ctx.lineWidth = 2 * this.px;
+    ctx.strokeRect(-this.px, -this.px, floor.width + 2 * this.px, floor.height + 2 * this.px);
   }
 
   drawAreas(floor, overLines) {
+    const { ctx } = this;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(0, 0, floor.width, floor.height);
+    ctx.clip();
     for (const { colour, disc, corners, over_lines = false } of floor.areas ?? []) {
       if (over_lines !== overLines) continue;
       const path = new Path2D();
       if (disc) path.arc(disc[0], disc[1], disc[2], 0, 2 * Math.PI);
       else for (const [x, y] of corners) path.lineTo(x, y);
-      this.ctx.fillStyle = colour;
-      this.ctx.fill(path);
+      ctx.fillStyle = colour;
+      ctx.fill(path);
     }
+    ctx.restore();
   }
 
   /** Calls visit for each sample that is drawn until t, from number `first` on: those a pixel or more apart. */
@@ -292,15 +301,20 @@ export class FloorPicture {
     ctx.restore();
   }
 
-  drawStations() {
+  drawStations(t) {
     const { ctx, run, view } = this;
     if (!run.floor) return;
     const { cell, height } = run.floor;
+    const robots = this.runs.map((one) => ({ ...one.pose(t), size: Math.max(...(one.robot?.outline ?? []).map(([x, y]) => Math.hypot(x, y)), 0) }));
     ctx.font = '600 12px system-ui, sans-serif';
     ctx.textAlign = 'center';
     ctx.textBaseline = 'middle';
     for (const { name, x, y } of run.started.stations) {
-      const [px, py] = view.toScreen((x + 0.5) * cell, height - (y + 0.5) * cell);
+      const at = [(x + 0.5) * cell, height - (y + 0.5) * cell];
+      let [px, py] = view.toScreen(...at);
+      // A robot that stands there is not covered: its name is above it.
+      const on = robots.find((robot) => Math.hypot(robot.x - at[0], robot.y - at[1]) < robot.size + 10 * this.px);
+      if (on) py = view.toScreen(on.x, on.y + on.size)[1] - 12;
       const width = Math.max(ctx.measureText(name).width + 10, 20);
       ctx.beginPath();
       ctx.roundRect(px - width / 2, py - 10, width, 20, 10);

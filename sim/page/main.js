@@ -217,7 +217,7 @@ class Page {
       ' ': () => player.toggle(), ',': () => player.step(-1), '.': () => player.step(1), '<': () => player.step(-10), '>': () => player.step(10),
       ';': () => player.step(-10), ':': () => player.step(10),
       ArrowLeft: () => player.step(-100 * far), ArrowRight: () => player.step(100 * far),
-      p: () => this.stepEvent(-1), n: () => this.stepEvent(1), Home: () => player.seek(0), End: () => player.seek(this.run.duration),
+      p: () => this.stepEvent(-1), n: () => this.stepEvent(1), l: () => this.stepEvent(e.shiftKey ? -1 : 1, 'line'), Home: () => player.seek(0), End: () => player.seek(this.run.duration),
       '+': () => player.faster(1), '=': () => player.faster(1), '-': () => player.faster(-1),
       r: () => this.chooser.step(e.shiftKey ? -1 : 1), f: () => this.toggleFollow(), 0: () => this.view.fit(), '?': () => $('help').showModal(),
     };
@@ -227,8 +227,8 @@ class Page {
     action();
   }
 
-  stepEvent(direction) {
-    const happened = this.player.stepEvent(direction);
+  stepEvent(direction, kind) {
+    const happened = this.player.stepEvent(direction, kind);
     if (happened.length) this.tellHappened(happened.map((e) => e.text).join(' · '));
   }
 

@@ -25,10 +25,10 @@ export class Player {
     this.seek((Math.round(this.t * 1000) + ms) / 1000);
   }
 
-  /** To the next event, or the one before; gives all that happened then. */
-  stepEvent(direction) {
+  /** To the next event, or the one before, of that kind if one is given; gives all that happened then. */
+  stepEvent(direction, kind) {
     this.pause();
-    const { events } = this.run;
+    const events = this.run.events.filter((e) => !kind || e.kind === kind);
     const found = direction > 0 ? events.find((e) => e.t > this.t + 1e-9)
       : events.findLast((e) => e.t < this.t - 1e-9);
     this.seek(found ? found.t : direction > 0 ? this.run.duration : 0);

@@ -2,6 +2,7 @@
 // screen in CSS pixels, y down.
 
 const LEAST_PX_PER_MM = 0.005, MOST_PX_PER_MM = 20;
+const MARGIN_PX = 12, SCALE_PX = 40;  // the scale and the trail's colours stand below
 
 export class View {
   constructor(canvas, area, changed) {
@@ -26,9 +27,10 @@ export class View {
 
   fit() {
     const { x, y, width, height } = this.area;
-    this.scale = Math.max(Math.min((this.width - 24) / width, (this.height - 24) / height), LEAST_PX_PER_MM);  // it may be hidden
+    const free = this.height - 2 * MARGIN_PX - SCALE_PX;
+    this.scale = Math.max(Math.min((this.width - 2 * MARGIN_PX) / width, free / height), LEAST_PX_PER_MM);  // it may be hidden
     this.x = x + width / 2;
-    this.y = y + height / 2;
+    this.y = y + height / 2 - SCALE_PX / 2 / this.scale;
     this.fits = true;
     this.follows = false;
     this.changed();

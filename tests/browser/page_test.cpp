@@ -120,6 +120,19 @@ TEST_F(Page, StepsThroughEverythingThatHappened) {
   EXPECT_EQ(steps["scrubbed"], steps["steps"][0][1]) << "by other ways than by steps, too";
 }
 
+TEST_F(Page, GoesToWhereTheLineIsLeft) {
+  const Json at = in_page(file(), R"(
+    page.run.events.push({ t: 2.5, kind: 'line', text: 'the line is left' }, { t: 4.5, kind: 'line', text: 'back on the line' });
+    page.run.sortEvents();
+    const at = [];
+    for (const [name, more] of [['Home'], ['l'], ['l'], ['End'], ['L', { shiftKey: true }], ['L', { shiftKey: true }]]) {
+      key(name, more);
+      at.push(page.player.t);
+    }
+    return [at[1], at[2], at[4], at[5]];)");
+  EXPECT_EQ(at, Json::parse("[2.5, 4.5, 4.5, 2.5]"));
+}
+
 TEST_F(Page, StepsByAMillisecondAndScrubs) {
   const Json t = in_page(file(), R"(
     page.player.seek(1.2346);
