@@ -72,7 +72,10 @@ void Cpu::leave() {
   nvic_.leave(handlers_.back().exception);
   handlers_.pop_back();
   clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;
-  if (handlers_.empty()) handler_cycles_ += clock_.now - handler_began_;
+  if (!handlers_.empty()) return;
+  handler_cycles_ += clock_.now - handler_began_;
+  asleep_ = nvic_.sleeps_on_exit();  // as by WFI: PM0056 2.5.1
+  waits_for_event_ = false;
 }
 
 }  // namespace robosim::exec::stm32

@@ -263,6 +263,18 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
+// What is behind WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
+TEST_F(Stm32ChipTest, WithSleeponexitOnlyHandlersRun) {
+  EXPECT_EQ(
+      output("volatile uint32_t& scr = *(volatile uint32_t*)0xE000ED10;\n"
+             "volatile int edges; void edge() { if (++edges == 3) scr = 0; }\n"
+             "void setup() { Serial.begin(115200); pinMode(4, OUTPUT); attachInterrupt(4, edge, CHANGE);\n"
+             "  tone(4, 500); scr = 2; asm volatile(\"wfi\"); int n = edges; scr = 0; noTone(4);\n"
+             "  Serial.print(n); }\n"
+             "void loop() {}\n"),
+      "3");
+}
+
 TEST_F(Stm32ChipTest, KnowsHowMuchFlashItHas) {
   EXPECT_EQ(output(std::string(kRegisters) +
                    "void setup() { Serial.begin(115200); Serial.print(load_half(0x1FFFF7E0)); }\n"
