@@ -16,8 +16,5 @@ uint16_t register_value(robosim_register address, int bytes);
 /// What a write of 1 or 2 bytes then does.
 void set_register(robosim_register address, int bytes, uint16_t value);
 
-/// Whether an interrupt is enabled that comes only on the chip: the analog comparator's or the EEPROM's.
-bool chip_may_interrupt();
-
 }  // namespace host
 }  // namespace robosim

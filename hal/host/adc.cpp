@@ -55,10 +55,16 @@ void Adc::set_control(uint8_t value) {
   }
 }
 
+uint16_t Adc::end_with(uint16_t code) {
+  if (!locked_) code_ = code;
+  locked_ = false;
+  return code_;
+}
+
 void Adc::sync() {
   if (!converting_ || state.now < ready_) return;
   converting_ = false;
-  code_ = result_;
+  if (!locked_) code_ = result_;
   control_ |= kFlag;
   if (control_ & kAuto && (control_b_ & 7) == 0) start();
 }

@@ -28,7 +28,11 @@ class Adc {
   /// When a conversion begins that is asked for now: with the next ADC clock.
   SimTime next_start() const;
   bool on() const { return control_ & 0x80; }
-  void set_code(uint16_t code) { code_ = code; }
+  /// A conversion has ended with this code: what reading ADCL and then ADCH gives.
+  uint16_t end_with(uint16_t code);
+  /// ADCL has been read: ADCL and ADCH stay as they are until ADCH is read (24.9.3).
+  void lock() { locked_ = true; }
+  void unlock() { locked_ = false; }
 
   /// Ends the conversion that is due; restarts it when free running.
   void sync();
@@ -41,7 +45,7 @@ class Adc {
   void start();
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
-  bool converting_ = false;
+  bool converting_ = false, locked_ = false;
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
   SimTime clock_began_ = 0;  ///< the ADC clock runs from when the ADC was enabled

@@ -126,8 +126,7 @@ int analogRead(uint8_t pin) {
       elsewhere ? host::adc.code_of(host::board->read_volts(host::places[number].wired, host::state.now))
                 : host::adc.sample();
   host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
-  host::adc.set_code(code);
-  return robosim_hal::with_bits(code, kAdcBits, robosim_hal::read_bits);
+  return robosim_hal::with_bits(host::adc.end_with(code), kAdcBits, robosim_hal::read_bits);
 }
 
 void analogWrite(uint8_t pin, int value) {

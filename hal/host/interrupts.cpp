@@ -1,8 +1,9 @@
 #include "hal/host/interrupts.h"
 
-#include "hal/host/access.h"
 #include "hal/host/adc.h"
 #include "hal/host/clock.h"
+#include "hal/host/comparator.h"
+#include "hal/host/eeprom.h"
 #include "hal/host/external.h"
 #include "hal/host/polling.h"
 #include "hal/host/register_memory.h"
@@ -38,6 +39,8 @@ ROBOSIM_VECTOR(18)
 ROBOSIM_VECTOR(19)
 ROBOSIM_VECTOR(20)
 ROBOSIM_VECTOR(21)
+ROBOSIM_VECTOR(22)
+ROBOSIM_VECTOR(23)
 ROBOSIM_VECTOR(24)
 void robosim_serve_line();  // attach.cpp
 }
@@ -47,6 +50,7 @@ namespace host {
 
 uint8_t status_register;
 ROBOSIM_CLOCKWORK uint32_t handlers_run;
+bool rare_used;
 
 namespace {
 
@@ -55,7 +59,7 @@ int depth;
 // What the handlers are called goes by number, as what they say.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
                   kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 &&
-                  kTwoWire == 24 && kWatchdog == 6,
+                  kEepromReady == 22 && kCompared == 23 && kTwoWire == 24 && kWatchdog == 6,
               "the names in this file are those of another chip");
 
 #define ROBOSIM_NO_HANDLER(name) \
@@ -83,8 +87,8 @@ const char* const kNoHandler[kVectors] = {
     ROBOSIM_NO_HANDLER("USART_UDRE_vect"),
     ROBOSIM_NO_HANDLER("USART_TX_vect"),
     ROBOSIM_NO_HANDLER("ADC_vect"),
-    "",
-    "",
+    ROBOSIM_NO_HANDLER("EE_READY_vect"),
+    ROBOSIM_NO_HANDLER("ANALOG_COMP_vect"),
     ROBOSIM_NO_HANDLER("TWI_vect"),
 };
 
@@ -134,6 +138,10 @@ Handler handler_of(int vector) {
       return __vector_20;
     case 21:
       return __vector_21;
+    case 22:
+      return __vector_22;
+    case 23:
+      return __vector_23;
     case 24:
       return __vector_24;
     case kLines:
@@ -176,10 +184,27 @@ void acknowledge(int vector) {
     adc.acknowledge();
   } else if (vector == kSpi) {
     spi.acknowledge();
+  } else if (vector == kCompared) {
+    comparator.acknowledge();
   }
 }
 
 SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
+
+__attribute__((noinline)) void sync_rare() {
+  comparator.sync();
+  spi.sync();
+  two_wire.sync();
+}
+
+__attribute__((noinline)) uint32_t pending_rare() {
+  return (spi.pending() ? 1u << kSpi : 0u) | (eeprom.pending() ? 1u << kEepromReady : 0u) |
+         (comparator.pending() ? 1u << kCompared : 0u) | (two_wire.pending() ? 1u << kTwoWire : 0u);
+}
+
+__attribute__((noinline)) SimTime next_rare() {
+  return earlier(earlier(eeprom.next(), comparator.due()), earlier(spi.next(), two_wire.next()));
+}
 
 }  // namespace
 
@@ -202,23 +227,24 @@ void sync_peripherals() {
   timer1.sync();
   timer2.sync();
   adc.sync();
-  spi.sync();
-  two_wire.sync();
+  if (__builtin_expect(rare_used, 0)) sync_rare();
   watchdog.sync();
   sync_tone();
   take_inputs();
 }
 
 uint32_t pending_interrupts() {
-  return pending_external() | pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) |
-         pending_timer(timer2, kTimer2) | (timer1.pending() & Timer::captured ? 1u << kTimer1Captured : 0u) |
-         uart.pending() | (adc.pending() ? 1u << kAdcComplete : 0u) | (spi.pending() ? 1u << kSpi : 0u) |
-         (two_wire.pending() ? 1u << kTwoWire : 0u) | (watchdog.pending() ? 1u << kWatchdog : 0u);
+  const uint32_t pending = pending_external() | pending_timer(timer0, kTimer0) |
+                           pending_timer(timer1, kTimer1) | pending_timer(timer2, kTimer2) | uart.pending() |
+                           (adc.pending() ? 1u << kAdcComplete : 0u) |
+                           (watchdog.pending() ? 1u << kWatchdog : 0u);
+  return __builtin_expect(rare_used, 0) ? pending | pending_rare() : pending;
 }
 
 SimTime next_interrupt(bool with_timer0_overflow) {
   SimTime next = earlier(state.next_input, earlier(uart.next(), adc.next()));
-  next = earlier(next, earlier(watchdog.due(), earlier(spi.next(), two_wire.next())));
+  if (__builtin_expect(rare_used, 0)) next = earlier(next, next_rare());
+  next = earlier(next, watchdog.due());
   next = earlier(next, with_timer0_overflow ? timer0.due() : timer0.due_to_match());
   return earlier(earlier(next, wave_due), earlier(timer1.due(), timer2.due()));
 }
@@ -228,7 +254,7 @@ bool may_interrupt(bool held_back) {
   if (!held_back && !interrupts_enabled()) return false;
   const bool by_timer = timer0.enabled() & ~Timer::overflow || timer1.enabled() || timer2.enabled();
   if (spi.may_interrupt() || two_wire.may_interrupt() || watchdog.may_interrupt()) return true;
-  if (chip_may_interrupt()) return true;
+  if (eeprom.may_interrupt() || comparator.may_interrupt()) return true;
   return by_timer || uart.may_interrupt() || external_may_interrupt() || adc.may_interrupt() || sounds();
 }
 

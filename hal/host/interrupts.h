@@ -23,6 +23,8 @@ enum Vector : uint8_t {
   kUartEmpty = kUartReceived + 1,
   kUartSent = kUartReceived + 2,
   kAdcComplete = kChip.adc.vector,
+  kEepromReady = kChip.eeprom_vector,
+  kCompared = kChip.comparator.vector,
   kSpi = kChip.spi.vector,
   kTwoWire = kChip.twi.vector,
   kLines = kChip.vectors,  // no vector of the chip: external.h
@@ -35,6 +37,9 @@ extern uint8_t status_register;  ///< SREG; bit 7 is I
 inline bool interrupts_enabled() { return status_register & 0x80; }
 /// Whether a handler runs.
 bool in_handler();
+/// Whether the sketch has ever switched on SPI, two-wire interface, comparator or the EEPROM's interrupt: few
+/// do, and until then nothing comes of these.
+extern bool rare_used;
 /// How many handlers have run.
 extern uint32_t handlers_run;
 

@@ -12,6 +12,7 @@ PortRegisters ports[kPorts];
 ROBOSIM_CLOCKWORK Place places[kNumbers];  // they never change
 
 PinDrive driven[kPins];
+uint16_t inputs_off;
 
 namespace {
 
@@ -22,7 +23,12 @@ uint8_t pwm_values[kPins];  // of pins without a timer
 Pin port_pins[kPorts][kBits];
 Pin timer_pins[kTimers][2];
 Pin external_pins[kChip.external_count];
-Pin capture_pin;
+Pin capture_pin, comparator_pins[2];
+
+bool is_same(const char* a, const char* b) {
+  while (*a && *a == *b) ++a, ++b;
+  return *a == *b;
+}
 
 void place_on_chip(Pin pin, const ChipPin& at) {
   Place& place = places[pin];
@@ -36,6 +42,9 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   place.counted_by = at.counted_by;
   place.captured_by = at.captured_by;
   if (at.captured_by >= 0) capture_pin = pin;
+  if (at.analog_channel >= 0) place.off_bits = static_cast<uint16_t>(1 << at.analog_channel);
+  if (is_same(at.name, kChip.comparator.positive)) comparator_pins[0] = pin;
+  if (is_same(at.name, kChip.comparator.negative)) comparator_pins[1] = pin;
   if (at.change >= 0) {
     place.change_group = static_cast<int8_t>(at.change / 8);
     place.change_mask = static_cast<uint8_t>(1 << at.change % 8);
@@ -92,6 +101,7 @@ bool output_level(Pin pin) {
 Pin pin_of_external(int number) { return external_pins[number]; }
 
 Pin pin_of_capture() { return capture_pin; }
+Pin pin_of_comparator(int input) { return comparator_pins[input]; }
 
 void place_pins() {
   for (auto& pins : port_pins)
@@ -99,6 +109,7 @@ void place_pins() {
   for (auto& pins : timer_pins)
     for (Pin& pin : pins) pin = kNoPin;
   for (Pin& pin : external_pins) pin = kNoPin;
+  for (Pin& pin : comparator_pins) pin = kNoPin;
   const BoardSpec& spec = board->spec();
   const BoardSpec& model = host_model(spec);
   for (Pin pin = 0; pin < spec.pin_count; ++pin) places[pin].wired = first_number(spec, pin);
@@ -114,6 +125,9 @@ void place_pins() {
     place.mask = static_cast<uint8_t>(1 << number % kBits);
     port_pins[place.port][number % kBits] = pin;
   }
+  for (int input = 0; input < 2; ++input)
+    if (comparator_pins[input] != kNoPin)
+      places[comparator_pins[input]].off_bits = static_cast<uint16_t>(0x100 << input);
 }
 
 void refresh_pin(Pin pin) {
@@ -144,6 +158,7 @@ void set_output(Port port, uint8_t value) {
 }
 
 bool read_pin(Pin pin) {
+  if (__builtin_expect(is_input_off(pin), 0)) return false;
   const bool level = board->read_level(pin, state.now);
   return pin < kPins && driven[pin].pwm ? output_level(pin) : level;
 }
@@ -152,7 +167,7 @@ uint8_t read_port(Port port) {
   uint8_t value = 0;
   for (int bit = 0; bit < kBits; ++bit) {
     const Pin pin = port_pins[port][bit];
-    if (pin == kNoPin) continue;
+    if (pin == kNoPin || is_input_off(pin)) continue;
     const bool level = board->read_along(pin, state.now);
     if (driven[pin].pwm ? output_level(pin) : level) value |= static_cast<uint8_t>(1 << bit);
   }

@@ -36,6 +36,7 @@ struct Place {
   int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
   int8_t captured_by = -1;   ///< the timer that captures its edges; -1 = none
   Pin wired = 0;             ///< first_number() of it
+  uint16_t off_bits = 0;     ///< of inputs_off
 };
 constexpr int kNumbers = 256;  ///< that a sketch may take for a pin's
 extern Place places[kNumbers];
@@ -46,8 +47,9 @@ inline bool is_digital(Pin pin) { return places[pin].digital; }
 inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
 /// The pin of INTn; kNoPin if the board has none.
 Pin pin_of_external(int number);
-/// The pin of ICP1.
+/// The pin of ICP1; of AIN0 and AIN1.
 Pin pin_of_capture();
+Pin pin_of_comparator(int input);
 /// When the firmware begins: fills in all that.
 void place_pins();
 
@@ -60,6 +62,9 @@ extern PortRegisters ports[kPorts];
 /// Writes registers; what changes on the pins is told to the board.
 void set_direction(Port port, uint8_t value);
 void set_output(Port port, uint8_t value);
+/// Switches digital inputs off, which then read low: DIDR0, and DIDR1 behind it.
+extern uint16_t inputs_off;
+inline bool is_input_off(Pin pin) { return inputs_off && inputs_off & places[pin].off_bits; }
 /// What a pin reads, and PINx.
 bool read_pin(Pin pin);
 uint8_t read_port(Port port);

@@ -5,6 +5,7 @@
 #include "hal/host/adc.h"
 #include "hal/host/api.h"
 #include "hal/host/external.h"
+#include "hal/host/other_registers.h"
 #include "hal/host/ports.h"
 #include "hal/host/spi.h"
 #include "hal/host/timers.h"
@@ -15,9 +16,6 @@
 namespace robosim {
 namespace host {
 namespace {
-
-// Registers that only keep what is written: clock and power settings, GPIOR.
-uint8_t plain[256];
 
 // Of ports, timers and UARTs the chip says where they are.
 namespace reg {
@@ -82,13 +80,15 @@ uint8_t read_timer8(uint8_t address) {
   }
 }
 
+constexpr uint8_t kForce = 0xC0;  // FOCnA, FOCnB
+
 void write_timer8(uint8_t address, uint8_t value) {
   Timer& timer = address < reg::kTccr2a ? timer0 : timer2;
   switch (address < reg::kTccr2a ? address : address - reg::kTccr2a + reg::kTccr0a) {
     case reg::kTccr0a:
       return timer.set_control_a(value);
     case reg::kTccr0b:
-      return timer.set_control_b(value);
+      return timer.set_control_b(value & ~kForce);
     case reg::kTcnt0:
       return timer.set_count(value);
     case reg::kOcr0a:
@@ -154,6 +154,8 @@ uint8_t read(uint8_t address) {
     }
   }
   if (is_timer8(address)) return read_timer8(address);
+  if (address == reg::kAdcL) adc.lock();
+  if (address == reg::kAdcH) adc.unlock();
   if (is_word(address)) return static_cast<uint8_t>(read_word(address));
   if (is_word(static_cast<uint8_t>(address - 1))) return static_cast<uint8_t>(read_word(address - 1) >> 8);
   if (address >= reg::kTifr0 && address <= reg::kTifr2) return timer(address - reg::kTifr0).flags();
@@ -209,7 +211,7 @@ uint8_t read(uint8_t address) {
     case reg::kWdtcsr:
       return watchdog.control();
     default:
-      return plain[address];
+      return read_other(address);
   }
 }
 
@@ -295,7 +297,7 @@ void write(uint8_t address, uint8_t value) {
     case reg::kWdtcsr:
       return watchdog.set_control(value);
     default:
-      plain[address] = value;
+      write_other(address, value);
   }
 }
 
@@ -310,14 +312,9 @@ void begin_access(robosim_register address, int bytes, const void* place) {
   sync_peripherals();
 }
 
-bool chip_may_interrupt() {
-  constexpr uint8_t kAcd = 0x80, kAcie = 0x08, kEerie = 0x08;
-  const bool compares = (plain[kChip.comparator.address] & (kAcd | kAcie)) == kAcie;
-  return compares || plain[reg::kEecr] & kEerie;
-}
-
 uint16_t register_value(robosim_register address, int bytes) {
   if (bytes == 1) return read(address);
+  if (address == reg::kAdcL) adc.unlock();
   if (is_word(address)) return read_word(address);
   return static_cast<uint16_t>(read(address) | read(static_cast<uint8_t>(address + 1)) << 8);
 }
@@ -382,7 +379,7 @@ void robosim_disable_interrupts() {
 void robosim_sleep() {
   constexpr uint8_t kSleepEnable = 1;
   host::settle_registers();
-  const uint8_t control = host::plain[host::reg::kSmcr];
+  const uint8_t control = host::sleep_control();
   if (!(control & kSleepEnable)) return;
   host::note_call("sleep_cpu", robosim::kNoPin, 0);
   if (!host::interrupts_enabled()) host::stop_for_ever("sleep with interrupts off");

@@ -1,6 +1,7 @@
 #include "hal/host/spi.h"
 
 #include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
 
 namespace robosim {
@@ -20,6 +21,7 @@ constexpr uint8_t kInMask = static_cast<uint8_t>(1 << (kChip.spi.in[2] - '0'));
 }  // namespace
 
 void Spi::set_control(uint8_t value) {
+  rare_used = true;
   control_ = value;
   if (!(value & kSpe)) shifts_ = false;
 }

@@ -18,8 +18,25 @@ void Timer::listen_to_captures() {
   refresh_external();
 }
 
+// 16.6.1: a change of the source is an edge, if the two differ.
+void Timer::capture_comparator(bool is, bool level) {
+  if (is == of_comparator_) return;
+  const bool pin = read_pin(pin_of_capture());
+  of_comparator_ = listens_ = is;
+  comparator_ = level;
+  if (!is) listen_to_captures();
+  refresh_external();
+  if (captures() && pin != level) capture_edge(is ? level : pin, state.now);
+}
+
+void Timer::comparator_changed(bool level) {
+  if (!of_comparator_) return;
+  comparator_ = level;
+  if (captures()) capture_edge(level, state.now);
+}
+
 void Timer::begin_canceler() {
-  passed_ = level_ = read_pin(pin_of_capture());
+  passed_ = level_ = of_comparator_ ? comparator_ : read_pin(pin_of_capture());
   changed_at_ = state.now;
   may_take_back_ = false;
 }

@@ -194,7 +194,7 @@ void Timer::count_edge(bool level) {
   if (!counts_edges() || level != (control_b_ & 1)) return;  // CS: 6 falling, 7 rising
   overflows_seen_ = disabled_seen_ = ++base_tick_;
   const int64_t now = position();
-  for (int flag = 0; flag < kFlags; ++flag) {
+  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
     int64_t at[2] = {0, 0};
     const int count = raises(flag, at);
     for (int i = 0; i < count; ++i)
@@ -273,7 +273,7 @@ void Timer::sync_disabled() {
   if (prescaler_ == 0) return;
   const int64_t until = ticks();
   if (until < disabled_seen_) return;
-  for (int flag = 0; flag < kFlags; ++flag) {
+  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
     if ((enabled_ | flags_) & bit_of(flag)) continue;
     int64_t at[2] = {0, 0};
     const int count = raises(flag, at);
@@ -296,14 +296,14 @@ SimTime Timer::next(int flag, int64_t after) const {
 
 void Timer::refresh_due() {
   due_ = kNever;
-  for (int flag = 0; flag < kFlags; ++flag) {
+  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
     due_of_[flag] = prescaler_ != 0 && enabled_ & bit_of(flag) ? next(flag, ticks()) : kNever;
     if (due_of_[flag] < due_) due_ = due_of_[flag];
   }
 }
 
 void Timer::raise_due() {
-  for (int flag = 0; flag < kFlags; ++flag)
+  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag)
     if (state.now >= due_of_[flag]) flags_ |= bit_of(flag);
   if (flags_ & overflow && enabled_ & overflow) overflows_seen_ = ticks();
   refresh_due();

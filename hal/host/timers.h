@@ -27,7 +27,11 @@ class Timer {
     captured = 0x20
   };  ///< bits of TIFRn, TIMSKn
 
-  constexpr explicit Timer(uint8_t number) : number_(number) {}
+  constexpr explicit Timer(uint8_t number)
+      : number_(number),
+        counting_(avr::counting(kChip.timers[number], 0, 0)),
+        top_(counting_.fixed_top),
+        period_(top_ + 1) {}
 
   uint8_t control_a() const { return control_a_; }
   uint8_t control_b() const { return control_b_; }
@@ -57,11 +61,8 @@ class Timer {
   }
   /// When the next enabled flag will be raised.
   SimTime due() const { return due_; }
-  /// The same without the overflow.
-  SimTime due_to_match() const {
-    const SimTime match = due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2];
-    return match < due_of_[3] ? match : due_of_[3];
-  }
+  /// Of timer 0: the same without the overflow.
+  SimTime due_to_match() const { return due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2]; }
   /// Flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
   /// The handler of `flag` starts.
@@ -85,8 +86,11 @@ class Timer {
   void count_edge(bool level);
 
   /// Whether it captures edges of a pin; the pin has got that level at that moment.
-  bool captures_edges() const { return listens_ && counting_.top != avr::Counting::Top::capture; }
+  bool captures_edges() const { return listens_ && !of_comparator_ && captures(); }
   void capture_edge(bool level, SimTime at);
+  /// It captures the comparator's edges instead (ACIC), or no longer; and that output has changed.
+  void capture_comparator(bool is, bool level);
+  void comparator_changed(bool level);
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
   bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }
@@ -131,12 +135,13 @@ class Timer {
   int matches(int channel, int64_t (&at)[2]) const;
   /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP.
   int raises(int flag, int64_t (&at)[2]) const;
-  static constexpr int kFlags = 4;
+  int flags_there_are() const { return has_capture() ? 4 : 3; }
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
   /// From now on edges of ICPn are heard: a sketch has shown interest in them.
   void listen_to_captures();
   /// The noise canceler begins at the pin's level.
   void begin_canceler();
+  bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return kChip.timers[number_].capture != 0; }
   bool wide() const { return kChip.timers[number_].bits == 16; }
   uint16_t counter_max() const { return wide() ? 0xFFFF : 0xFF; }
@@ -150,8 +155,7 @@ class Timer {
   // What the registers mean:
   avr::Counting counting_;
   int32_t prescaler_ = 0;  ///< 0 = stopped
-  int64_t top_ = 0xFF;
-  int64_t period_ = 0x100;
+  int64_t top_, period_;
   SimTime lasts_ = 0;  ///< no period takes longer
   // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
@@ -169,7 +173,7 @@ class Timer {
   SimTime replaced_at_[2] = {-1, -1};  ///< since the counter was last set; else -1
   // Captures: whether any are wanted, what the noise canceler has let through and what it has got since when,
   // and, should it take the last edge back, what was there before that.
-  bool listens_ = false;
+  bool listens_ = false, of_comparator_ = false, comparator_ = false;
   bool passed_ = false, level_ = false, may_take_back_ = false, had_flag_ = false;
   SimTime changed_at_ = 0;
   uint16_t had_capture_ = 0;

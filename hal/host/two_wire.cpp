@@ -1,6 +1,7 @@
 #include "hal/host/two_wire.h"
 
 #include "hal/host/clock.h"
+#include "hal/host/interrupts.h"
 
 namespace robosim {
 namespace host {
@@ -17,6 +18,7 @@ void TwoWire::set_data(uint8_t value) {
 }
 
 void TwoWire::set_control(uint8_t value) {
+  rare_used = true;
   const uint8_t kept = control_ & (avr::kTwwc | (value & avr::kTwint ? 0 : avr::kTwint));
   constexpr uint8_t kWritten = avr::kTwea | avr::kTwsta | avr::kTwsto | avr::kTwen | avr::kTwie;
   control_ = static_cast<uint8_t>((value & kWritten) | kept);

@@ -8,6 +8,10 @@ namespace host {
 
 Uart uart;
 
+namespace {
+constexpr int kRoom = 3;
+}  // namespace
+
 void Uart::refresh() {
   const int data_bits = 5 + (format_ >> 1 & 3);
   const int parity_bits = format_ & 0x20 ? 1 : 0;
@@ -63,20 +67,21 @@ void Uart::send(uint8_t byte) {
 
 void Uart::receive(uint8_t byte) {
   if (!(control_ & kRxen)) return;
-  if (waiting_ == 2) {
+  if (waiting_ == kRoom) {
     overrun_ = true;
+    received_[kRoom - 1] = byte;
   } else {
     received_[waiting_++] = byte;
   }
 }
 
 uint8_t Uart::take() {
-  if (waiting_ == 0) return 0;
-  const uint8_t byte = received_[0];
-  received_[0] = received_[1];
+  if (waiting_ == 0) return taken_;
+  taken_ = received_[0];
+  for (int i = 1; i < kRoom; ++i) received_[i - 1] = received_[i];
   --waiting_;
   overrun_ = false;
-  return byte;
+  return taken_;
 }
 
 uint32_t Uart::pending() const {

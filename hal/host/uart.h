@@ -1,5 +1,6 @@
 // The UART (datasheet, chapter 19): a transmitter with a data register before its shift register, and a
-// receiver with room for two bytes; a third is lost.
+// receiver with room for two bytes, behind which a third waits in the shift register; a fourth takes its
+// place.
 #pragma once
 
 #include <stdint.h>
@@ -35,7 +36,7 @@ class Uart {
 
   /// A byte has arrived.
   void receive(uint8_t byte);
-  /// Takes the oldest byte from the receiver (UDR0); 0 if there is none.
+  /// Takes the oldest byte from the receiver (UDR0); the last one again if there is none.
   uint8_t take();
   bool has_byte() const { return waiting_ > 0; }
 
@@ -55,7 +56,8 @@ class Uart {
   uint16_t divider_ = 0;
   SimTime byte_time_ = 0;
   SimTime sent_ = 0;  ///< when the last byte has left
-  uint8_t received_[2] = {0, 0};
+  uint8_t received_[3] = {0, 0, 0};
+  uint8_t taken_ = 0;
   int waiting_ = 0;
 };
 

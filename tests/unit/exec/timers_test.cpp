@@ -104,6 +104,20 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(1, 4, 0, 7, 11));
 }
 
+TEST_F(TimersTest, WithAMainOfItsOwnASketchFindsTimersAsAResetLeavesThem) {
+  output(R"(int main() {
+  TCNT1 = 0xC2F7;
+  const uint16_t count = TCNT1;
+  const uint8_t flags = TIFR1;
+  sei();
+  Serial.begin(115200);
+  Serial.println(count);
+  Serial.println(flags);
+  for (;;);
+})");
+  EXPECT_THAT(numbers(), ElementsAre(0xC2F7, 0));
+}
+
 TEST_F(TimersTest, AnotherPrescalerOfTimer0ChangesMillisWithIt) {
   start(
       "void setup() { TCCR0B = (TCCR0B & 0xF8) | 2; pinMode(13, OUTPUT); delay(800); digitalWrite(13, HIGH); "

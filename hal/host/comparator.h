@@ -1,0 +1,42 @@
+// The analog comparator (datasheet, chapter 23): AIN0 (pin 6) or the bandgap against AIN1 (pin 7) or the
+// analog input that ADMUX selects. Voltages are looked at when ACSR is read or written, and every 64 cycles
+// while its interrupt is enabled or timer 1 captures its edges.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+#include "hal/host/clock.h"
+
+namespace robosim {
+namespace host {
+
+class Comparator {
+ public:
+  /// ACSR.
+  uint8_t control();
+  void set_control(uint8_t value);
+
+  void sync() {
+    if (state.now >= due_) look_again();
+  }
+  /// When it looks next by itself.
+  SimTime due() const { return due_; }
+  bool may_interrupt() const;
+  bool pending() const;
+  void acknowledge();
+
+ private:
+  void look();
+  void look_again();
+  double negative_volts() const;
+
+  uint8_t control_ = 0;  ///< without ACO
+  bool output_ = false;
+  SimTime due_ = kNever;
+};
+
+extern Comparator comparator;
+
+}  // namespace host
+}  // namespace robosim

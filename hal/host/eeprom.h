@@ -1,0 +1,46 @@
+// The EEPROM (datasheet, chapter 8.4): by avr-libc's functions, and by its registers. A write goes on by
+// itself, and whatever comes next waits for it, or asks EEPE. EEMPE holds for 64 cycles, not 4.
+#pragma once
+
+#include <stdint.h>
+
+#include "hal/board/sim_time.h"
+#include "hal/host/clock.h"
+
+namespace robosim {
+namespace host {
+
+class Eeprom {
+ public:
+  /// EECR.
+  uint8_t control() const;
+  void set_control(uint8_t value);
+  /// EEDR, and EEAR, which does not change while a write goes on.
+  uint8_t data() const { return data_; }
+  void set_data(uint8_t value) { data_ = value; }
+  uint16_t address() const { return address_; }
+  void set_address(uint16_t value);
+
+  /// Reads a byte, writes one, and begins a write that takes as long, without waiting for the one before.
+  uint8_t read(uint16_t address) const;
+  void write(uint16_t address, uint8_t value, SimTime takes);
+  /// When the last write has ended.
+  SimTime ready() const { return ready_; }
+
+  bool may_interrupt() const { return control_ & kEerie; }
+  bool pending() const { return control_ & kEerie && state.now >= ready_; }
+  SimTime next() const { return !may_interrupt() ? kNever : ready_ > state.now ? ready_ : state.now; }
+
+ private:
+  static constexpr uint8_t kEerie = 0x08;
+
+  uint8_t control_ = 0, data_ = 0;
+  uint16_t address_ = 0;
+  SimTime ready_ = 0;
+  SimTime unlocked_until_ = -1;
+};
+
+extern Eeprom eeprom;
+
+}  // namespace host
+}  // namespace robosim

@@ -1,0 +1,154 @@
+// Registers beside those of timers and pins. Expected values are those of the chip.
+#include "tests/unit/exec/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::ElementsAre;
+
+class Registers : public HostTest {};
+
+TEST_F(Registers, AdclLocksTheResultUntilAdchIsRead) {
+  output(R"(void convert(uint8_t channel) {
+  ADMUX = _BV(REFS0) | channel;
+  ADCSRA |= _BV(ADSC);
+  while (ADCSRA & _BV(ADSC));
+}
+void setup() {
+  Serial.begin(115200);
+  convert(14);  // the bandgap
+  uint8_t low = ADCL, high = ADCH;
+  Serial.println(high << 8 | low);
+  convert(15);  // ground
+  Serial.println(ADC);
+  convert(14);
+  low = ADCL;
+  convert(15);
+  high = ADCH;
+  Serial.println(high << 8 | low);
+  convert(15);
+  Serial.println(ADC);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(225, 0, 225, 0));
+}
+
+TEST_F(Registers, DigitalInputsCanBeSwitchedOff) {
+  output(R"(void setup() {
+  Serial.begin(115200);
+  pinMode(A5, INPUT_PULLUP);
+  pinMode(7, OUTPUT);
+  digitalWrite(7, HIGH);
+  Serial.println(digitalRead(A5));
+  DIDR0 = _BV(ADC5D);
+  DIDR1 = _BV(AIN1D);
+  Serial.println(digitalRead(A5));
+  Serial.println(PINC & _BV(5));
+  Serial.println(PIND & _BV(7));
+  DIDR0 = DIDR1 = 0;
+  Serial.println(PINC & _BV(5));
+  Serial.println(PIND & _BV(7));
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(1, 0, 0, 0, 32, 128));
+}
+
+TEST_F(Registers, TheEepromIsWrittenAndReadByItsRegisters) {
+  output(R"(volatile uint8_t ready;
+ISR(EE_READY_vect) { ++ready; EECR &= ~_BV(EERIE); }
+uint8_t read() {
+  while (EECR & _BV(EEPE));
+  EECR |= _BV(EERE);
+  return EEDR;
+}
+void setup() {
+  Serial.begin(115200);
+  const unsigned long from = micros();
+  EEAR = 700;
+  EEDR = 0xF0;
+  EECR |= _BV(EEPE);
+  Serial.println(read());  // EEMPE was not set before
+  EEDR = 0xF0;
+  EECR |= _BV(EEMPE);
+  EECR |= _BV(EEPE);
+  EECR |= _BV(EERIE);
+  Serial.println(ready);
+  while (EECR & _BV(EEPE));
+  Serial.println((micros() - from) / 1000);
+  Serial.println(ready);
+  EEDR = 0x3C;
+  EECR = _BV(EEPM1);
+  EECR |= _BV(EEMPE);
+  EECR |= _BV(EEPE);
+  Serial.println(read());  // written without erasing
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(255, 0, 3, 1, 0x30));
+  EXPECT_EQ(host_->probe().memory()[700], 0x30);
+}
+
+TEST_F(Registers, TheComparatorComparesInterruptsAndIsCaptured) {
+  output(R"(volatile int compared, captured;
+ISR(ANALOG_COMP_vect) { ++compared; }
+ISR(TIMER1_CAPT_vect) { ++captured; }
+void rise_and_fall(uint8_t pin) {
+  for (int i = 1; i <= 10; ++i) {
+    digitalWrite(pin, i & 1);
+    delayMicroseconds(50);
+  }
+}
+void setup() {
+  Serial.begin(115200);
+  for (uint8_t pin = 6; pin <= 8; ++pin) pinMode(pin, OUTPUT);
+  digitalWrite(6, HIGH);
+  Serial.println(ACSR & (_BV(ACO) | _BV(ACI)));
+  digitalWrite(7, HIGH);
+  ACSR = _BV(ACI);
+  Serial.println(ACSR & (_BV(ACO) | _BV(ACI)));
+  digitalWrite(7, LOW);
+  ACSR = _BV(ACBG);
+  Serial.println(ACSR & _BV(ACO));  // 1.1 V over 0 V
+  ACSR = _BV(ACI) | _BV(ACIE) | _BV(ACIS1) | _BV(ACIS0) | _BV(ACIC);
+  TCCR1A = 0;
+  TCCR1B = _BV(ICES1) | _BV(CS11);
+  digitalWrite(6, LOW);
+  TIFR1 = _BV(ICF1);
+  TIMSK1 = _BV(ICIE1);
+  compared = captured = 0;
+  rise_and_fall(6);
+  rise_and_fall(8);  // captures nothing now
+  Serial.println(compared);
+  Serial.println(captured);
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(48, 0, 32, 5, 5));
+}
+
+TEST_F(Registers, TheReceiverHoldsThreeBytesAndTheSenderAsksUntilItIsAnswered) {
+  start(R"(volatile int asked;
+ISR(USART_UDRE_vect) { if (++asked == 5) UCSR0B &= ~_BV(UDRIE0); }
+void setup() {
+  UBRR0 = 16;
+  UCSR0A = _BV(U2X0);
+  UCSR0B = _BV(TXEN0) | _BV(RXEN0);
+  UCSR0B |= _BV(UDRIE0);
+  delay(20);
+  uint8_t seen[9];
+  for (int i = 0; i < 8; i += 2) {
+    seen[i] = UCSR0A & (_BV(RXC0) | _BV(DOR0));
+    seen[i + 1] = UDR0;
+  }
+  seen[8] = asked;
+  UCSR0B = 0;
+  Serial.begin(115200);
+  for (int i = 0; i < 9; ++i) Serial.println(seen[i]);
+}
+void loop() {})");
+  run(5 * kMillisecond);
+  for (const std::uint8_t byte : {1, 2, 3, 4}) board().receive_byte(byte, now_);
+  run(40 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(136, 1, 128, 2, 128, 4, 0, 4, 5));
+}
+
+}  // namespace
+}  // namespace robosim::exec
