@@ -108,7 +108,7 @@ struct Counts {
   int slips = 0, skids = 0, contacts = 0, rests = 0;
 };
 
-// So many robots on a map, with commands and figures by chance, for a second and a half.
+// So many robots on a map, with commands and figures by chance, for a second.
 void compare(const std::string& name, unsigned seed, std::size_t robots, Counts& counts) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Chance chance(seed);
@@ -132,7 +132,7 @@ void compare(const std::string& name, unsigned seed, std::size_t robots, Counts&
     singles.push_back(std::make_unique<Single>(descriptions[i], map, seed, profile, start, number));
   }
   std::vector<double> volts(robots);
-  for (int tick = 0; tick < 1500; ++tick) {
+  for (int tick = 0; tick < 1000; ++tick) {
     const SimTime now = batch.now();
     for (std::size_t i = 0; i < robots; ++i) {
       Single& single = *singles[i];
@@ -172,7 +172,7 @@ TEST(Batch, DoesToTheLastBitWhatSingleRobotsDo) {
   Counts counts;
   unsigned seed = 1;
   for (const char* map : {"oval", "tight", "figure8", "city", "d", "dashed"}) {
-    compare(map, seed, 11, counts);
+    compare(map, seed, 9, counts);
     compare(map, seed + 1, 3, counts);
     seed += 2;
     if (HasFailure()) return;
