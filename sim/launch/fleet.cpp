@@ -149,24 +149,6 @@ Fleet parse_fleet(std::string_view text, const fs::path& file) {
   return fleet;
 }
 
-namespace {
-
-void check_go_together(const Fleet& fleet, const std::vector<std::string>& targets) {
-  const auto first = [&](const char* target) {
-    return std::find(targets.begin(), targets.end(), target) - targets.begin();
-  };
-  const auto host = static_cast<std::size_t>(first("host")), stm32 = static_cast<std::size_t>(first("stm32"));
-  if (host == targets.size() || stm32 == targets.size()) return;
-  throw InputError(
-      fleet.members[stm32].place,
-      fmt::format("robot {} is for the target stm32 and robot {} for the host: one run cannot hold both, "
-                  "since sketches on the host are confined and the STM32's emulator cannot be; the "
-                  "target avr goes with either",
-                  fleet.members[stm32].name, fleet.members[host].name));
-}
-
-}  // namespace
-
 std::string runner_of(const std::vector<std::string>& targets) {
   for (const char* target : {"stm32", "avr"})
     if (std::find(targets.begin(), targets.end(), target) != targets.end()) return target;
@@ -188,7 +170,6 @@ ChosenFleet choose(Fleet& fleet) {
       blame(member, error);
     }
   }
-  check_go_together(fleet, targets);
   all.runner = runner_of(targets);
   return all;
 }

@@ -1,6 +1,5 @@
-// The runner of the target stm32, and of robots on the target avr in the same run. Robots on the host are not
-// beside them: their process is confined, and libunicorn makes code as it runs, which that forbids. The
-// program links libunicorn and is therefore, as a program, under the GPL-2 (sim/exec/stm32/unicorn.h).
+// The runner of the target stm32, and of robots on the targets avr and host in the same run. It links
+// libunicorn and is therefore, as a program, under the GPL-2 (sim/exec/stm32/unicorn.h).
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/exec/stm32/stm32_executor.h"
 #include "sim/runner/targets.h"
@@ -8,5 +7,5 @@
 int main() {
   using namespace robosim::runner;
   using namespace robosim::exec;
-  return serve(beside(chip_target<Stm32Executor>("stm32"), {chip_target<AvrExecutor>("avr")}));
+  return serve(beside(chip_target<Stm32Executor>("stm32"), {chip_target<AvrExecutor>("avr"), host_target()}));
 }

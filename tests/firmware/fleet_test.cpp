@@ -20,8 +20,7 @@ class TwoFollowers : public testing::TestWithParam<std::string> {
   void SetUp() override { ROBOSIM_SKIP_WITHOUT(GetParam()); }
 };
 
-// Host and STM32 do not go into one run.
-INSTANTIATE_TEST_SUITE_P(Beside, TwoFollowers, testing::Values("host", "avr"), Named());
+INSTANTIATE_TEST_SUITE_P(Beside, TwoFollowers, testing::Values("host", "avr", "stm32"), Named());
 
 TEST_P(TwoFollowers, BothComeRoundAndKeepApart) {
   Fleet both(two(GetParam()));

@@ -176,8 +176,11 @@ TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.err, HasSubstr("there is no robot C; there is A or B"));
   const Ended both = compare_two("A=host,stm32");
-  EXPECT_EQ(both.status, 2);
-  EXPECT_THAT(both.err, HasSubstr("robot A is for the target stm32 and robot B for the host"));
+  EXPECT_EQ(both.status, 0) << both.err;
+  const nlohmann::json mixed = json_of(both)["runs"];
+  ASSERT_EQ(mixed.size(), 2u) << both.err;
+  EXPECT_EQ(mixed[1]["robots"][0]["target"], "stm32");
+  EXPECT_EQ(mixed[1]["robots"][1]["trace_hash"], runs[0]["robots"][1]["trace_hash"]);
 }
 
 // Which of two that meet head-on finds the line again is chance.

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "sim/exec/host/confinement.h"
 #include "tests/support/require_target.h"
 #include "tests/system/json_of.h"
 #include "tests/system/on_terminal.h"
@@ -107,14 +108,83 @@ TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
 }
 #endif
 
+TEST(CliFleet, HostAvrAndStm32DriveTogetherAsEachDoesAlone) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  ROBOSIM_NEEDS_TARGET("stm32");
+  const Folder folder;
+  write_file(folder / "cut.txt", "at 500ms power off for 300ms\n");
+  const std::map<std::string, std::vector<std::string>> robots = {
+      {"A", {"host", "10,14,E"}}, {"B", {"avr", "20,2,W"}}, {"C", {"stm32", "10,2,W"}}};
+  const std::vector<std::string> common = {"--map", "oval",      "--goal", "none",  "--for",
+                                           "2s",    "--profile", "ideal",  "--json"};
+  std::map<std::string, std::string> alone;
+  for (const auto& [name, robot] : robots) {
+    std::vector<std::string> words = {"run", "PidFollower", "--target", robot[0], "--start", robot[1]};
+    if (name == "C") words.insert(words.end(), {"--script", "cut.txt"});
+    words.insert(words.end(), common.begin(), common.end());
+    alone[name] = json_of(robosim_command(words, folder.path()))["trace_hash"];
+  }
+  for (const std::string order : {"ABC", "CBA"}) {
+    std::vector<std::string> words = {"run"};
+    for (const char name : order) words.push_back(name + std::string("=PidFollower"));
+    for (const auto& [name, robot] : robots)
+      words.insert(words.end(), {"--target", name + "=" + robot[0], "--start", name + "=" + robot[1]});
+    words.insert(words.end(), {"--script", "C=cut.txt"});
+    words.insert(words.end(), common.begin(), common.end());
+    const Ended run = robosim_command(words, folder.path());
+    EXPECT_EQ(run.status, 0) << run.err;
+    const nlohmann::json fleet = json_of(run);
+    std::map<std::string, std::string> together;
+    for (const auto& robot : fleet["robots"]) together[robot["name"]] = robot["trace_hash"];
+    EXPECT_EQ(together, alone) << order;
+  }
+}
+
+TEST(CliFleet, ASketchBesideAnStm32IsConfinedAndTheOthersDriveOn) {
+  ROBOSIM_NEEDS_TARGET("stm32");
+  if (const std::string why = exec::why_not_confined(); !why.empty()) GTEST_SKIP() << why;
+  const Folder folder;
+  // Instructions that libunicorn executes, before and behind a power cycle.
+  write_file(folder / "Left.ino",
+             "volatile unsigned shared;\n"
+             "void setup() { Serial.begin(9600); }\n"
+             "void loop() {\n  unsigned value, first, second;\n"
+             "  asm volatile(\"ldrex %0, [%3]\\n strex %1, %0, [%3]\\n strex %2, %0, [%3]\"\n"
+             "    : \"=&r\"(value), \"=&r\"(first), \"=&r\"(second) : \"r\"(&shared) : \"memory\");\n"
+             "  Serial.print(first); Serial.print(second); delay(200);\n}\n");
+  write_file(folder / "cut.txt", "at 300ms power off for 100ms\n");
+  for (const auto& [line, refused] :
+       std::map<std::string, std::string>{{"open(\"/etc/passwd\", 0)", "openat (files)"},
+                                          {"mmap(0, 4096, 7, 0x22, -1, 0)", "mmap (memory)"}}) {
+    write_file(
+        folder / "Guest.ino",
+        "extern \"C\" { int open(const char*, int, ...); void* mmap(void*, unsigned long, int, int, int, "
+        "long); }\nvoid setup() {}\nvoid loop() { delay(100);\n  " +
+            line + "; }\n");
+    const Ended run = robosim_command(
+        {"run", "A=./Guest.ino", "B=./Left.ino", "--target", "B=stm32", "--map", "oval", "--goal", "none",
+         "--for", "1s", "--start", "B=20,2,W", "--script", "B=cut.txt", "--json"},
+        folder.path());
+    ASSERT_EQ(run.status, 1) << run.err;
+    const nlohmann::json robots = json_of(run)["robots"];
+    ASSERT_EQ(robots.size(), 2u) << run.err;
+    EXPECT_EQ(robots[0]["verdict"], "crashed");
+    EXPECT_THAT(robots[0]["why"].get<std::string>(), AllOf(HasSubstr(refused), HasSubstr("Guest.ino:4")));
+    EXPECT_EQ(robots[1]["verdict"], "reached") << robots[1]["why"];
+    EXPECT_EQ(robots[1]["serial"], "0101010101");
+  }
+}
+
 TEST(CliFleet, TheOrderOfTheNamesChangesNothingButTheNumbers) {
   const auto hashes = [](const std::string& first, const std::string& second) {
     const Ended run = robosim_command({"run", first + "=PidFollower", second + "=PidFollower", "--map",
                                        "oval", "--for", "4s", "--goal", "none", "--start", "B=18,14,W",
                                        "--start", "A=10,14,E", "--profile", "ideal", "--json"});
+    const nlohmann::json fleet = json_of(run);
     std::map<std::string, std::string> by_name;
-    for (const auto& robot : json_of(run)["robots"]) by_name[robot["name"]] = robot["trace_hash"];
-    EXPECT_GT(json_of(run)["robots"][0]["metrics"]["collisions"], 0) << "they meet";
+    for (const auto& robot : fleet["robots"]) by_name[robot["name"]] = robot["trace_hash"];
+    EXPECT_EQ(by_name.size(), 2u);
+    EXPECT_GT(fleet["robots"][0]["metrics"]["collisions"], 0) << "they meet";
     return by_name;
   };
   EXPECT_EQ(hashes("A", "B"), hashes("B", "A"));

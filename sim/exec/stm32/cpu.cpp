@@ -2,132 +2,25 @@
 
 #include <cstring>
 
+#include "sim/exec/stm32/engine.h"
 #include "sim/exec/stm32/unicorn.h"
 
 namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-namespace {
-
-void check(uc_err error) {
-  if (error != UC_ERR_OK) throw std::runtime_error(std::string("libunicorn: ") + uc_strerror(error));
-}
-
-}  // namespace
-
-struct Cpu::Hooks {
-  static Cpu& self(void* cpu) { return *static_cast<Cpu*>(cpu); }
-
-  static void code(uc_engine* uc, std::uint64_t address, std::uint32_t, void* cpu) {
-    Cpu& c = self(cpu);
-    const auto pc = static_cast<std::uint32_t>(address);
-    if (std::exchange(c.first_, false) || (pc - c.pc_ < c.block_bytes_ && !c.fault_)) return;
-    // ARM code, which the chip has none of: it goes wrong at the instruction behind the branch.
-    std::uint32_t cpsr = 0;
-    uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
-    constexpr std::uint32_t kThumbState = 1u << 5;
-    if (!(cpsr & kThumbState)) {
-      if (c.begins(pc)) return;
-      c.ends_ = true;
-    }
-    c.after_ = pc;
-    uc_emu_stop(uc);
-  }
-  template <Address kBase>
-  static std::uint64_t load(uc_engine*, std::uint64_t offset, unsigned size, void* cpu) {
-    const std::uint32_t value = self(cpu).bus_.load(kBase + static_cast<Address>(offset), size);
-    self(cpu).accessed();
-    return value;
-  }
-  template <Address kBase>
-  static void store(uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* cpu) {
-    Cpu& c = self(cpu);
-    c.bus_.store(kBase + static_cast<Address>(offset), static_cast<std::uint32_t>(value), size);
-    if (const auto page = c.bus_.take_changed_page()) c.forget(*page);
-    c.accessed();
-  }
-  static bool invalid(uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* cpu) {
-    Cpu& c = self(cpu);
-    const auto at = static_cast<std::uint32_t>(address);
-    switch (type) {
-      case UC_MEM_FETCH_UNMAPPED:
-      case UC_MEM_FETCH_PROT:
-        c.after_ = at;
-        if (at >= kExceptionReturn)
-          c.returning_ = true;
-        else
-          c.jumped_nowhere(at);
-        break;
-      case UC_MEM_WRITE_PROT:
-        c.fail(Fault::Kind::flash_write, c.pc_, at);
-        break;
-      case UC_MEM_WRITE_UNMAPPED:
-        c.fail(Fault::Kind::bad_write, c.pc_, at);
-        break;
-      default:
-        c.fail(Fault::Kind::bad_read, c.pc_, at);
-    }
-    return false;
-  }
-  static void interrupt(uc_engine* uc, std::uint32_t number, void* cpu) {
-    Cpu& c = self(cpu);
-    std::uint32_t pc = 0;
-    uc_reg_read(uc, UC_ARM_REG_PC, &pc);
-    uc_emu_stop(uc);
-    constexpr std::uint32_t kUndefined = 1, kSupervisorCall = 2, kPrefetchAbort = 3, kBreakpoint = 7,
-                            kExit = 8;
-    if (number == kExit || (number == kPrefetchAbort && pc >= kExceptionReturn)) {
-      c.after_ = pc;
-      c.returning_ = true;
-    } else if (number == kSupervisorCall) {
-      c.next_ = pc;
-      c.nvic_.pend(kSvcall);
-    } else if (number == kBreakpoint) {
-      c.fail(Fault::Kind::breakpoint, c.pc_);
-    } else if (number == kUndefined) {
-      c.fail(Fault::Kind::bad_opcode, c.pc_, c.opcode(c.pc_));
-    } else {
-      c.jumped_nowhere(pc);
-    }
-  }
-  static bool undefined(uc_engine*, void* cpu) {
-    self(cpu).fail(Fault::Kind::bad_opcode, self(cpu).pc_, self(cpu).opcode(self(cpu).pc_));
-    return false;
-  }
-};
-
-Cpu::Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop)
+Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop)
     : firmware_(firmware),
       bus_(bus),
       clock_(bus.link().clock),
       nvic_(bus.link().nvic),
+      engine_(engine),
+      uc_(engine.uc()),
       flash_(bus.flash().data()),
       ram_(bus.ram().data()),
       code_(kFlashBytes / 2 + 2) {
   records(false);
-  // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
-  check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
-  check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
-  check(uc_mem_map_ptr(uc_, kFlash, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash_));
-  // What the chip boots from is seen at 0, too (RM0008 3.4).
-  check(uc_mem_map_ptr(uc_, 0, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash_));
-  check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram_));
-  check(uc_mmio_map(uc_, kPeripherals, kPeripheralBytes, &Hooks::load<kPeripherals>, this,
-                    &Hooks::store<kPeripherals>, this));
-  check(
-      uc_mmio_map(uc_, kBitBand, kBitBandBytes, &Hooks::load<kBitBand>, this, &Hooks::store<kBitBand>, this));
-  check(
-      uc_mmio_map(uc_, kPrivate, kPrivateBytes, &Hooks::load<kPrivate>, this, &Hooks::store<kPrivate>, this));
-  const auto add = [&](int type, auto* hook) {
-    uc_hook handle;
-    check(uc_hook_add(uc_, &handle, type, reinterpret_cast<void*>(hook), this, 1, 0));
-  };
-  add(UC_HOOK_CODE, &Hooks::code);
-  add(UC_HOOK_MEM_INVALID, &Hooks::invalid);
-  add(UC_HOOK_INTR, &Hooks::interrupt);
-  add(UC_HOOK_INSN_INVALID, &Hooks::undefined);
-
+  engine_.begin(*this, ram_);
   for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
@@ -158,9 +51,7 @@ void Cpu::reset() {
   set_stack_limit(firmware_.globals_end);
 }
 
-Cpu::~Cpu() {
-  if (uc_) uc_close(uc_);
-}
+Cpu::~Cpu() { engine_.end(); }
 
 std::uint8_t* Cpu::ram(Address address, unsigned bytes) const {
   if (address < kRam || address > kRam + kRamBytes - bytes) return nullptr;

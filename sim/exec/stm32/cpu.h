@@ -27,6 +27,8 @@ struct uc_struct;
 
 namespace robosim::exec::stm32 {
 
+class Engine;
+
 /// Why the firmware can run no further.
 struct Fault {
   enum class Kind {
@@ -52,7 +54,8 @@ class Cpu {
  public:
   enum Register { kSp = 13, kLr = 14, kPc = 15 };
 
-  Cpu(const Firmware& firmware, Bus& bus, const Rounds& loop);
+  /// `engine` is that of the chip, and no other Cpu's as long as this one lasts.
+  Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop);
   ~Cpu();
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
@@ -139,6 +142,7 @@ class Cpu {
                                  kPrivateBytes = 0x100000;
 
   friend class Idle;
+  friend class Engine;
   struct Hooks;
   /// What happens before the instruction at `pc` runs.
   struct Mark {
@@ -222,7 +226,8 @@ class Cpu {
   Bus& bus_;
   Clock& clock_;
   Nvic& nvic_;
-  uc_struct* uc_ = nullptr;
+  Engine& engine_;
+  uc_struct* const uc_;
   std::uint8_t* const flash_;
   std::uint8_t* const ram_;
   std::vector<Step> code_;  ///< one for each half of a word of flash, and two that are none

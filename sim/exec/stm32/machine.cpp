@@ -9,11 +9,11 @@ namespace robosim::exec::stm32 {
 using namespace robosim::stm32;
 
 Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
-                 SimTime t)
+                 Engine& engine, SimTime t)
     : firmware_(firmware),
       board_(board),
       bus_(board, memory, t),
-      cpu_(firmware, bus_, loop),
+      cpu_(firmware, bus_, engine, loop),
       stack_top_(cpu_.lowest_sp()) {
   if (const Symbol* end = firmware.symbols.find("robosim_heap_end")) heap_pointer_ = end->address;
 }

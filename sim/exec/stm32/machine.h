@@ -13,7 +13,8 @@ class DebugPort;
 class Machine {
  public:
   /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
-  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory, SimTime t);
+  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
+          Engine& engine, SimTime t);
 
   void run_until(SimTime t);
   /// millis() begins with `start` when main() begins.

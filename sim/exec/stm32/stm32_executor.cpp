@@ -3,6 +3,7 @@
 #include "sim/exec/stm32/debug_port.h"
 #include "sim/exec/stm32/diagnosis.h"
 #include "sim/exec/stm32/driven_lines.h"
+#include "sim/exec/stm32/engine.h"
 #include "sim/exec/stm32/hang.h"
 #include "sim/exec/stm32/loop.h"
 
@@ -21,10 +22,10 @@ struct Stm32Executor::Image {
 
 class Stm32Executor::Running final : public RunningChip {
  public:
-  Running(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, SimTime t,
-          stm32::DebugPort* debugger, const stm32::Machine*& seen)
+  Running(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, stm32::Engine& engine,
+          SimTime t, stm32::DebugPort* debugger, const stm32::Machine*& seen)
       : image_(image),
-        machine_(image.firmware, image.loop, board, memory, t),
+        machine_(image.firmware, image.loop, board, memory, engine, t),
         debugger_(debugger),
         seen_(seen) {
     seen_ = &machine_;
@@ -92,7 +93,7 @@ class Stm32Executor::Firmware final : public ChipFirmware {
     debugger_ = std::make_unique<stm32::DebugPort>(server, image_.firmware, board);
   }
   std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) override {
-    auto running = std::make_unique<Running>(image_, board, flash_, t, debugger_.get(), machine);
+    auto running = std::make_unique<Running>(image_, board, flash_, engine_, t, debugger_.get(), machine);
     if (runs_waiting_loops) running->run_waiting_loops();
     if (lines) running->count(*lines);
     if (traces_drives) running->trace_drives();
@@ -110,6 +111,7 @@ class Stm32Executor::Firmware final : public ChipFirmware {
  private:
   const Image image_;
   stm32::FlashMemory flash_;
+  stm32::Engine engine_{flash_};
   std::unique_ptr<stm32::DebugPort> debugger_;
 };
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/engine.h"
 
 namespace robosim::exec::stm32 {
 namespace {
@@ -22,12 +23,13 @@ constexpr int kLength = 200;
 /// A chip that begins at kCode.
 class Chip {
  public:
-  explicit Chip(const Firmware& firmware) : flash_(firmware.flash), cpu(firmware, bus_, {}) {}
+  explicit Chip(const Firmware& firmware) : flash_(firmware.flash), cpu(firmware, bus_, engine_, {}) {}
 
  private:
   BoardState board_{*find_board("bluepill")};
   ClockedBoard clocked_{board_};
   FlashMemory flash_;
+  Engine engine_{flash_};
   Bus bus_{clocked_, flash_, 0};
 
  public:

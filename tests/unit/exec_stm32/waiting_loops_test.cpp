@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "sim/exec/stm32/engine.h"
 #include "sim/exec/stm32/machine.h"
 #include "tests/support/effort.h"
 
@@ -196,7 +197,7 @@ class Level final : public PinSource {
 
 struct Pill {
   explicit Pill(const Firmware& firmware, const Rounds& rounds)
-      : memory(firmware.flash), machine(firmware, rounds, clocked, memory, 0) {
+      : memory(firmware.flash), engine(memory), machine(firmware, rounds, clocked, memory, engine, 0) {
     for (Pin pin = 0; pin < board.spec().pin_count; ++pin) board.connect(pin, level);
   }
 
@@ -204,6 +205,7 @@ struct Pill {
   BoardState board{*find_board("bluepill")};
   ClockedBoard clocked{board};
   FlashMemory memory;
+  Engine engine;
   Machine machine;
 };
 

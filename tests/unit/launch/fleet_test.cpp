@@ -70,21 +70,7 @@ TEST(FleetFile, NeedsTheRunnerThatHasAllOfItsTargets) {
   EXPECT_EQ(runner_of({"host", "host"}), "host");
   EXPECT_EQ(runner_of({"host", "avr"}), "avr");
   EXPECT_EQ(runner_of({"avr", "stm32", "avr"}), "stm32");
-}
-
-TEST(FleetFile, TheHostAndAnStm32CannotBeInOneRun) {
-  Fleet fleet = parse_fleet(R"([[agent]]
-name = "A"
-sketch = "PidFollower"
-[[agent]]
-name = "B"
-sketch = "LeftPath"
-target = "stm32"
-)",
-                            "robots.toml");
-  EXPECT_THAT([&] { choose(fleet); },
-              ::testing::ThrowsMessage<InputError>(StartsWith(
-                  "robots.toml:4:1: robot B is for the target stm32 and robot A for the host: one run")));
+  EXPECT_EQ(runner_of({"host", "avr", "stm32"}), "stm32");
 }
 
 TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {

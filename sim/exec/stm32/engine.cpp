@@ -1,0 +1,156 @@
+#include "sim/exec/stm32/engine.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/unicorn.h"
+
+namespace robosim::exec::stm32 {
+
+using namespace robosim::stm32;
+
+namespace {
+
+void check(uc_err error) {
+  if (error != UC_ERR_OK) throw std::runtime_error(std::string("libunicorn: ") + uc_strerror(error));
+}
+
+}  // namespace
+
+struct Cpu::Hooks {
+  static Cpu& self(void* engine) { return *static_cast<Engine*>(engine)->cpu_; }
+
+  static void code(uc_engine* uc, std::uint64_t address, std::uint32_t, void* engine) {
+    Cpu& c = self(engine);
+    const auto pc = static_cast<std::uint32_t>(address);
+    if (std::exchange(c.first_, false) || (pc - c.pc_ < c.block_bytes_ && !c.fault_)) return;
+    // ARM code, which the chip has none of: it goes wrong at the instruction behind the branch.
+    std::uint32_t cpsr = 0;
+    uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
+    constexpr std::uint32_t kThumbState = 1u << 5;
+    if (!(cpsr & kThumbState)) {
+      if (c.begins(pc)) return;
+      c.ends_ = true;
+    }
+    c.after_ = pc;
+    uc_emu_stop(uc);
+  }
+  template <Address kBase>
+  static std::uint64_t load(uc_engine*, std::uint64_t offset, unsigned size, void* engine) {
+    const std::uint32_t value = self(engine).bus_.load(kBase + static_cast<Address>(offset), size);
+    self(engine).accessed();
+    return value;
+  }
+  template <Address kBase>
+  static void store(uc_engine*, std::uint64_t offset, unsigned size, std::uint64_t value, void* engine) {
+    Cpu& c = self(engine);
+    c.bus_.store(kBase + static_cast<Address>(offset), static_cast<std::uint32_t>(value), size);
+    if (const auto page = c.bus_.take_changed_page()) c.forget(*page);
+    c.accessed();
+  }
+  static bool invalid(uc_engine*, uc_mem_type type, std::uint64_t address, int, std::int64_t, void* engine) {
+    Cpu& c = self(engine);
+    const auto at = static_cast<std::uint32_t>(address);
+    switch (type) {
+      case UC_MEM_FETCH_UNMAPPED:
+      case UC_MEM_FETCH_PROT:
+        c.after_ = at;
+        if (at >= kExceptionReturn)
+          c.returning_ = true;
+        else
+          c.jumped_nowhere(at);
+        break;
+      case UC_MEM_WRITE_PROT:
+        c.fail(Fault::Kind::flash_write, c.pc_, at);
+        break;
+      case UC_MEM_WRITE_UNMAPPED:
+        c.fail(Fault::Kind::bad_write, c.pc_, at);
+        break;
+      default:
+        c.fail(Fault::Kind::bad_read, c.pc_, at);
+    }
+    return false;
+  }
+  static void interrupt(uc_engine* uc, std::uint32_t number, void* engine) {
+    Cpu& c = self(engine);
+    std::uint32_t pc = 0;
+    uc_reg_read(uc, UC_ARM_REG_PC, &pc);
+    uc_emu_stop(uc);
+    constexpr std::uint32_t kUndefined = 1, kSupervisorCall = 2, kPrefetchAbort = 3, kBreakpoint = 7,
+                            kExit = 8;
+    if (number == kExit || (number == kPrefetchAbort && pc >= kExceptionReturn)) {
+      c.after_ = pc;
+      c.returning_ = true;
+    } else if (number == kSupervisorCall) {
+      c.next_ = pc;
+      c.nvic_.pend(kSvcall);
+    } else if (number == kBreakpoint) {
+      c.fail(Fault::Kind::breakpoint, c.pc_);
+    } else if (number == kUndefined) {
+      c.fail(Fault::Kind::bad_opcode, c.pc_, c.opcode(c.pc_));
+    } else {
+      c.jumped_nowhere(pc);
+    }
+  }
+  static bool undefined(uc_engine*, void* engine) {
+    self(engine).fail(Fault::Kind::bad_opcode, self(engine).pc_, self(engine).opcode(self(engine).pc_));
+    return false;
+  }
+};
+
+Engine::Engine(const FlashMemory& flash) {
+  // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
+  check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
+  try {
+    check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
+    check(uc_mem_map_ptr(uc_, kFlash, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
+    // What the chip boots from is seen at 0, too (RM0008 3.4).
+    check(uc_mem_map_ptr(uc_, 0, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
+    map_registers<kPeripherals>(Cpu::kPeripheralBytes);
+    map_registers<kBitBand>(Cpu::kBitBandBytes);
+    map_registers<Cpu::kPrivate>(Cpu::kPrivateBytes);
+    const auto add = [&](int type, auto* hook) {
+      uc_hook handle;
+      check(uc_hook_add(uc_, &handle, type, reinterpret_cast<void*>(hook), this, 1, 0));
+    };
+    add(UC_HOOK_CODE, &Cpu::Hooks::code);
+    add(UC_HOOK_MEM_INVALID, &Cpu::Hooks::invalid);
+    add(UC_HOOK_INTR, &Cpu::Hooks::interrupt);
+    add(UC_HOOK_INSN_INVALID, &Cpu::Hooks::undefined);
+    check(uc_context_alloc(uc_, &as_new_));
+    check(uc_context_save(uc_, as_new_));
+  } catch (...) {
+    close();
+    throw;
+  }
+}
+
+Engine::~Engine() { close(); }
+
+void Engine::close() {
+  if (as_new_) uc_context_free(as_new_);
+  uc_close(uc_);
+}
+
+template <Address kBase>
+void Engine::map_registers(std::uint32_t bytes) {
+  check(uc_mmio_map(uc_, kBase, bytes, &Cpu::Hooks::load<kBase>, this, &Cpu::Hooks::store<kBase>, this));
+}
+
+void Engine::begin(Cpu& cpu, std::uint8_t* ram) {
+  check(uc_context_restore(uc_, as_new_));
+  check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram));
+  cpu_ = &cpu;
+}
+
+void Engine::end() {
+  for (const auto& [begin, bytes] :
+       {std::pair{kRam, kRamBytes}, {kFlash, kFlashBytes}, {Address{0}, kFlashBytes}})
+    uc_ctl_remove_cache(uc_, begin, begin + bytes);
+  uc_mem_unmap(uc_, kRam, kRamBytes);
+  cpu_ = nullptr;
+}
+
+}  // namespace robosim::exec::stm32
