@@ -97,7 +97,10 @@ SimTime ScriptLine::duration() {
 
 std::optional<SimTime> ScriptLine::optional_duration() {
   const bool announced = take_if("for");
-  return announced || more() ? std::optional(duration()) : std::nullopt;
+  if (!announced && !more()) return std::nullopt;
+  const SimTime time = duration();
+  if (time < kTick) refuse("what is to end by itself lasts for 1ms at least");
+  return time;
 }
 
 double ScriptLine::quantity(const char* what, Dimension dimension, double least, double most) {

@@ -37,6 +37,8 @@ void WorldChanges::check(const Action& action) const {
   if (!action.to.empty()) parse_cell(map_, action.to);
   if (action.verb == paint || action.verb == erase || action.verb == door) {
     const Stretch stretch = parse_stretch(map_, action.text);
+    if (action.verb == door && stretch.to == stretch.from)
+      throw InputError("a door is between two cells, and these are one");
     if (action.verb == door && length(stretch.to - stretch.from) > kLongestDoor)
       throw InputError(fmt::format("a door is {} m long at most", kLongestDoor));
   }

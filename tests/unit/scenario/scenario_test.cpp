@@ -106,6 +106,18 @@ TEST(Scenario, EndsWhatLastsAfterItsTimeWithTheWordForOrWithout) {
   EXPECT_FALSE(steps[6].action.duration);
 }
 
+TEST(Scenario, RefusesWhatLastsForLessThanATickWithOrWithoutASpread) {
+  for (const char* line : {"at 1s lift for 0s", "at 1s press b 999us", "at 1s power off for 1s+-1s",
+                           "at 1s door 1,1 1,5 shut for 0s", "at 1s fault S2 stuck 1023 for 0s"}) {
+    try {
+      parse_scenario(line, "s.txt");
+      ADD_FAILURE() << line;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("lasts for 1ms at least")) << line;
+    }
+  }
+}
+
 TEST(Scenario, CutsThePowerAtAWriteToTheEeprom) {
   const auto steps = parse_scenario(
       "after eeprom 12 power off for 20ms byte erased\n"

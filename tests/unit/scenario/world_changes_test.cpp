@@ -193,6 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"at 1s door 4,4 4,9 ajar", "a door is \"shut\" or \"open\", not \"ajar\""},
                     Bad{"at 1s door 4,4 9,9 shut", "neither in one row nor in one column"},
                     Bad{"at 1s door 4,4 shut", "shut or open is missing"},
+                    Bad{"at 1s door 4,4 4,4 shut", "a door is between two cells, and these are one"},
                     Bad{"at 1s light", "a light's number, or all is missing"},
                     Bad{"at 1s light all", "on or off is missing"},
                     Bad{"at 1s light 1 dim", "a light is \"on\" or \"off\", not \"dim\""},
