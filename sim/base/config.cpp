@@ -234,6 +234,8 @@ bool as_boolean(const ConfigValue& value, const char* key) {
 }
 
 std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t least, std::int64_t most) {
+  if (value.kind == ConfigValue::Kind::number)
+    throw InputError(value.place, fmt::format("{} is {:g}; it must be a whole number", key, value.number));
   if (value.kind != ConfigValue::Kind::integer) wrong_kind(value, key, "a whole number");
   if (value.integer < least || value.integer > most)
     throw InputError(value.place,
@@ -256,8 +258,9 @@ double as_quantity(const ConfigValue& value, const char* key, Dimension dimensio
   if (value.kind == ConfigValue::Kind::string) {
     const auto parsed = parse_quantity(value.string, dimension);
     if (!parsed)
-      throw InputError(value.place, fmt::format("{} is \"{}\"; it must be a number with a unit: {}", key,
-                                                value.string, unit_names(dimension)));
+      throw InputError(value.place, fmt::format("{} is \"{}\"; it must be {}{}", key, value.string,
+                                                dimension == Dimension::ratio ? "" : "a number with a unit: ",
+                                                unit_names(dimension)));
     si = *parsed;
   } else if (!bare) {
     wrong_kind(value, key, "a quantity such as \"20 mm\"");
