@@ -260,7 +260,8 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
 }
 
 // The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
-// are the EEPROM's. What holds for its supply is taken from the Uno.
+// are the EEPROM's. Its supply's regulator is taken from the Uno. Its chip has no brown-out detector, but a
+// reset at power-down: 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {
       .name = name,
@@ -279,7 +280,7 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
       .ram_bytes = kStm32f103c8.ram_bytes,
       .eeprom_bytes = 1024,
       .regulator_drop_volts = kUno.regulator_drop_volts,
-      .brown_out_volts = kUno.brown_out_volts,
+      .brown_out_volts = 1.88,
       .host_model = &kUno,
       .variant = nullptr,
       .pin_names = "bluepill.h",

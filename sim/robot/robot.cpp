@@ -325,11 +325,11 @@ void Robot::power(bool on, SimTime t) {
 
 double Robot::battery() const { return in_->body.params().supply_volts; }
 
-void Robot::set_battery(double volts) {
-  in_->state.is_forced = volts != battery();
-  in_->view.battery = volts / battery();
+void Robot::set_battery(std::optional<double> volts) {
+  in_->state.is_forced = volts.has_value();
+  in_->view.battery = volts.value_or(battery()) / battery();
   in_->find_supply();
-  in_->body.supply(volts);
+  in_->body.supply(volts.value_or(battery()));
 }
 
 std::vector<std::string> Robot::breakable() const {

@@ -94,9 +94,9 @@ class Robot {
 
   /// V, of a healthy battery ([motors] supply, as drawn for this robot).
   double battery() const;
-  /// Sets the battery's voltage from now on: it affects the motors, and the parts that measure it. One of
-  /// [battery] goes on by itself where that is the healthy one's.
-  void set_battery(double volts);
+  /// Holds the battery's voltage there from now on: it affects the motors, and the parts that measure it.
+  /// Nothing: it gives the healthy one's again; one of [battery] sags and empties by itself.
+  void set_battery(std::optional<double> volts);
   /// V, of a [battery] as it is loaded now; nothing where the robot has none, or a script says its volts.
   std::optional<double> fed_volts() const;
   /// V, that the battery gives now.

@@ -170,7 +170,12 @@ void BoardFaults::begin(const PowerFault& fault, SimTime t) {
   using enum PowerFault::Kind;
   const BoardSpec& spec = executor_.board().spec();
   const double low = std::min(robot_.battery(), spec.brown_out_volts + spec.regulator_drop_volts - 0.1);
-  set_battery(fault.kind == none ? robot_.battery() : fault.kind == sag ? fault.volts : low, t);
+  if (fault.kind == none) {
+    robot_.set_battery(std::nullopt);
+    supply_board(robot_.battery(), t);
+  } else {
+    set_battery(fault.kind == sag ? fault.volts : low, t);
+  }
   if (fault.kind == brown_out) state_.chip_volts = std::min(state_.chip_volts, spec.brown_out_volts - 0.1);
   update_power(t);
 }
@@ -201,7 +206,8 @@ void BoardFaults::feed(double volts, SimTime t) {
 
 void BoardFaults::supply_board(double volts, SimTime t) {
   const BoardSpec& spec = executor_.board().spec();
-  const bool feeds_board = robot_.battery() - spec.regulator_drop_volts >= spec.brown_out_volts;
+  const bool feeds_board =
+      robot_.battery() - spec.regulator_drop_volts >= std::max(spec.brown_out_volts, kLogicKeeps);
   state_.chip_volts =
       feeds_board ? std::clamp(volts - spec.regulator_drop_volts, 0.0, spec.supply_volts) : spec.supply_volts;
   const bool keeps = state_.chip_volts >= kLogicKeeps;

@@ -3,8 +3,8 @@
 //
 // Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts); below
 // brown_out_volts (both of its BoardSpec) the chip is held in reset, and starts afresh when there is more
-// again. A robot whose healthy battery gives less than that has another supply for its board, and no sag
-// resets it.
+// again. A robot whose healthy battery gives less than that, or than kLogicKeeps, has another supply for its
+// board, and no sag resets it.
 // Serial. Bytes on their way to the firmware, each by itself and by a hash of (seed, its number).
 // EEPROM. A byte whose writing began is being written for kEepromWriteTime. If the power fails meanwhile, it
 // may hold anything: a script says what.
@@ -26,8 +26,11 @@
 
 namespace robosim::scenario {
 
-constexpr double kLogicKeeps = 2.0;    ///< V: less than that, and a 74HC's registers forget
-constexpr double kPowerOnReset = 1.3;  ///< V: less, and an AVR takes its supply for gone (typical)
+constexpr double kLogicKeeps = 2.0;  ///< V: less than that, and a 74HC's registers forget
+/// V: less, and an AVR takes its supply for gone: V POT, falling, typical; 0.6 to 1.6 V (data sheet 8025I of
+/// the ATmega48P to 328P, table 26-3). That RAM holds until then is an assumption: of an ATmega328P no figure
+/// was found, of an ATmega164P it is 50 mV (7674F, 26.4, "RAM retention voltage").
+constexpr double kPowerOnReset = 1.3;
 
 /// The faults that a script can ask for, read and checked. As they are made by default, nothing is wrong: the
 /// script's "ok".

@@ -36,6 +36,11 @@ TEST(BoardSpec, TheBluePillHasEveryPinOnceAndOfAnUnosPinsWhatTheyCan) {
   EXPECT_EQ(find_pin(blue, "pc13"), blue.led_builtin);
 }
 
+TEST(BoardSpec, TheBluePillsChipIsResetAtPowerDownOnly) {
+  EXPECT_EQ(find_board("bluepill")->brown_out_volts, 1.88);
+  EXPECT_EQ(find_board("bluepill8")->brown_out_volts, 1.88);
+}
+
 TEST(BoardSpec, AProMiniIsANanoWithAnotherClockAndSupply) {
   const BoardSpec& nano = *find_board("nano");
   for (const auto& [name, clock_hz, volts] :

@@ -322,7 +322,7 @@ TEST(Motor, ABatteryWithLessVoltageDrivesSlower) {
   bench.robot.set_battery(3.0);
   bench.ticks(4000);
   EXPECT_NEAR(bench.body().wheel_rate(world::left), 0.5 * healthy, 0.15 * healthy);
-  bench.robot.set_battery(bench.robot.battery());
+  bench.robot.set_battery(std::nullopt);
   bench.ticks(4000);
   EXPECT_NEAR(bench.body().wheel_rate(world::left), healthy, 1e-3 * healthy);
 }
