@@ -1,5 +1,6 @@
 #include "sim/base/base64.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -33,20 +34,43 @@ constexpr auto kValues = [] {
 
 }  // namespace
 
-std::string base64(std::string_view bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
-  char* to = text.data();
-  const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<std::uint8_t>(bytes[i])}; };
-  std::size_t i = 0;
-  for (; i + 3 <= bytes.size(); i += 3, to += 4) {
-    const std::uint32_t group = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    std::memcpy(to, kPairs[group >> 12].data(), 2);
-    std::memcpy(to + 2, kPairs[group & 4095].data(), 2);
+char* Base64::put(char* to, std::string_view bytes) {
+  const auto put_group = [&to](const char* group) {
+    const auto byte = [group](int i) { return std::uint32_t{static_cast<std::uint8_t>(group[i])}; };
+    const std::uint32_t bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+    std::memcpy(to, kPairs[bits >> 12].data(), 2);
+    std::memcpy(to + 2, kPairs[bits & 4095].data(), 2);
+    to += 4;
+  };
+  if (left_size_ > 0) {
+    const std::size_t more = std::min(sizeof left_ - left_size_, bytes.size());
+    std::copy_n(bytes.data(), more, left_ + left_size_);
+    left_size_ += more;
+    bytes.remove_prefix(more);
+    if (left_size_ < sizeof left_) return to;
+    put_group(left_);
   }
-  if (i == bytes.size()) return text;
-  const std::uint32_t group = byte(i) << 16 | (i + 1 < bytes.size() ? byte(i + 1) << 8 : 0);
-  std::memcpy(to, kPairs[group >> 12].data(), 2);
-  if (i + 1 < bytes.size()) to[2] = kPairs[group & 4095][0];
+  const char* from = bytes.data();
+  const char* const end = from + bytes.size() / 3 * 3;
+  for (; from != end; from += 3) put_group(from);
+  left_size_ = bytes.size() % 3;
+  std::copy_n(from, left_size_, left_);
+  return to;
+}
+
+char* Base64::finish(char* to) {
+  if (left_size_ == 0) return to;
+  const std::size_t digits = left_size_ + 1;
+  std::fill(left_ + left_size_, left_ + sizeof left_, '\0');
+  char* const end = put(to, {left_ + left_size_, sizeof left_ - left_size_});
+  std::fill(to + digits, end, '=');
+  return end;
+}
+
+std::string base64(std::string_view bytes) {
+  std::string text(Base64::most(bytes.size()), '\0');
+  Base64 writer;
+  text.resize(static_cast<std::size_t>(writer.finish(writer.put(text.data(), bytes)) - text.data()));
   return text;
 }
 

@@ -1,12 +1,27 @@
 // Bytes as text: RFC 4648, chapter 4.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace robosim {
 
 std::string base64(std::string_view bytes);
+
+/// The same of bytes that come piece by piece.
+class Base64 {
+ public:
+  /// No more characters are written for so many bytes.
+  static constexpr std::size_t most(std::size_t bytes) { return (bytes + 2) / 3 * 4 + 4; }
+  /// Writes what is known to begin at `to`, and gives where it ends.
+  char* put(char* to, std::string_view bytes);
+  char* finish(char* to);
+
+ private:
+  char left_[3] = {};  ///< bytes that are no whole group
+  std::size_t left_size_ = 0;
+};
 /// Throws InputError for any character that is not base64's.
 std::string from_base64(std::string_view text);
 

@@ -72,21 +72,24 @@ void Compressed::add(std::string_view bytes) {
 }
 
 void Compressed::add(const Packer::Packed& packed) {
-  out_ += packed.bytes;
+  put_(packed.bytes);
   checksum_ = static_cast<std::uint32_t>(
       adler32_combine(checksum_, packed.checksum, static_cast<z_off_t>(packed.unpacked_size)));
 }
 
-std::string Compressed::finish() {
-  out_ += kLastBlock;
-  for (int shift = 24; shift >= 0; shift -= 8) out_ += static_cast<char>(checksum_ >> shift);
-  return std::move(out_);
+void Compressed::finish() {
+  std::string end(kLastBlock);
+  for (int shift = 24; shift >= 0; shift -= 8) end += static_cast<char>(checksum_ >> shift);
+  put_(end);
 }
 
 std::string deflated(std::string_view bytes) {
-  Compressed compressed("");
+  std::string out;
+  const Put put = [&out](std::string_view piece) { out += piece; };
+  Compressed compressed(put);
   compressed.add(bytes);
-  return compressed.finish();
+  compressed.finish();
+  return out;
 }
 
 std::string inflated(std::string_view bytes, std::size_t most_bytes) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "sim/record/kept_bytes.h"
 
@@ -28,21 +29,23 @@ class Deflater final : public Packer {
   std::unique_ptr<z_stream_s> stream_;
 };
 
-/// All of it, from what was packed before.
+/// Takes what is written, piece by piece.
+using Put = std::function<void(std::string_view)>;
+
+/// Writes all of it, from what was packed before.
 class Compressed {
  public:
-  /// `begin`: what stands before it.
-  explicit Compressed(std::string begin) : out_(std::move(begin)) { out_ += "\x78\x01"; }  // 32 KB, fastest
+  explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB, fastest
   void add(const KeptBytes& bytes);
   void add(std::string_view bytes);
-  /// The whole; nothing may be added any more.
-  std::string finish();
+  /// Nothing may be added any more.
+  void finish();
 
  private:
   void add(const Packer::Packed& packed);
 
+  const Put& put_;
   Deflater deflater_;
-  std::string out_;
   std::uint32_t checksum_ = 1;
 };
 

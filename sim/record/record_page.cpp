@@ -16,16 +16,16 @@ namespace {
 constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
 constexpr std::string_view kOver = R"(<script id="over" type="application/octet-stream">)";
 constexpr std::string_view kEnd = "</script>";
-constexpr std::size_t kPiece_bytes = 3 << 14;  // whole digits of base64
+constexpr std::size_t kPiece_bytes = std::size_t{1} << 16;
 
-/// Calls put(text) with piece after piece of the page.
-template <class Put>
-void put_page(std::string_view recording, const Over* over, const Put& put) {
+/// Calls put(text) with piece after piece of the page, and where the recording's base64 stands
+/// put_recording().
+template <class PutRecording>
+void put_page(const Over* over, const Put& put, const PutRecording& put_recording) {
   const std::string_view page = page_text();
   const std::size_t at = page.find(kBegin) + kBegin.size();
   put(page.substr(0, at));
-  for (; !recording.empty(); recording.remove_prefix(std::min(kPiece_bytes, recording.size())))
-    put(base64(recording.substr(0, kPiece_bytes)));
+  put_recording();
   const std::size_t next = page.find(kOver, at);
   put(page.substr(at, next - at));
   put(over ? fmt::format(R"({} data-name="{}">{})", kOver.substr(0, kOver.size() - 1), base64(over->name),
@@ -43,18 +43,33 @@ void RecRecorder::ask(wire::RunRequest& request) const {
 
 void RecRecorder::finish(const wire::RunResult& result) {
   NewFile file(path_);
-  write(gatherer_.encoded(result), file);
+  write(gatherer_, result, file);
   file.finish();
+}
+
+void RecRecorder::write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const {
+  gatherer.encode(result, [&file](std::string_view piece) { file.add(piece); });
 }
 
 std::string page_of(const std::string& recording, const Over* over) {
   std::string text;
-  put_page(recording, over, [&](std::string_view piece) { text += piece; });
+  const Put put = [&text](std::string_view piece) { text += piece; };
+  put_page(over, put, [&] { put(base64(recording)); });
   return text;
 }
 
-void PageRecorder::write(std::string_view recording, NewFile& file) const {
-  put_page(recording, nullptr, [&](std::string_view piece) { file.add(piece); });
+void PageRecorder::write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const {
+  const Put put = [&file](std::string_view piece) { file.add(piece); };
+  put_page(nullptr, put, [&] {
+    Base64 digits;
+    gatherer.encode(result, [&](std::string_view bytes) {
+      for (; !bytes.empty(); bytes.remove_prefix(std::min(kPiece_bytes, bytes.size()))) {
+        const std::string_view piece = bytes.substr(0, kPiece_bytes);
+        file.added(digits.put(file.room(Base64::most(piece.size())), piece));
+      }
+    });
+    file.added(digits.finish(file.room(Base64::most(0))));
+  });
 }
 
 std::string recording_in(std::string content) {

@@ -20,7 +20,7 @@ class RecRecorder : public Recorder {
   void finish(const wire::RunResult& result) override;
 
  protected:
-  virtual void write(std::string_view recording, NewFile& file) const { file.add(recording); }
+  virtual void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const;
 
  private:
   std::filesystem::path path_;
@@ -41,7 +41,7 @@ class PageRecorder final : public RecRecorder {
   using RecRecorder::RecRecorder;
 
  protected:
-  void write(std::string_view recording, NewFile& file) const override;
+  void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const override;
 };
 
 /// The bytes of a .rec: these, or those in a page; throws InputError, without a place, if it is neither.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/base/file.h"
-#include "sim/record/compressed.h"
 #include "sim/record/record_page.h"
 #include "sim/wire/json_reader.h"
 
@@ -19,12 +18,19 @@ constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
 
 }  // namespace
 
-std::string Gatherer::encoded(const wire::RunResult& result) {
+void Gatherer::encode(const wire::RunResult& result, const Put& put) {
   std::vector<const KeptBytes*> body;
-  Compressed compressed(kRecordingMagic);
+  put(kRecordingMagic);
+  Compressed compressed(put);
   compressed.add(finish(result, body));
   for (const KeptBytes* bytes : body) compressed.add(*bytes);
-  return compressed.finish();
+  compressed.finish();
+}
+
+std::string Gatherer::encoded(const wire::RunResult& result) {
+  std::string all;
+  encode(result, [&all](std::string_view piece) { all += piece; });
+  return all;
 }
 
 Recording Recording::read(const std::filesystem::path& file) {

@@ -12,13 +12,14 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/record/compressed.h"
 #include "sim/record/kept_stream.h"
 #include "sim/record/recorder.h"
 #include "sim/record/recording_header.h"
 
 namespace robosim::record {
 
-/// Gathers a run; encoded() is the recording, and content() what is compressed in it.
+/// Gathers a run; encode() writes the recording, and content() is what is compressed in it.
 class Gatherer {
  public:
   /// Of all robots together: more bytes of changes are thinned, and more text of serial lines is left out.
@@ -34,9 +35,10 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// As far as it is known: without result and streams until content() or encoded().
+  /// As far as it is known: without result and streams until content() or encode().
   const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
+  void encode(const wire::RunResult& result, const Put& put);
   std::string encoded(const wire::RunResult& result);
 
  private:

@@ -17,5 +17,20 @@ TEST(Base64, IsReadAsItWasWritten) {
   for (const char* bad : {"TW u", "T", "TWFuT", "TWF\xff"}) EXPECT_THROW(from_base64(bad), InputError) << bad;
 }
 
+TEST(Base64, IsTheSamePieceByPiece) {
+  const std::string bytes = "any carnal pleas\xFF\0ure.";
+  for (std::size_t first = 0; first <= bytes.size(); ++first) {
+    for (std::size_t second = first; second <= bytes.size(); ++second) {
+      std::string text(100, '?');
+      Base64 writer;
+      char* to = writer.put(text.data(), std::string_view(bytes).substr(0, first));
+      to = writer.put(to, std::string_view(bytes).substr(first, second - first));
+      to = writer.finish(writer.put(to, std::string_view(bytes).substr(second)));
+      text.resize(static_cast<std::size_t>(to - text.data()));
+      EXPECT_EQ(text, base64(bytes)) << first << ", " << second;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace robosim
