@@ -75,6 +75,9 @@ class Floor {
   /// The same of many sensors, at (x, y) each.
   void darkness(std::span<const double> x, std::span<const double> y, std::span<const double> footprint_m,
                 std::span<double> dark) const;
+  /// darkness() there where on_line() is known, if that says all of it: where has_lines_only().
+  double darkness_of(double on_line) const { return light_line_ ? 1.0 - on_line : on_line; }
+  bool has_lines_only() const { return plain_ && widths_.empty(); }
   /// The same by the light of a band.
   double darkness(Vec2 p, double footprint_m, Band band) const {
     return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);

@@ -271,7 +271,7 @@ double Sensor::shown() const {
   const Pose& pose = context_.view.body->pose();
   const Vec2 at = pose.to_world(state_.at);
   const Optics optics = this->optics(pose);
-  const double darkness = dark() ? 1.0 : context_.view.floor->darkness(at, optics.footprint);
+  const double darkness = dark() ? 1.0 : shown_darkness(at, optics.footprint);
   const double white = (1.0 - darkness) * context_.view.floor->brightness(at);
   const double shown =
       1.0 - optics.light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;

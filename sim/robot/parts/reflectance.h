@@ -181,11 +181,20 @@ class Sensor : public Breakable {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     int changes = 0;
   };
+  bool is_as_before(Vec2 p, const Glance& last) const {
+    return p.x == last.at.x && p.y == last.at.y && context_.view.floor->patches().changes() == last.changes;
+  }
   bool is_new(Vec2 p, Glance& last) const {
-    const int changes = context_.view.floor->patches().changes();
-    if (p.x == last.at.x && p.y == last.at.y && changes == last.changes) return false;
-    last = {p, changes};
+    if (is_as_before(p, last)) return false;
+    last = {p, context_.view.floor->patches().changes()};
     return true;
+  }
+  /// Of the floor there. The line was sought just before, in most samples.
+  double shown_darkness(Vec2 p, double footprint) const {
+    const world::Floor& floor = *context_.view.floor;
+    if (!hilly_ && floor.has_lines_only() && is_as_before(p, state_.line_sought))
+      return floor.darkness_of(state_.coverage);
+    return floor.darkness(p, footprint);
   }
   /// What its height does: as it is mounted, or on hills as it is there.
   struct Optics {

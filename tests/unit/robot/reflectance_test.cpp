@@ -415,6 +415,20 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   EXPECT_LT(bench.volts(kA0), 1.0) << "checking breaks nothing";
 }
 
+TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {
+  for (const std::string map : {"", "+++\npaint = \"white on black\"\n+++\n"}) {
+    const Description description = parse_description(kBareRobot + sensor(""), "bench.toml");
+    BenchRobot seeks(description, Profile::typical, 3, map), never(description, Profile::typical, 3, map);
+    const auto shown = [](BenchRobot& bench) { return bench.robot.readings().front().value; };
+    for (const double aside : {0.0, 0.009, 0.011, 0.013, 0.03}) {
+      for (BenchRobot* bench : {&seeks, &never}) place_beside_line(*bench, aside);
+      EXPECT_EQ(shown(seeks), shown(never)) << "it was sought where the robot no longer is";
+      seeks.robot.line_side();
+      EXPECT_EQ(shown(seeks), shown(never)) << aside;
+    }
+  }
+}
+
 TEST(Reflectance, InTheAirASensorSeesBlackAndNoLine) {
   BenchRobot bench(sensor(""));
   const double on_line = bench.volts(kA0);
