@@ -12,7 +12,8 @@ void Bundler::sample(const wire::Sample& sample) { waiting_.add(sample) ? look()
 
 void Bundler::flush() {
   flushed_ns_ = waiting_.latest_ns();
-  if (waiting_.size() > 0) tell_(waiting_.take());
+  if (waiting_.size() == 0) return;
+  hand_on_ ? waiting_.go_on_in(*hand_on_()) : tell_(waiting_.take());
 }
 
 }  // namespace robosim::runner

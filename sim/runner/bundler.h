@@ -15,11 +15,17 @@ namespace robosim::runner {
 /// Who hears of what happens.
 using Tell = std::function<void(wire::Event)>;
 
+/// Where events wait that another process reads from there. Empty = nobody does: they are told.
+struct SharedBatches {
+  wire::BatchMemory* first = nullptr;
+  /// What waits in the last one goes on; gives the next, which is empty.
+  std::function<wire::BatchMemory*()> hand_on = {};
+};
+
 class Bundler {
  public:
-  /// `memory`: where events wait; null = in memory of its own.
-  explicit Bundler(Tell tell, wire::BatchMemory* memory = nullptr)
-      : tell_(std::move(tell)), waiting_(memory) {}
+  explicit Bundler(Tell tell, SharedBatches shared = {})
+      : tell_(std::move(tell)), hand_on_(std::move(shared.hand_on)), waiting_(shared.first) {}
   void tell(wire::Event event);
   // The same as events; these there are most of.
   void sample(const wire::Sample& sample);
@@ -52,6 +58,7 @@ class Bundler {
   }
 
   Tell tell_;
+  std::function<wire::BatchMemory*()> hand_on_;
   wire::BatchWriter waiting_;
   SimTime flushed_ns_ = 0;
 };

@@ -1,7 +1,9 @@
 #include "sim/runner/lines.h"
 
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -33,6 +35,19 @@ void write_line(const std::string& line) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) ::_exit(0);  // the client has gone
     done += static_cast<std::size_t>(n);
+  }
+}
+
+void write_batch(std::string_view line, std::string_view bytes) {
+  while (!line.empty() || !bytes.empty()) {
+    const iovec parts[] = {{const_cast<char*>(line.data()), line.size()},
+                           {const_cast<char*>(bytes.data()), bytes.size()}};
+    const ssize_t n = ::writev(STDOUT_FILENO, parts, 2);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) ::_exit(0);  // the client has gone
+    const std::size_t of_line = std::min(line.size(), static_cast<std::size_t>(n));
+    line.remove_prefix(of_line);
+    bytes.remove_prefix(static_cast<std::size_t>(n) - of_line);
   }
 }
 

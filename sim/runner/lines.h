@@ -4,6 +4,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace robosim::runner {
 
@@ -13,6 +14,8 @@ void go_through(const Relay& relay);
 
 /// Writes one line (with its line feed); ends the process if the client has gone.
 void write_line(const std::string& line);
+/// The same for a line and the bytes behind it.
+void write_batch(std::string_view line, std::string_view bytes);
 /// The next line of standard input, without its line feed; nothing at its end, or when a signal handler has
 /// set `interrupted`. A fork goes on reading where its parent was.
 std::optional<std::string> read_line(const std::atomic<bool>* interrupted = nullptr);

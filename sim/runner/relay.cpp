@@ -5,11 +5,13 @@
 #include <sys/random.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "sim/exec/host/confinement.h"
@@ -20,9 +22,10 @@ namespace {
 
 constexpr char kLine = 'L';
 constexpr char kAnswer = 'A';
+constexpr char kAskForRoom = 'r';
 constexpr std::uint32_t kMostBytes = 256u << 20;
 constexpr std::size_t kChunk = 65536;
-constexpr int kLook_ms = 500;
+constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -87,7 +90,7 @@ void Relay::enter() {
 void Relay::confine() const { exec::confine({key_[0], key_[1]}); }
 
 void Relay::send(char what, const std::string& text) const {
-  const Header header{token_, static_cast<std::uint32_t>(text.size()), what};
+  const Header header{token_, batch_, static_cast<std::uint32_t>(text.size()), what};
   std::string all(reinterpret_cast<const char*>(&header), sizeof header);
   all += text;
   write_keyed(all.data(), all.size());
@@ -106,6 +109,16 @@ std::string Relay::ask(char what, const std::string& question) const {
   return answer;
 }
 
+wire::BatchMemory& Relay::hand_on() {
+  batches_->handed_on.store(++batch_, std::memory_order_release);
+  const std::size_t ahead = batch_ - batches_->taken.load(std::memory_order_acquire);
+  if (ahead >= kBatches)
+    ask(kAskForRoom, "");
+  else if (ahead >= kBatches / 2)
+    send(kLine, "");
+  return *waiting();
+}
+
 long Relay::read_some(char* to, std::size_t bytes) const {
   watch_->wait_for_client(true);
   const long n = exec::keyed_read(exec::kLinesFd, to, bytes);
@@ -113,8 +126,22 @@ long Relay::read_some(char* to, std::size_t bytes) const {
   return n;
 }
 
+bool Relay::take_batches(std::size_t end, const wire::Id& id) {
+  if (end - batch_ > kBatches) return false;
+  while (batch_ != end) {
+    wire::BatchMemory& memory = *waiting();
+    // Whatever firmware has written there.
+    const std::size_t bytes =
+        std::min<std::size_t>(memory.used.load(std::memory_order_relaxed), wire::BatchMemory::kRoom_bytes);
+    if (bytes > 0) write_batch(wire::batch_line(id, bytes), {memory.bytes, bytes});
+    memory.used.store(0, std::memory_order_relaxed);
+    batches_->taken.store(++batch_, std::memory_order_release);
+  }
+  return true;
+}
+
 /// Whole messages are taken out of `taken`; false if one is none of ours.
-bool Relay::take(std::string& taken, const Ask& ask, Told& told) const {
+bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told) {
   std::string out;
   std::size_t at = 0;
   for (Header header{}; taken.size() - at >= sizeof header;) {
@@ -123,12 +150,16 @@ bool Relay::take(std::string& taken, const Ask& ask, Told& told) const {
     if (taken.size() - at < sizeof header + header.bytes) break;
     const std::string_view text(taken.data() + at + sizeof header, header.bytes);
     at += sizeof header + header.bytes;
+    if (header.batches != batch_) {
+      if (!out.empty()) write_line(std::exchange(out, ""));
+      if (!take_batches(header.batches, id)) return false;
+    }
     if (header.what == kLine) {
       out += text;
     } else if (header.what == kAnswer) {
       told.answer = text;
     } else {
-      const std::string said = ask(header.what, std::string(text));
+      const std::string said = header.what == kAskForRoom ? "" : ask(header.what, std::string(text));
       const auto bytes = static_cast<std::uint32_t>(said.size());
       write_all(answers_.write.get(), {reinterpret_cast<const char*>(&bytes), sizeof bytes});
       write_all(answers_.write.get(), said);
@@ -139,7 +170,7 @@ bool Relay::take(std::string& taken, const Ask& ask, Told& told) const {
   return true;
 }
 
-Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
+Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, bool lines) {
   told_.write.close();
   answers_.read.close();
   lines_.read.close();
@@ -153,7 +184,12 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
   for (;;) {
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
-    if (some == 0 && (told.found = watch_->look()) != RunWatch::Found::nothing) return told;
+    if (some == 0) {
+      // What the run has said before these has then been taken.
+      const std::size_t end = batches_->handed_on.load(std::memory_order_acquire);
+      if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
+      if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;
+    }
     if (ready[1].revents) {
       char chunk[4096];
       const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
@@ -166,10 +202,11 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, bool lines) {
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       told.forged |= !taken.empty();
+      take_batches(batches_->handed_on.load(std::memory_order_acquire), id);
       return told;
     }
     taken.append(buffer.data(), static_cast<std::size_t>(n));
-    told.forged = !take(taken, ask, told);
+    told.forged = !take(taken, ask, id, told);
     if (told.forged) return told;
     watch_->heard();
   }

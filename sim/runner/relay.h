@@ -4,6 +4,8 @@
 // the process then ends by itself.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "sim/runner/run_watch.h"
 #include "sim/runner/shared.h"
 #include "sim/wire/batch.h"
+#include "sim/wire/protocol.h"
 
 namespace robosim::runner {
 
@@ -39,8 +42,11 @@ class Relay {
   long read_some(char* to, std::size_t bytes) const;
   /// Is to be told how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
-  /// Where events wait until there are many: both processes have it.
-  wire::BatchMemory* waiting() const { return waiting_.get(); }
+  /// Where events wait until there are many. In the runner: those that it has not been told of.
+  wire::BatchMemory* waiting() const { return &batches_->memories[batch_ % kBatches]; }
+  /// What waits goes to the client from where it is, before what is told later; further events wait in the
+  /// memory that this gives, which is empty.
+  wire::BatchMemory& hand_on();
   /// Is to be told the number of the robot whose firmware runs.
   std::atomic<int>& acting() const { return watch_->acting(); }
 
@@ -49,24 +55,36 @@ class Relay {
     bool forged = false;  ///< something else than the runner's code has written to it
     RunWatch::Found found = RunWatch::Found::nothing;
   };
-  /// In the runner: until `run` has said its last, or something forged, or will never end. `lines`: what the
-  /// client writes goes to the run.
-  Told serve(const Child& run, const Ask& ask, bool lines);
+  /// In the runner: until `run` has said its last, or something forged, or will never end. `id`: of the
+  /// request. `lines`: what the client writes goes to the run.
+  Told serve(const Child& run, const Ask& ask, const wire::Id& id, bool lines);
 
  private:
   struct Header {
     std::uint64_t token;
+    std::uint64_t batches;  ///< that were handed on before
     std::uint32_t bytes;
     char what;
     char unused[3] = {};
   };
   void send(char what, const std::string& text) const;
 
-  bool take(std::string& taken, const Ask& ask, Told& told) const;
+  bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
+  /// Those before number `end`; false if these are more than there can be.
+  bool take_batches(std::size_t end, const wire::Id& id);
 
   Pipe told_, answers_, lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  Shared<wire::BatchMemory> waiting_;
+  /// So far the run gets ahead of its runner, which it wakes when half of them are full: each time costs it
+  /// as much as some hundred events.
+  static constexpr std::size_t kBatches = 8;
+  struct Batches {
+    wire::BatchMemory memories[kBatches];   ///< in turn
+    std::atomic<std::size_t> handed_on{0};  ///< by the run
+    std::atomic<std::size_t> taken{0};      ///< by the runner, which empties them
+  };
+  Shared<Batches> batches_;
+  std::size_t batch_ = 0;  ///< how many the run has handed on; in the runner: how many it has taken
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

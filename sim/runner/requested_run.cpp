@@ -72,7 +72,7 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-                           wire::BatchMemory* waiting, Robots robots)
+                           SharedBatches batches, Robots robots)
     : request_(request),
       map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})),
       map_sha256_(grid::sha256_of(map_)),
@@ -80,7 +80,7 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
   check_several(request);
   check_why(request);
   if (request.batches) {
-    bundler_ = std::make_unique<Bundler>(std::move(tell), waiting);
+    bundler_ = std::make_unique<Bundler>(std::move(tell), std::move(batches));
     tell = [bundler = bundler_.get()](wire::Event event) { bundler->tell(std::move(event)); };
   }
   for (wire::AgentRequest& asked : agents_of(request)) {

@@ -43,11 +43,10 @@ using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
 
 class RequestedRun {
  public:
-  /// Reads all files, but those of `robots`, which have been. `request` must outlive this, and so must
-  /// `waiting`, where events of a batch wait; null = in memory of its own. Throws InputError, and
-  /// ToolMissing.
+  /// Reads all files, but those of `robots`, which have been. `request` must outlive this, and so must where
+  /// `batches` are. Throws InputError, and ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-               wire::BatchMemory* waiting = nullptr, Robots robots = {});
+               SharedBatches batches = {}, Robots robots = {});
 
   /// Of one robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }

@@ -131,14 +131,19 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
     throw InputError(fault);
 }
 
+SharedBatches batches_of(Relay* relay) {
+  if (!relay) return {};
+  return {relay->waiting(), [relay] { return &relay->hand_on(); }};
+}
+
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
-                            const wire::Id& id, const Relay* relay, const ReadAhead& ahead) {
+                            const wire::Id& id, Relay* relay, const ReadAhead& ahead) {
   RequestedRun run(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
       },
       request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
-      relay ? relay->waiting() : nullptr, ahead.robots);
+      batches_of(relay), ahead.robots);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
@@ -306,7 +311,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   Relay relay;
   Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
   const Relay::Told told = relay.serve(
-      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); },
+      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id,
       request.interactive);
   if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
   const auto guilty = [&] { return guilty_of_death(factory, request, relay.acting()); };

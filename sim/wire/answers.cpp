@@ -148,10 +148,13 @@ std::string to_line(const Id& id, const Answer& answer) {
     return text.append(columns_text(*columns), 1) + "\n";
   }
   if (const auto* batch = event ? std::get_if<Batch>(event) : nullptr)
-    return R"({"id":)" + text_of(json_of(id)) + R"(,"event":"batch","size":)" +
-           std::to_string(batch->bytes.size()) + "}\n" + batch->bytes;
+    return batch_line(id, batch->bytes.size()) + batch->bytes;
   std::visit(Adder{line}, answer);
   return text_of(line) + "\n";
+}
+
+std::string batch_line(const Id& id, std::size_t bytes) {
+  return R"({"id":)" + text_of(json_of(id)) + R"(,"event":"batch","size":)" + std::to_string(bytes) + "}\n";
 }
 
 Hello parse_hello(std::string_view text, const std::string& program) {

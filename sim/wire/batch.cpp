@@ -95,8 +95,7 @@ Batch BatchWriter::take() {
       std::min(size(), BatchMemory::kRoom_bytes);  // whatever firmware has written there
   Batch batch{static_cast<std::int64_t>(bytes), std::string(memory_->bytes, bytes)};
   memory_->used.store(0, std::memory_order_release);
-  from_ns_ = 0;
-  ++batch_;
+  begin_batch();
   return batch;
 }
 

@@ -94,8 +94,17 @@ class BatchWriter {
   std::int64_t latest_ns() const { return latest_ns_; }
   /// What waits; then nothing does.
   Batch take();
+  /// The same, where another reads it from where it waits: the next batch is made in `memory`, which is empty.
+  void go_on_in(BatchMemory& memory) {
+    memory_ = &memory;
+    begin_batch();
+  }
 
  private:
+  void begin_batch() {
+    from_ns_ = 0;
+    ++batch_;
+  }
   template <class T>
   static char* put(char* to, const T& value) {
     std::memcpy(to, &value, sizeof value);

@@ -2,6 +2,7 @@
 // the end, and may be read with or without.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -67,5 +68,7 @@ Asked<LiveRequest> parse_live_request(std::string_view text);
 
 /// Of a Batch with its bytes.
 std::string to_line(const Id& id, const Answer& answer);
+/// Of a Batch of so many bytes, without them.
+std::string batch_line(const Id& id, std::size_t bytes);
 
 }  // namespace robosim::wire

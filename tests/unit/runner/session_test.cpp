@@ -403,6 +403,26 @@ TEST_F(SessionTest, TellsTheSameInTheSameOrderWhereItIsAskedForBatches) {
   EXPECT_LE(lines, 7u);
 }
 
+TEST_F(SessionTest, ARunMayTellMoreThanWaitsForItsReader) {
+  request_.goal = "none";
+  request_.for_ns = 30 * kSecond;
+  request_.samples_every_ns = 10 * kMillisecond;
+  request_.notes = request_.pins = request_.io = request_.batches = true;
+  Session session(drivers());
+  session.line();
+  session.ask_for<wire::RunResult>(wire::Request(request_));
+  wire::BatchReader reader(request_);
+  std::vector<std::int64_t> samples_us;
+  for (const wire::Event& event : session.events)
+    if (const auto* batch = std::get_if<wire::Batch>(&event))
+      reader.read(batch->bytes, [&](const wire::Event& told) {
+        if (const auto* sample = std::get_if<wire::Sample>(&told)) samples_us.push_back(sample->t_us);
+      });
+  ASSERT_EQ(samples_us.size(), 3001u);
+  for (std::size_t i = 0; i < samples_us.size(); ++i)
+    ASSERT_EQ(samples_us[i], static_cast<std::int64_t>(i) * 10'000);
+}
+
 TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {
   for (const auto& [deed, reason] :
        {std::pair<void (*)(), const char*>{[] { ::raise(SIGKILL); },
