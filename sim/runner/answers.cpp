@@ -38,7 +38,7 @@ void to_wire(const run::Sample& s, wire::Sample& to) {
   to.left = s.left;
   to.right = s.right;
   to.readings = s.readings;
-  to.at_station = s.at_station;
+  if (!to.at_station.empty() || !s.at_station.empty()) to.at_station = s.at_station;
   to.wheels_mm_s = {millimetres(s.wheels[0]), millimetres(s.wheels[1])};
 }
 
@@ -46,6 +46,12 @@ wire::Sample to_wire(const run::Sample& s) {
   wire::Sample sample;
   to_wire(s, sample);
   return sample;
+}
+
+std::array<double, 10> numbers_of(const run::Sample& s) {
+  return {millimetres(s.pose.position.x), millimetres(s.pose.position.y), s.pose.heading.y, s.pose.heading.x,
+          millimetres(s.speed),           millimetres(s.cross_track),     s.left,           s.right,
+          millimetres(s.wheels[0]),       millimetres(s.wheels[1])};
 }
 
 wire::Paused to_wire(const run::State& state, const run::Sample& sample) {

@@ -1,5 +1,7 @@
 #include "sim/runner/bundler.h"
 
+#include "sim/runner/answers.h"
+
 namespace robosim::runner {
 
 void Bundler::tell(wire::Event event) {
@@ -8,7 +10,15 @@ void Bundler::tell(wire::Event event) {
   tell_(std::move(event));
 }
 
-void Bundler::sample(const wire::Sample& sample) { waiting_.add(sample) ? look() : tell(sample); }
+void Bundler::sample(int agent, const run::Sample& sample) {
+  if (sample.at_station.empty() &&
+      waiting_.add_sample(agent, sample.t / kMicrosecond, numbers_of(sample), sample.readings))
+    return look();
+  flush();
+  wire::Sample told = to_wire(sample);
+  told.agent = agent;
+  tell_(std::move(told));
+}
 
 void Bundler::flush() {
   flushed_ns_ = waiting_.latest_ns();

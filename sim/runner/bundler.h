@@ -8,6 +8,7 @@
 
 #include "hal/board/board.h"
 #include "hal/board/sim_time.h"
+#include "sim/run/simulation.h"
 #include "sim/wire/batch.h"
 
 namespace robosim::runner {
@@ -28,7 +29,7 @@ class Bundler {
       : tell_(std::move(tell)), hand_on_(std::move(shared.hand_on)), waiting_(shared.first) {}
   void tell(wire::Event event);
   // The same as events; these there are most of.
-  void sample(const wire::Sample& sample);
+  void sample(int agent, const run::Sample& sample);
   void pin(int agent, SimTime t, Pin pin, const char* name, const PinDrive& drive, int source) {
     waiting_.add_pin(agent, t, pin, name, static_cast<int>(drive.mode), drive.level, drive.pwm, drive.duty,
                      drive.tone_hz, source);

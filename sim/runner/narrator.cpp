@@ -48,8 +48,8 @@ void Narrator::sampled(const run::Sample& s) {
   const bool is_told = every > 0 && (s.t % every == 0 || request_.interactive),
              is_in_columns = wants_columns_ && s.t % request_.columns_every_ns == 0;
   if (!is_told && !is_in_columns) return;
+  if (bundler_) return bundler_->sample(agent_, s);
   to_wire(s, sample_);
-  if (bundler_) return bundler_->sample(sample_);
   if (is_told) tell(sample_);
   if (!is_in_columns) return;
   columns_->add(sample_);

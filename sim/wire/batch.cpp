@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -68,18 +69,29 @@ void BatchWriter::add_source(int agent, const SourceLine& line) {
   end(put(put(to, function), file));
 }
 
-bool BatchWriter::add(const Sample& s) {
-  const std::size_t readings = s.readings.size() * sizeof(double), room = BatchMemory::kRoom_bytes - size();
+template <std::size_t N>
+bool BatchWriter::add_sample(int agent, std::int64_t t_us, int heading, const std::array<double, N>& numbers,
+                             const std::vector<double>& readings) {
+  const std::size_t bytes = readings.size() * sizeof(double), room = BatchMemory::kRoom_bytes - size();
   constexpr std::size_t kWithout = 128;
-  if (!fits(s.agent) || !s.at_station.empty() || readings + kWithout > room) return false;
-  char* to = put_head(at(), 's', s.agent, 0, 0, static_cast<std::int32_t>(s.readings.size()));
-  to = put(to, s.t_us);
-  to = put(to, std::array{s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right,
-                          s.wheels_mm_s[0], s.wheels_mm_s[1]});
-  to = put(to, std::string_view(reinterpret_cast<const char*>(s.readings.data()), readings));
-  latest_ns_ = s.t_us * 1000;
+  if (!fits(agent) || bytes + kWithout > room) return false;
+  char* to = put_head(at(), 's', agent, 0, heading, static_cast<std::int32_t>(readings.size()));
+  to = put(put(to, t_us), numbers);
+  for (const double reading : readings) to = put(to, reading);
+  latest_ns_ = t_us * 1000;
   end(to);
   return true;
+}
+
+template bool BatchWriter::add_sample(int, std::int64_t, int, const std::array<double, 10>&,
+                                      const std::vector<double>&);
+
+bool BatchWriter::add(const Sample& s) {
+  return s.at_station.empty() &&
+         add_sample(s.agent, s.t_us, kWithYaw,
+                    std::array{s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right,
+                               s.wheels_mm_s[0], s.wheels_mm_s[1]},
+                    s.readings);
 }
 
 bool BatchWriter::add(const Event& event) {
@@ -247,8 +259,10 @@ class BatchReader::Unpacker {
     const std::size_t count = step_ < 0 ? bytes_.size() : static_cast<std::size_t>(step_);
     s.t_us = number<std::int64_t>();
     if (s.t_us < 0 || s.t_us > kLatest_ns / 1000) refuse();
-    for (double* value : {&s.x_mm, &s.y_mm, &s.yaw_rad, &s.speed_mm_s, &s.cross_track_mm, &s.left, &s.right,
-                          &s.wheels_mm_s[0], &s.wheels_mm_s[1]})
+    for (double* value : {&s.x_mm, &s.y_mm, &s.yaw_rad}) *value = number<double>();
+    if (other_ != 0) s.yaw_rad = std::atan2(s.yaw_rad, number<double>());
+    for (double* value :
+         {&s.speed_mm_s, &s.cross_track_mm, &s.left, &s.right, &s.wheels_mm_s[0], &s.wheels_mm_s[1]})
       *value = number<double>();
     if (count > bytes_.size() / sizeof(double)) refuse();
     const std::string_view readings = take(count * sizeof(double));

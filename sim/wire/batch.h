@@ -8,7 +8,8 @@
 //   't'  how many nanoseconds the next one's time is counted from (eight bytes); the robot and the rest are 0
 //   'n'  the pin's name; the differing byte is its length. In each batch before the pin's first
 //   's'  a sample: in place of the time how many readings; t_us (eight bytes); x, y, yaw, speed, cross_track,
-//        left, right, the wheels' two, and the readings: doubles
+//        left, right, the wheels' two, and the readings: doubles. The differing byte is 1: in place of yaw
+//        its sine and its cosine
 //   'p'  a pin: 0 input, 1 input_pullup, 2 output, and of these bits 4 high, 8 PWM, 16 tone, 32 source; duty,
 //   a
 //        double; with tone its frequency, with source its number (four bytes each)
@@ -70,6 +71,12 @@ class BatchWriter {
   /// False for what has no place in a batch: another kind of event than samples and bytes, or more to say.
   bool add(const Event& event);
   bool add(const Sample& sample);
+  /// The same of a heading, of which the reader makes the yaw, and of what follows in a Sample: the place,
+  /// sine and cosine, speed, cross track, both motors, both wheels.
+  bool add_sample(int agent, std::int64_t t_us, const std::array<double, 10>& numbers,
+                  const std::vector<double>& readings) {
+    return add_sample(agent, t_us, kWithHeading, numbers, readings);
+  }
   /// The same as PinChange, LevelSeen, VoltsSeen and SerialByte; pins by their numbers, which a robot gives
   /// as it likes. `mode`: 0 input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's
   /// number must be less than kMostAgents, a name no longer than kMostName.
@@ -94,13 +101,18 @@ class BatchWriter {
   std::int64_t latest_ns() const { return latest_ns_; }
   /// What waits; then nothing does.
   Batch take();
-  /// The same, where another reads it from where it waits: the next batch is made in `memory`, which is empty.
+  /// The same, where another reads it from where it waits: the next batch is made in `memory`, which is
+  /// empty.
   void go_on_in(BatchMemory& memory) {
     memory_ = &memory;
     begin_batch();
   }
 
  private:
+  static constexpr int kWithYaw = 0, kWithHeading = 1;
+  template <std::size_t N>
+  bool add_sample(int agent, std::int64_t t_us, int heading, const std::array<double, N>& numbers,
+                  const std::vector<double>& readings);
   void begin_batch() {
     from_ns_ = 0;
     ++batch_;

@@ -79,6 +79,29 @@ TEST(Batches, GiveBackEachEventToTheLastBitInTheirOrder) {
   }
 }
 
+TEST(Batches, MakeTheYawOfAHeading) {
+  BatchWriter writer;
+  const double sine = -0.6, cosine = 0.8;
+  ASSERT_TRUE(writer.add_sample(1, 20'000, {1, 2, sine, cosine, 4, 5, 6, 7, 8, 9}, {0.5}));
+  BatchReader reader(of_all());
+  const Sample meant{20'000, 1, 2, std::atan2(sine, cosine), 4, 5, 6, 7, {0.5}, "", {8, 9}, 1};
+  EXPECT_EQ(told(reader, writer.take().bytes), std::vector{line_of(meant)});
+  const std::vector<double> endless(BatchMemory::kRoom_bytes / sizeof(double));
+  EXPECT_FALSE(writer.add_sample(1, 20'000, {}, endless));
+}
+
+TEST(Batches, GoOnInAnotherMemory) {
+  BatchMemory one, other;
+  BatchWriter writer(&one);
+  const std::vector<std::string> meant = add_all(writer);
+  writer.go_on_in(other);
+  EXPECT_EQ(add_all(writer), meant);
+  for (BatchMemory* memory : {&one, &other}) {
+    BatchReader reader(of_all());
+    EXPECT_EQ(told(reader, BatchWriter(memory).take().bytes), meant) << "each can be read by itself";
+  }
+}
+
 TEST(Batches, TellWhatIsAskedForAndNothingElse) {
   BatchWriter writer;
   RunRequest request;
