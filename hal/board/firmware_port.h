@@ -18,6 +18,11 @@ class FirmwarePort {
   virtual bool read_along(Pin pin, SimTime t) = 0;
   /// Volts on `pin` at the moment the ADC samples it. Unconnected: as read_level, at 0 V or the supply.
   virtual double read_volts(Pin pin, SimTime t) = 0;
+  /// The same for the capacitor of an AVR's ADC, with `before` volts on it, which the pin has charged since
+  /// `from`: adc_capacitor.h.
+  virtual double convert(Pin pin, double /*before*/, SimTime /*from*/, SimTime t) {
+    return read_volts(pin, t);
+  }
   /// What is left of the board's supply, as a share of spec().supply_volts. Volts on pins are told as if it
   /// had not sunk: as many times more as a reference that is the supply has become less.
   virtual double supply_share() { return 1.0; }

@@ -16,6 +16,8 @@ class PinSource {
   /// Until when, exclusive, level() surely is what it is at `t`, however often it is asked, as long as the
   /// pin's drive and the world stay as they are; `t` = it makes no promise.
   virtual SimTime same_until(SimTime t) { return t; }
+  /// Its resistance, as the capacitor of an ADC finds it; 0 = so little that it does not count. Constant.
+  virtual double source_ohms() const { return 0.0; }
 
  protected:
   ~PinSource() = default;
@@ -47,6 +49,16 @@ class EepromWatcher {
 
  protected:
   ~EepromWatcher() = default;
+};
+
+/// Told of every conversion of a pin by an AVR's ADC.
+class AdcWatcher {
+ public:
+  /// The capacitor of the converter was still `volts` away from what the pin has: more than 0 = above.
+  virtual void converted(Pin pin, double volts, SimTime t) = 0;
+
+ protected:
+  ~AdcWatcher() = default;
 };
 
 /// Told of what comes into the microcontroller: what its firmware finds when it looks at a pin, edges that
@@ -92,6 +104,8 @@ class RobotPort {
   virtual void watch_serial(SerialWatcher& watcher) = 0;
   /// Several watchers are told in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
+  /// One watcher; it hears of nothing on boards whose ADC has no such capacitor here.
+  virtual void watch_adc(AdcWatcher& /*watcher*/) {}
   /// One watcher at a time; hearing changes nothing.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
   /// `pin` will have `level` from `at` on, a time within the tick that is about to run: this is what

@@ -22,8 +22,16 @@ SimTime Adc::next_start() const {
 
 uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
 
-uint16_t Adc::sample() const {
-  return avr::adc_sample(*board, kChip.adc, multiplexer_, state.now,
+void Adc::charge() { charges_since_ = state.now; }
+
+void Adc::set_multiplexer(uint8_t value) {
+  const int before = avr::adc_selection(kChip.adc, multiplexer_, 0);
+  if (avr::adc_selection(kChip.adc, value, 0) != before) charge();
+  multiplexer_ = value;
+}
+
+uint16_t Adc::sample(SimTime late) {
+  return avr::adc_sample(*board, kChip.adc, multiplexer_, held_, charges_since_, state.now, late,
                          [](Pin pin) { return places[pin].wired; });
 }
 
@@ -39,14 +47,14 @@ uint8_t Adc::control() const {
 
 void Adc::start() {
   converting_ = true;
-  result_ = sample();
+  result_ = sample(next_start() + avr::adc_half_clocks_to_sample(false) * clock() / 2 - state.now);
   ready_ = next_start() + avr::adc_clocks(false) * clock();
 }
 
 void Adc::set_control(uint8_t value) {
   sync();
   const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears it
-  if (value & kEnable && !(control_ & kEnable)) clock_began_ = state.now;
+  if (value & kEnable && !(control_ & kEnable)) clock_began_ = charges_since_ = state.now;
   control_ = static_cast<uint8_t>((value & ~(kFlag | kStart)) | flag);
   if (!(value & kEnable)) {
     converting_ = false;
@@ -64,6 +72,7 @@ uint16_t Adc::end_with(uint16_t code) {
 void Adc::sync() {
   if (!converting_ || state.now < ready_) return;
   converting_ = false;
+  charges_since_ = ready_;
   if (!locked_) code_ = result_;
   control_ |= kFlag;
   if (control_ & kAuto && (control_b_ & 7) == 0) start();

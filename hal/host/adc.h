@@ -11,7 +11,7 @@ namespace host {
 class Adc {
  public:
   uint8_t multiplexer() const { return multiplexer_; }
-  void set_multiplexer(uint8_t value) { multiplexer_ = value; }
+  void set_multiplexer(uint8_t value);
   uint8_t control() const;
   void set_control(uint8_t value);
   uint8_t control_b() const { return control_b_; }
@@ -19,8 +19,11 @@ class Adc {
   /// The result as the register ADC holds it: left-adjusted if ADLAR says so.
   uint16_t data() const;
 
-  /// Samples the selected channel now: for analogRead, which does its own waiting.
-  uint16_t sample() const;
+  /// Samples the selected channel, `late` after now: for analogRead, which does its own waiting, 0.
+  uint16_t sample(SimTime late);
+  /// The converter's capacitor is led to what is selected from now on: another channel, or the same after a
+  /// conversion.
+  void charge();
   /// The code of a voltage at the selected reference.
   uint16_t code_of(double volts) const;
   /// One ADC clock.
@@ -48,7 +51,9 @@ class Adc {
   bool converting_ = false, locked_ = false;
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
-  SimTime clock_began_ = 0;  ///< the ADC clock runs from when the ADC was enabled
+  double held_ = 0.0;          ///< V, on its capacitor
+  SimTime charges_since_ = 0;  ///< from what is selected
+  SimTime clock_began_ = 0;    ///< the ADC clock runs from when the ADC was enabled
 };
 
 extern Adc adc;

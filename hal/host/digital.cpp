@@ -116,16 +116,20 @@ int analogRead(uint8_t pin) {
   if (pin >= PIN_A0) pin -= PIN_A0;
   const int channel = pin & kLastChannel;
   host::note_call("analogRead", static_cast<robosim::Pin>(elsewhere ? number : PIN_A0 + channel), 1, pin);
+  const uint8_t before = host::adc.multiplexer();
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
+  // The core sets ADMUX last.
+  if (host::adc.multiplexer() != before) host::adc.charge();
   if (!host::adc.on()) return 0;
   const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
   host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(false) * clock / 2);
   const uint16_t code =
       elsewhere ? host::adc.code_of(host::board->read_volts(host::places[number].wired, host::state.now))
-                : host::adc.sample();
+                : host::adc.sample(0);
   host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
+  host::adc.charge();
   return robosim_hal::with_bits(host::adc.end_with(code), kAdcBits, robosim_hal::read_bits);
 }
 

@@ -87,7 +87,7 @@ void Adc::write_control(Address address, std::uint8_t value) {
     abort();
   } else {
     if (!(before & kAden)) {
-      state_.origin = core_.now();
+      state_.origin = state_.charges_since = core_.now();
       state_.first = true;
     }
     if (value & kAdsc && !state_.converting) start(edge_after(core_.now()));
@@ -108,6 +108,7 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
   const int before = trigger();
   const bool was_set =
       before == Triggers::kNone ? (core_.at(at_.adc_control) & kAdif) != 0 : core_.triggers.await(before);
+  selects_another(core_.at(at_.adc_multiplexer), value & core_.chip.adc.control_b_bits);
   core_.at(address) = value & core_.chip.adc.control_b_bits;
   if (state_.converting && core_.now() < state_.start) select();
   const int now = trigger();
@@ -117,9 +118,16 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
 
 void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (!state_.runs) return;
+  selects_another(value, core_.at(at_.adc_control_b));
   core_.at(address) =
       value & (kReferenceAndAdjust | core_.chip.adc.reference_bit | core_.chip.adc.multiplexer_bits);
   if (state_.converting && core_.now() < state_.start) select();
+}
+
+// The capacitor is led to another input, at once or when the conversion is over.
+void Adc::selects_another(std::uint8_t multiplexer, std::uint8_t control_b) {
+  const auto now = adc_selection(core_.chip.adc, core_.at(at_.adc_multiplexer), core_.at(at_.adc_control_b));
+  if (adc_selection(core_.chip.adc, multiplexer, control_b) != now) state_.charges_since = core_.now();
 }
 
 void Adc::select() {
@@ -144,13 +152,17 @@ void Adc::start(Cycle edge) {
 }
 
 void Adc::sample(Cycle at) {
-  state_.sampled = adc_sample(core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
-                              core_.outside.supply_share(),
-                              [&](int channel) { return pins_.volts(pins_.analog(channel), at); });
+  state_.sampled = adc_sample(
+      core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts, core_.outside.supply_share(),
+      [&](int channel) {
+        return pins_.convert(pins_.analog(channel), state_.held, state_.charges_since, at);
+      },
+      state_.held);
 }
 
 void Adc::end(Cycle at) {
   state_.converting = false;
+  state_.charges_since = at;
   if (!state_.locked) state_.result = state_.sampled;
   std::uint8_t& control = core_.at(at_.adc_control);
   control |= kAdif;

@@ -35,6 +35,8 @@ class Adc final : public Peripheral {
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
     std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, as the conversion has them
+    double held = 0.0;                            ///< V, on the converter's capacitor after its last sample
+    Cycle charges_since = 0;                      ///< from what is selected now
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;
@@ -49,6 +51,7 @@ class Adc final : public Peripheral {
   void write_control_b(Address address, std::uint8_t value);
   void write_multiplexer(Address address, std::uint8_t value);
   void select();
+  void selects_another(std::uint8_t multiplexer, std::uint8_t control_b);
   void triggered(Cycle at);
   void start(Cycle edge);
   void sample(Cycle at);

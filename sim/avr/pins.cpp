@@ -90,10 +90,16 @@ bool Pins::level(int pin) {
 }
 
 double Pins::volts(int pin, Cycle at) {
-  if (pin < 0) return 0.0;
+  return pin < 0 ? 0.0 : core_.outside.volts(pin, is_high_by_itself(pin), at);
+}
+
+double Pins::convert(int pin, double before, Cycle from, Cycle at) {
+  return pin < 0 ? 0.0 : core_.outside.convert(pin, is_high_by_itself(pin), before, from, at);
+}
+
+bool Pins::is_high_by_itself(int pin) const {
   const bool in_port = core_.chip.pins[pin].port >= 0;
-  const bool high = in_port && (is_output(pin) ? output_level(pin) : is_pulled_up(pin));
-  return core_.outside.volts(pin, high, at);
+  return in_port && (is_output(pin) ? output_level(pin) : is_pulled_up(pin));
 }
 
 bool Pins::is_pulled_up(int pin) const {

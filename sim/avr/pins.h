@@ -77,6 +77,8 @@ class Pins final : public Peripheral {
   bool level(int pin);
   /// Volts at a pin, whoever drives it; -1 = no pin, 0 V.
   double volts(int pin, Cycle at);
+  /// Surroundings::convert().
+  double convert(int pin, double before, Cycle from, Cycle at);
   /// From outside: the level of a pin that somebody listens to has changed.
   void edge(int pin, bool level, Cycle at);
 
@@ -133,6 +135,7 @@ class Pins final : public Peripheral {
   bool is_heard(int pin) const;
   bool is_output(int pin) const;
   bool is_pulled_up(int pin) const;
+  bool is_high_by_itself(int pin) const;
   bool is_wave(int pin) const;
   bool output_level(int pin) const;
   void tell_drive(int pin);

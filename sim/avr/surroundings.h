@@ -24,6 +24,11 @@ class Surroundings {
   /// Volts at a pin, when the converter samples it or the comparator looks. `high`: what the chip itself
   /// gives it, by its output or its pull-up.
   virtual double volts(int pin, bool high, Cycle at) = 0;
+  /// The same for the capacitor of the converter, with `before` volts on it, which the pin has charged since
+  /// `from`: FirmwarePort::convert().
+  virtual double convert(int pin, bool high, double /*before*/, Cycle /*from*/, Cycle at) {
+    return volts(pin, high, at);
+  }
   /// FirmwarePort::supply_share().
   virtual double supply_share() { return 1.0; }
   /// The chip drives a pin in another way than before.

@@ -28,6 +28,7 @@ class AnalogInputs::Input final : public PinSource {
   }
   bool level(SimTime t) override { return source_.level(t); }
   SimTime same_until(SimTime t) override { return source_.same_until(t); }
+  double source_ohms() const override { return source_.source_ohms(); }
 
  private:
   struct State {

@@ -58,6 +58,8 @@ class PartReader {
                               double most, std::size_t count);
   /// The same of voltages.
   std::vector<Number> volts_of_each(const char* key, Number fallback, std::size_t count);
+  /// Of what gives an ADC something to convert: PinSource::source_ohms().
+  Number source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }
   Vec2 point(const char* key, Vec2 fallback);
   /// rad; the bounds are inclusive.
   double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,

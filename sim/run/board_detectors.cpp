@@ -6,10 +6,13 @@ namespace robosim::run {
 
 BoardDetectors::BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring)
     : executor_(executor),
-      state_{.outputs = {executor.board().spec(), wiring}, .pwm = judge::LostPwm(executor.board().spec())} {
+      state_{.outputs = {executor.board().spec(), wiring},
+             .pwm = judge::LostPwm(executor.board().spec()),
+             .sources = judge::SlowSource(executor.board().spec())} {
   RobotPort& board = executor.board();
   for (Pin pin = 0; pin < board.spec().pin_count; ++pin) board.watch(pin, *this);
   board.watch_eeprom(*this);
+  board.watch_adc(*this);
 }
 
 void BoardDetectors::booted(std::uint64_t times) {
@@ -30,9 +33,14 @@ void BoardDetectors::eeprom_written(std::uint16_t address, std::uint8_t before, 
   state_.records.written(address, before, value, t, executor_);
 }
 
+void BoardDetectors::converted(Pin pin, double volts, SimTime t) {
+  state_.sources.converted(pin, volts, t, executor_);
+}
+
 std::vector<exec::Detected> BoardDetectors::found(SimTime now) const {
   std::vector<exec::Detected> all = state_.outputs.found(now);
-  for (auto&& some : {state_.pwm.found(), state_.wear.found(), state_.records.found()})
+  for (auto&& some :
+       {state_.pwm.found(), state_.sources.found(), state_.wear.found(), state_.records.found()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

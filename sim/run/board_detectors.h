@@ -7,11 +7,12 @@
 #include "sim/judge/eeprom_wear.h"
 #include "sim/judge/forgotten_output.h"
 #include "sim/judge/lost_pwm.h"
+#include "sim/judge/slow_source.h"
 #include "sim/judge/torn_record.h"
 
 namespace robosim::run {
 
-class BoardDetectors final : PinWatcher, EepromWatcher {
+class BoardDetectors final : PinWatcher, EepromWatcher, AdcWatcher {
  public:
   /// `executor` outlives this, which outlives its use.
   BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring);
@@ -30,6 +31,7 @@ class BoardDetectors final : PinWatcher, EepromWatcher {
     judge::TornRecord records;
     judge::ForgottenOutput outputs;
     judge::LostPwm pwm;
+    judge::SlowSource sources;
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
@@ -37,6 +39,8 @@ class BoardDetectors final : PinWatcher, EepromWatcher {
  private:
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override;
+
+  void converted(Pin pin, double volts, SimTime t) override;
 
   exec::Executor& executor_;
   State state_;

@@ -75,6 +75,12 @@ double Outside::volts(int pin, bool high, Cycle at) {
   return board_.read_volts(number, state_.link.time_of(at));
 }
 
+double Outside::convert(int pin, bool high, double before, Cycle from, Cycle at) {
+  const Pin number = pins_[static_cast<std::size_t>(pin)];
+  if (number == kNoPin) return volts(pin, high, at);
+  return board_.convert(number, before, state_.link.time_of(from), state_.link.time_of(at));
+}
+
 void Outside::driven(int pin, const PinDrive& drive, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
   if (number == kNoPin) return;

@@ -45,6 +45,7 @@ class Outside : public robosim::avr::Surroundings {
   bool level_along(int pin, bool pull_up, Cycle at) override;
   Cycle level_until(int pin, Cycle at) override;
   double volts(int pin, bool high, Cycle at) override;
+  double convert(int pin, bool high, double before, Cycle from, Cycle at) override;
   double supply_share() override { return board_.supply_share(); }
   void driven(int pin, const PinDrive& drive, Cycle at) override;
   bool wants_edges(int pin, bool wanted, Cycle at) override;

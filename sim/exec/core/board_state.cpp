@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hal/board/adc_capacitor.h"
+
 namespace robosim::exec {
 
 BoardState::BoardState(const BoardSpec& spec) : spec_(spec), wires_(spec.pin_count) {
@@ -68,6 +70,16 @@ double BoardState::read_volts(Pin pin, SimTime t) {
   return volts;
 }
 
+double BoardState::convert(Pin pin, double before, SimTime from, SimTime t) {
+  const double volts = read_volts(pin, t);
+  if (pin >= spec_.pin_count) return volts;
+  const double ohms = drive(pin).mode == PinMode::output ? 0.0 : wires_[pin].ohms;
+  const double held =
+      ohms > 0.0 ? adc_charged(before, volts, ohms, 1e-9 * static_cast<double>(t - from)) : volts;
+  if (adc_watcher_) adc_watcher_->converted(pin, held - volts, t);
+  return held;
+}
+
 void BoardState::send_byte(std::uint8_t byte, SimTime t) {
   for (SerialWatcher* watcher : serial_watchers_) watcher->byte_sent(byte, t);
 }
@@ -104,7 +116,9 @@ void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime
 }
 
 void BoardState::connect(Pin pin, PinSource& source) {
-  if (pin < spec_.pin_count) wires_[pin].source = &source;
+  if (pin >= spec_.pin_count) return;
+  wires_[pin].source = &source;
+  wires_[pin].ohms = source.source_ohms();
 }
 
 void BoardState::watch(Pin pin, PinWatcher& watcher) {

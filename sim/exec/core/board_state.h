@@ -33,6 +33,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool read_level(Pin pin, SimTime t) override;
   bool read_along(Pin pin, SimTime t) override;
   double read_volts(Pin pin, SimTime t) override;
+  double convert(Pin pin, double before, SimTime from, SimTime t) override;
   double supply_share() override { return supply_share_ ? *supply_share_ : 1.0; }
   void send_byte(std::uint8_t byte, SimTime t) override;
   bool two_wire_address(std::uint8_t address, SimTime t) override;
@@ -54,6 +55,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
   bool wants_any_edges() const override { return state_.wanted_pins > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
+  void watch_adc(AdcWatcher& watcher) override { adc_watcher_ = &watcher; }
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
   // --- BoardProbe
@@ -114,6 +116,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// What is connected to a pin.
   struct Wire {
     PinSource* source = nullptr;
+    double ohms = 0.0;  ///< of the source
     std::vector<PinWatcher*> watchers;
   };
 
@@ -130,6 +133,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
+  AdcWatcher* adc_watcher_ = nullptr;
   std::vector<EepromWatcher*> eeprom_watchers_;
   std::vector<Wire> wires_;  ///< by pin
   std::vector<TwoWireDevice*> two_wire_;

@@ -57,6 +57,9 @@ class ClockedBoard final : public FirmwarePort {
   bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
   bool read_along(Pin pin, SimTime t) override { return board_.read_along(pin, at(t)); }
   double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
+  double convert(Pin pin, double before, SimTime from, SimTime t) override {
+    return board_.convert(pin, before, at(from), at(t));
+  }
   double supply_share() override { return board_.supply_share(); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
   bool two_wire_address(std::uint8_t address, SimTime t) override {

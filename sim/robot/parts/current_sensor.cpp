@@ -17,6 +17,7 @@ std::shared_ptr<const PartSpec> read_current_sensor(PartReader& reader) {
   spec->pin = reader.pin("pin", PinUse::analog);
   spec->per_amp = reader.figure("per_amp", Dimension::voltage, {0.185, 0.0}, 0.001, 1.0);
   spec->noise = reader.figure("noise", Dimension::voltage, {0.004, 0.0}, 0.0, 1.0);
+  spec->source_ohms = reader.source_ohms();
   return reader.finish(spec);
 }
 
@@ -30,7 +31,8 @@ CurrentSensorPart::CurrentSensorPart(const CurrentSensorSpec& spec, PartContext&
       stream_(context.individual.noise(spec.name, "reading")),
       per_amp_(context.individual.draw(spec.per_amp, spec.name, "per_amp")),
       noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
-      supply_(context.description.board->supply_volts) {
+      supply_(context.description.board->supply_volts),
+      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")) {
   context.kept.add(state_);
 }
 

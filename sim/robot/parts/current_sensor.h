@@ -20,6 +20,7 @@ class CurrentSensorSpec final : public PartSpec {
   Pin pin = kNoPin;
   Number per_amp;  ///< V
   Number noise;    ///< V, standard deviation
+  Number source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "A"}}; }
@@ -35,6 +36,7 @@ class CurrentSensorPart final : public Part, public PinSource, public Breakable 
 
   double volts(SimTime) override;
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+  double source_ohms() const override { return source_ohms_; }
 
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;
@@ -51,7 +53,7 @@ class CurrentSensorPart final : public Part, public PinSource, public Breakable 
   const CurrentSensorSpec& spec_;
   PartContext& context_;
   const NoiseStream stream_;
-  const double per_amp_, noise_, supply_;
+  const double per_amp_, noise_, supply_, source_ohms_;
   State state_;
 };
 

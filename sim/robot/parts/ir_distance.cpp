@@ -50,6 +50,7 @@ std::shared_ptr<const PartSpec> read_ir_distance(PartReader& reader) {
   spec->pin = reader.pin("pin", PinUse::analog);
   spec->mount = read_mount(reader);
   spec->noise = reader.figure("noise", Dimension::voltage, {0.01, 0.0}, 0.0, 1.0);
+  spec->source_ohms = reader.source_ohms();
   return reader.finish(spec);
 }
 
@@ -64,6 +65,7 @@ IrDistancePart::IrDistancePart(const IrDistanceSpec& spec, PartContext& context)
       stream_(context.individual.noise(spec.name, "reading")),
       noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
       supply_(context.description.board->supply_volts),
+      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")),
       state_{.measures_until = kMeasurement} {
   context.kept.add(state_);
 }

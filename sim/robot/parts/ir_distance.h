@@ -26,6 +26,7 @@ class IrDistanceSpec final : public PartSpec {
   Pin pin = kNoPin;
   MountSpec mount;
   Number noise;  ///< V, standard deviation of a reading
+  Number source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "V"}}; }
@@ -43,6 +44,7 @@ class IrDistancePart final : public Part, public PinSource, public Breakable {
 
   double volts(SimTime) override;
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+  double source_ohms() const override { return source_ohms_; }
 
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;
@@ -60,7 +62,7 @@ class IrDistancePart final : public Part, public PinSource, public Breakable {
   PartContext& context_;
   Mount mount_;
   const NoiseStream stream_;
-  const double noise_, supply_;
+  const double noise_, supply_, source_ohms_;
   State state_;
 };
 

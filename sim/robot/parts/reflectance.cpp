@@ -55,7 +55,10 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.emitter = reader.optional_pin("emitter", PinUse::driven);
   if (spec.read == Read::rc) return;
   spec.black_high = reader.high("black", true);
-  if (spec.read == Read::analog) return;
+  if (spec.read == Read::analog) {
+    spec.source_ohms = reader.source_ohms();
+    return;
+  }
   spec.threshold = reader.figure("threshold", Dimension::ratio, {0.5, 0.0}, 0.02, 0.98);
   spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
 }
@@ -323,7 +326,8 @@ AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::E
       white_(context.individual.draw(element.white, name(), "white_volts")),
       span_(context.individual.draw(element.black, name(), "black_volts") - white_),
       supply_(context.description.board->supply_volts),
-      step_volts_(supply_ / context.description.board->adc_steps) {}
+      step_volts_(supply_ / context.description.board->adc_steps),
+      source_ohms_(context.individual.draw(spec.source_ohms, name(), "source_ohms")) {}
 
 void AnalogSensor::join(PartContext& context, Pin pin) {
   context.connect_analog(pin, *this, Scale::share_of_supply);

@@ -50,13 +50,14 @@ class ReflectanceSpec final : public PartSpec {
 
   Read read = Read::analog;
   bool black_high = true;
-  Number threshold;   ///< digital: of blackness
-  Number hysteresis;  ///< digital: of blackness, full width
-  Number noise;       ///< standard deviation of blackness
-  Number ambient;     ///< of blackness
-  Number height;      ///< m
-  Number footprint;   ///< m; 0 = by height: reflectance.cpp, and docs/models.md
-  Number rise;        ///< s, from 10 to 90 % of a step of light
+  Number threshold;    ///< digital: of blackness
+  Number hysteresis;   ///< digital: of blackness, full width
+  Number noise;        ///< standard deviation of blackness
+  Number ambient;      ///< of blackness
+  Number height;       ///< m
+  Number footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/models.md
+  Number source_ohms;  ///< analog
+  Number rise;         ///< s, from 10 to 90 % of a step of light
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 
@@ -247,11 +248,12 @@ class AnalogSensor final : public Sensor, public PinSource {
     return v < 0.0 ? 0.0 : v > supply_ ? supply_ : v;
   }
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+  double source_ohms() const override { return source_ohms_; }
 
  private:
   double stuck_blackness() const override { return ((stuck_at() + 0.5) * step_volts_ - white_) / span_; }
 
-  const double white_, span_, supply_, step_volts_;
+  const double white_, span_, supply_, step_volts_, source_ohms_;
 };
 
 /// Reads with `read = "digital"`.

@@ -13,6 +13,7 @@ std::shared_ptr<const PartSpec> read_voltage(PartReader& reader) {
   const ConfigValue& table = reader.table().table();
   if ((table.find("volts") != nullptr) == (table.find("share") != nullptr))
     throw InputError(table.place, reader.name() + " needs either volts, or share (of the battery's voltage)");
+  spec->source_ohms = reader.source_ohms();
   return reader.finish(spec);
 }
 
@@ -28,7 +29,8 @@ VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
       volts_(context.individual.draw(spec.volts, spec.name, "volts")),
       battery_volts_(context.individual.draw(spec.share, spec.name, "share") *
                      context.individual.draw(context.description.motors.supply, "motors", "supply")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")) {
+      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
+      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")) {
   context.kept.add(state_);
 }
 

@@ -18,6 +18,7 @@ class VoltageSpec final : public PartSpec {
   Number volts;  ///< V; not used if share is not 0
   Number share;  ///< of the battery's voltage
   Number noise;  ///< V, standard deviation
+  Number source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -29,6 +30,7 @@ class VoltagePart final : public Part, public PinSource {
   void join(Roster&) override;
   double volts(SimTime) override;
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
+  double source_ohms() const override { return source_ohms_; }
 
  private:
   struct State {
@@ -38,7 +40,7 @@ class VoltagePart final : public Part, public PinSource {
   const VoltageSpec& spec_;
   PartContext& context_;
   const NoiseStream stream_;
-  const double supply_, volts_, battery_volts_, noise_;
+  const double supply_, volts_, battery_volts_, noise_, source_ohms_;
   State state_;
 };
 

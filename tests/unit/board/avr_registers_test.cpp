@@ -188,7 +188,8 @@ class Volts final : public FirmwarePort {
 };
 
 uint16_t sampled(Volts& board, uint8_t multiplexer) {
-  return adc_sample(board, kAdc, multiplexer, 0, [](Pin pin) { return pin; });
+  double held = 0.0;
+  return adc_sample(board, kAdc, multiplexer, held, 0, 0, 0, [](Pin pin) { return pin; });
 }
 
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {

@@ -97,7 +97,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
 /// A source of a constant voltage; high from 2.5 V.
 class FixedSource : public PinSource {
  public:
-  explicit FixedSource(double volts) : volts_(volts) {}
+  explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
   double volts(SimTime t) override {
     asked_at = t;
     return volts_;
@@ -106,12 +106,13 @@ class FixedSource : public PinSource {
     asked_at = t;
     return volts_ >= 2.5;
   }
+  double source_ohms() const override { return ohms_; }
   void set(double volts) { volts_ = volts; }
 
   SimTime asked_at = -1;
 
  private:
-  double volts_;
+  double volts_, ohms_;
 };
 
 /// High during [begin, end).

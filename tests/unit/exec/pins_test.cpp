@@ -220,5 +220,32 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(894, 223, 9, 343, 826, 16807, -4, 2095673201, 0));
 }
 
+// 4 V, then a pin with 1 V: 24 to 43 % of the 3 V between them are left of a source of 1 MOhm, and again of
+// that; of one of 10 kOhm nothing is.
+TEST_F(PinsTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
+  start(R"(void setup() {
+  Serial.begin(115200);
+  analogRead(A0);
+  const int first = analogRead(A1), second = analogRead(A1);
+  Serial.println(first);
+  Serial.println(second);
+  analogRead(A0);
+  Serial.println(analogRead(A2));
+}
+void loop() {})");
+  FixedSource high(4.0), weak(1.0, 1e6), strong(1.0, 10e3);
+  board().connect(14, high);
+  board().connect(15, weak);
+  board().connect(16, strong);
+  run(20 * kMillisecond);
+  const auto found = numbers();
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_GT(found[0], 204 + 0.20 * 614);
+  EXPECT_LT(found[0], 204 + 0.45 * 614);
+  EXPECT_LT(found[1], found[0] - 60);
+  EXPECT_GT(found[1], 204);
+  EXPECT_EQ(found[2], 204);
+}
+
 }  // namespace
 }  // namespace robosim::exec

@@ -109,7 +109,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 /// A source of a constant voltage; high from 2.5 V. Counts how often it is asked.
 class FixedSource : public PinSource {
  public:
-  explicit FixedSource(double volts) : volts_(volts) {}
+  explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
   double volts(SimTime t) override {
     asked_at.push_back(t);
     return volts_;
@@ -118,12 +118,13 @@ class FixedSource : public PinSource {
     asked_at.push_back(t);
     return volts_ >= 2.5;
   }
+  double source_ohms() const override { return ohms_; }
   void set(double volts) { volts_ = volts; }
 
   std::vector<SimTime> asked_at;
 
  private:
-  double volts_;
+  double volts_, ohms_;
 };
 
 /// High during [begin, end).

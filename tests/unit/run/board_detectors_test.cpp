@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "sim/judge/lost_pwm.h"
+#include "sim/judge/slow_source.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
@@ -100,6 +101,24 @@ TEST(BoardDetectors, TellOfAnalogWriteOnAPinWithoutPwmByTheCallThatChangesIt) {
   EXPECT_THAT(pins_of("analogWrite(7, 255)", 7), IsEmpty());
   EXPECT_THAT(pins_of("digitalWrite(7, 1)", 7), IsEmpty());
   EXPECT_THAT(pins_of("analogWrite(5, 150)", 5), IsEmpty()) << "which has PWM";
+}
+
+TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConverter) {
+  Blinker sketch(Blinker::Led::high_first);
+  const auto found_in = [&](const std::vector<std::pair<Pin, double>>& round) {
+    judge::SlowSource detector(sketch.board().spec());
+    SimTime t = 0;
+    for (int i = 0; i < 4; ++i)
+      for (const auto& [pin, volts] : round) detector.converted(pin, volts, t += kMillisecond, sketch);
+    return detector.found();
+  };
+  const auto found = found_in({{14, 0.0}, {15, 0.3}});
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_THAT(found[0].what, HasSubstr("A1 was read up to 0.30 V too high"));
+  EXPECT_EQ(found[0].where.file, "A.ino");
+  EXPECT_EQ(found[0].times, 3) << "of the last nobody knows yet";
+  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.3}, {15, 0.1}, {15, 0.03}}), IsEmpty()) << "read again";
+  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.03}}), IsEmpty()) << "less than 8 steps";
 }
 
 TEST(BoardDetectors, CountTheWritesOfEachPowerCycle) {

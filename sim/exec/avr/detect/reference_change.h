@@ -15,8 +15,8 @@
 // by a reading that is thrown away, after a few milliseconds; or by one reference for all.
 //
 // What it cannot see: sketches that do not use analogRead(); whether a pause stands before the reading (a
-// long one helps); readings behind a change of the channel, which need a source of less than 10 kOhm
-// (24.6.1).
+// long one helps); readings behind a change of the channel
+// (sim/judge/slow_source.h).
 #pragma once
 
 #include <cstdint>
