@@ -85,7 +85,7 @@ const Target kHost = {
                  .definitions = {"-DROBOSIM_COVERAGE"},
                  .link = {"-lgcov"}},
     // Functions and lines, for a crash inside it; of the sketch all that a debugger shows.
-    .core = {"-g1"},
+    .core = {"-g1", "-gno-column-info", "-gno-statement-frontiers"},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
