@@ -2,6 +2,7 @@
 
 #include "hal/board/avr_adc_sample.h"
 #include "hal/host/clock.h"
+#include "hal/host/other_registers.h"
 #include "hal/host/ports.h"
 
 namespace robosim {
@@ -51,11 +52,21 @@ void Adc::start() {
   ready_ = next_start() + avr::adc_clocks(false) * clock();
 }
 
+void Adc::set_control_b(uint8_t value) {
+  control_b_ = value;
+  look_for_trigger();
+}
+
+void Adc::look_for_trigger() const {
+  if (control_ & kAuto && control_b_ & 7) note_lack("conversions started by ADTS");
+}
+
 void Adc::set_control(uint8_t value) {
   sync();
   const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears it
   if (value & kEnable && !(control_ & kEnable)) clock_began_ = charges_since_ = state.now;
   control_ = static_cast<uint8_t>((value & ~(kFlag | kStart)) | flag);
+  look_for_trigger();
   if (!(value & kEnable)) {
     converting_ = false;
   } else if (value & kStart && !converting_) {

@@ -15,7 +15,7 @@ class Adc {
   uint8_t control() const;
   void set_control(uint8_t value);
   uint8_t control_b() const { return control_b_; }
-  void set_control_b(uint8_t value) { control_b_ = value; }
+  void set_control_b(uint8_t value);
   /// The result as the register ADC holds it: left-adjusted if ADLAR says so.
   uint16_t data() const;
 
@@ -46,6 +46,7 @@ class Adc {
 
  private:
   void start();
+  void look_for_trigger() const;
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
   bool converting_ = false, locked_ = false;

@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 13;
+constexpr uint32_t kImageVersion = 14;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -84,6 +84,9 @@ class Host {
                          const void* where) = 0;
   /// Firmware is about to divide by zero, and goes on as on the chip. `data` as above.
   virtual void divides_by_zero(const void* data, const void* where) = 0;
+  /// Firmware uses something of the chip that the image lacks; what it does then is not what the chip does.
+  /// `what` is a literal, as a sketch names it: "CLKPR".
+  virtual void lacks(const char* what, const void* where) = 0;
   /// Of an image with address checks: `count` records of gcc's AddressSanitizer on global variables.
   virtual void globals(const GlobalRecord* records, size_t count) = 0;
   /// Of such an image: an access to memory that is not the sketch's to access; does not return.

@@ -5,6 +5,7 @@
 #include "hal/host/comparator.h"
 #include "hal/host/eeprom.h"
 #include "hal/host/ports.h"
+#include "hal/host/timers.h"
 
 namespace robosim {
 namespace host {
@@ -12,9 +13,53 @@ namespace {
 
 using namespace avr::reg;
 
+constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
+
 uint8_t plain[256];
 
+/// Bits that do something on the chip where they are set, and nothing here.
+struct Lack {
+  Address address;
+  uint8_t bits;
+  bool by_reading;  ///< what is read there is another value, too
+  const char* name;
+};
+constexpr Lack kLacks[] = {
+    {kGtccr, 0x80, false, "TSM in GTCCR"},
+    {kMcucr, 0x10, false, "PUD in MCUCR"},
+    {kSpmcsr, 0xFF, true, "SPMCSR"},
+    {kSpL, 0xFF, true, "SP"},
+    {kSpH, 0xFF, true, "SP"},
+    {kClkpr, 0x0F, false, "CLKPR"},
+    {kOsccal, 0xFF, true, "OSCCAL"},
+    {kTccr1c, 0xC0, false, "FOC1A, FOC1B"},
+    {kAssr, 0x7F, false, "ASSR"},
+    {kTwamr, 0xFE, false, "TWAMR"},
+};
+
+const Lack* lack_at(uint8_t address) {
+  for (const Lack& lack : kLacks)
+    if (lack.address == address) return &lack;
+  return nullptr;
+}
+
+/// Whether it does more than run as init() has left it.
+bool is_in_use(const Timer& timer, uint8_t divisor_of_init) {
+  const bool is_left = timer.control_a() == 1 && timer.control_b() == divisor_of_init;
+  return timer.enabled() || (timer.control_b() & 7 && !is_left);
+}
+
+/// Of the bits of PRR, those that stop what goes on by itself. Converter, serial lines and two-wire interface
+/// wait for the sketch; what it asks of them while they are off is its own fault.
+uint8_t stopped_by(uint8_t reduction) {
+  const int in_use = (is_in_use(timer1, 3) ? 0x08 : 0) | (is_in_use(timer0, 3) ? 0x20 : 0) |
+                     (is_in_use(timer2, 4) ? 0x40 : 0);
+  return static_cast<uint8_t>(reduction & in_use);
+}
+
 }  // namespace
+
+void note_lack(const char* what) { executor->lacks(what, state.place); }
 
 uint8_t sleep_control() { return plain[kSmcr]; }
 
@@ -31,6 +76,8 @@ uint8_t read_other(uint8_t address) {
     case kChip.comparator.address:
       return comparator.control();
   }
+  const Lack* const lack = lack_at(address);
+  if (lack && lack->by_reading) note_lack(lack->name);
   return plain[address];
 }
 
@@ -47,6 +94,9 @@ void write_other(uint8_t address, uint8_t value) {
     case kChip.comparator.address:
       return comparator.set_control(value);
   }
+  const Lack* const lack = lack_at(address);
+  if (lack && value & lack->bits) note_lack(lack->name);
+  if (address == kPrr && stopped_by(value)) note_lack("PRR");
   plain[address] = value;
   if (address == kDidr0 || address == kDidr1)
     inputs_off = static_cast<uint16_t>(plain[kDidr0] | plain[kDidr1] << 8);

@@ -88,6 +88,7 @@ void write_timer8(uint8_t address, uint8_t value) {
     case reg::kTccr0a:
       return timer.set_control_a(value);
     case reg::kTccr0b:
+      if (value & kForce) note_lack(address < reg::kTccr2a ? "FOC0A, FOC0B" : "FOC2A, FOC2B");
       return timer.set_control_b(value & ~kForce);
     case reg::kTcnt0:
       return timer.set_count(value);
@@ -215,6 +216,8 @@ uint8_t read(uint8_t address) {
   }
 }
 
+constexpr uint8_t kNotAsynchronous = 0xC0;  // UMSEL0
+
 void write(uint8_t address, uint8_t value) {
   if (address >= reg::kPinB && address <= reg::kLastPort) {
     const auto port = static_cast<Port>((address - reg::kPinB) / 3);
@@ -275,9 +278,10 @@ void write(uint8_t address, uint8_t value) {
     case reg::kUcsrb:
       return uart.set_control(value);
     case reg::kUcsrc:
+      if (value & kNotAsynchronous) note_lack("UMSEL0 in UCSR0C");
       return uart.set_format(value);
-    case reg::kUdr:
-      return uart.send(value);
+    case reg::kUdr:  // 19.6.1: ignored unless UDRE is set
+      return uart.sending() <= 1 ? uart.send(value) : void();
     case reg::kSpcr:
       return spi.set_control(value);
     case reg::kSpsr:
@@ -384,6 +388,7 @@ void robosim_sleep() {
   host::note_call("sleep_cpu", robosim::kNoPin, 0);
   if (!host::interrupts_enabled()) host::stop_for_ever("sleep with interrupts off");
   const bool idle = (control & 0xE) == 0;
+  if (!idle) host::note_lack("sleep modes other than idle");
   host::wait_for_interrupt(idle);
 }
 

@@ -60,6 +60,7 @@ struct Outcome {
   Metrics metrics;
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
+  std::vector<exec::Lack> lacks;
   std::vector<exec::Detected> detected;
   std::optional<exec::Resources> resources;  ///< of a chip
   wire::Usage usage;

@@ -343,6 +343,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
+  outcome.lacks = executor_.lacks();
   outcome.detected = detected(t);
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());

@@ -94,6 +94,7 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   result.metrics = outcome.metrics;
   result.crash = outcome.crash;
   result.divisions_by_zero = outcome.divisions_by_zero;
+  result.lacks = outcome.lacks;
   result.detected = outcome.detected;
   result.resources = outcome.resources;
   result.usage = outcome.usage;

@@ -149,6 +149,17 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   return text + ". A chip goes on there with a number that means nothing, and so did this run.";
 }
 
+// "CLKPR (Slow.ino:3 in setup()). …"
+std::string lacks_text(const std::vector<wire::Lack>& lacks) {
+  std::string text;
+  for (const wire::Lack& lack : lacks) {
+    const wire::SourceLine& where = lack.where;
+    const std::string place = where.file.empty() ? "" : fmt::format(" in {}:{}", where.file, where.line);
+    text += fmt::format("{}{}{}", text.empty() ? "" : "; ", lack.what, place);
+  }
+  return text + ". The host does not have that; what it does, --target avr shows.";
+}
+
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
 
 // "35 points · 2 × gap 20, 3 × tile 15"; empty where nothing has counted.
@@ -202,6 +213,7 @@ void write_figures(Writer& out, const Report& report) {
                                              100.0 * used.interrupt_share, 100.0 * used.cpu_load));
   }
   if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
+  if (!r.lacks.empty()) out.labelled("lacks       ", lacks_text(r.lacks));
   for (const wire::Detected& seen : r.detected) out.labelled("detected    ", detected_text(seen));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {

@@ -65,6 +65,21 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
   v("times", d.times, "how often it did");
 }
 
+/// Something of the chip that the sketch used and its target lacks: what the run did from then on may not be
+/// what the chip does. Told on the host.
+struct Lack {
+  std::string what;  ///< as a sketch names it: "CLKPR"
+  SourceLine where;
+  double first_s = 0.0;  ///< simulated, when it was used first
+};
+
+template <class V>
+void fields(V& v, Same<V, Lack>& l) {
+  v("what", l.what, "as a sketch names it: `\"CLKPR\"`");
+  fields(v, l.where);
+  v("first_s", l.first_s, "when it was used first", {.unit = "s"});
+}
+
 /// What a detector has seen a sketch do (docs/sanitizers.md): it works here, and breaks on a real robot. The
 /// run went on.
 struct Detected {
@@ -260,6 +275,7 @@ struct RunResult {
   Metrics metrics;
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
+  std::vector<Lack> lacks;
   std::vector<Detected> detected;      ///< where the request has asked for detectors
   std::optional<Resources> resources;  ///< on a chip
   Usage usage;
@@ -301,6 +317,10 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("divisions_by_zero", r.divisions_by_zero,
     "on the host: lines that divided an integer by zero, the first 8; the run went on with what a chip gives",
     {.presence = when(!r.divisions_by_zero.empty())});
+  v("lacks", r.lacks,
+    "on the host: what of the chip the firmware used that the host lacks; from then on it may do what the "
+    "chip does not",
+    {.presence = when(!r.lacks.empty())});
   v("detected", r.detected, "what [detectors](sanitizers.md#detectors) have seen; absent if nothing",
     {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");

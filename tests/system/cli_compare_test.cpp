@@ -73,6 +73,22 @@ TEST_F(CliCompare, ADivisionByZeroIsFound) {
   EXPECT_EQ(found["sides"][0]["finding"]["line"], 4) << found;
 }
 
+TEST_F(CliCompare, WhatTheHostLacksIsNotBlamedOnTheSketch) {
+  const Ended ended = compare("SlowsItsClock", "host,avr");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("host and avr differ, but host lacks what the sketch uses"),
+                    HasSubstr("lacks     host does not have CLKPR in SlowsItsClock.ino:8 in setup()")))
+      << ended.out;
+}
+
+TEST_F(CliCompare, WhatTheHostLacksDoesNotHideWhereTheChipsDiffer) {
+  const auto found = difference("ReadsItsStack", "host,avr,stm32");
+  EXPECT_EQ(found["sides"][0]["target"], "avr");
+  EXPECT_EQ(found["sides"][1]["target"], "stm32");
+  EXPECT_EQ(found["kind"], "time");
+}
+
 TEST_F(CliCompare, TheWrapOfMillisIsFound) {
   const auto found = difference("DiffersAtWrap", "host,avr", {"--clock", "4294966s"});
   EXPECT_EQ(found["kind"], "time");

@@ -1,4 +1,5 @@
-// Power reduction: bits of PRR. A module that is switched off goes on working here.
+// Power reduction: bits of PRR; and the clock's divisor, CLKPR. Here a module that is switched off goes on
+// working, and the clock stays as it is: `robosim compare` says so.
 #pragma once
 
 #include <avr/io.h>
@@ -17,5 +18,19 @@
 #define power_timer1_disable() (PRR |= _BV(PRTIM1))
 #define power_timer2_enable() (PRR &= ~_BV(PRTIM2))
 #define power_timer2_disable() (PRR |= _BV(PRTIM2))
+typedef enum {
+  clock_div_1,
+  clock_div_2,
+  clock_div_4,
+  clock_div_8,
+  clock_div_16,
+  clock_div_32,
+  clock_div_64,
+  clock_div_128,
+  clock_div_256
+} clock_div_t;
+#define clock_prescale_set(divisor) (CLKPR = _BV(CLKPCE), CLKPR = (divisor))
+#define clock_prescale_get() ((clock_div_t)(CLKPR & 0x0F))
+
 #define power_all_enable() (PRR = 0)
 #define power_all_disable() (PRR = 0xEF)

@@ -11,6 +11,7 @@
 #include "sim/analysis/edge.h"
 #include "sim/base/error.h"
 #include "sim/cli/compare/compare_report.h"
+#include "sim/cli/compare/difference.h"
 #include "sim/cli/compare/lanes.h"
 #include "sim/cli/output.h"
 #include "sim/grid/places.h"
@@ -23,7 +24,6 @@ namespace {
 constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // round a difference
 // A clock is off from the beginning on, or so long before a difference, and until it shows.
 constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
-constexpr std::int64_t kUntilItShows_ns = 5'000'000'000;
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by as much as this.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
@@ -54,28 +54,27 @@ class CompareCommand {
     compared.moves = arguments_.moves;
     compared.sketch = title();
     const std::vector<Histories> histories = run_lanes(seed, compared);
-    std::vector<Found> found;
-    for (std::size_t i = 1; i < lanes_.size(); ++i) {
-      for (std::size_t robot = 0; robot < places_.size(); ++robot) {
-        const std::string& name = lanes_[0].name(robot);
-        analysis::Comparison comparison = analysis::compare(histories[0][robot], histories[i][robot]);
-        for (analysis::KnownDifference& known : comparison.known)
-          compared.known.push_back({std::move(known), name, {lanes_[0].target, lanes_[i].target}});
-        if (comparison.first) found.push_back({std::move(*comparison.first), i, robot});
-      }
-    }
+    std::vector<Found> found = compare_with(0, histories, compared);
+    // What differs from a target that lacks something says nothing of the others.
+    if (lacks_something(compared.lanes[0]))
+      for (Found& one : compare_with(1, histories, compared)) found.push_back(std::move(one));
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
       return a.difference.first_ns() < b.difference.first_ns();
     });
-    // The earliest, but for those on the edge.
+    // The earliest, but for those that say nothing of the sketch.
     std::optional<Compared> on_edge;
     for (Found& one : found) {
       compared.difference = std::move(one.difference);
       compared.robot = lanes_[0].name(one.robot);
-      const Pair pair{one.robot, {0, one.lane}, {&histories[0][one.robot], &histories[one.lane][one.robot]}};
+      const auto [a, b] = one.lanes;
+      const Pair pair{one.robot, one.lanes, {&histories[a][one.robot], &histories[b][one.robot]}};
       look_closer(compared, pair);
-      find_edges(compared, pair);
-      if (compared.edges.empty()) break;
+      find_lacks(compared, pair.robot, pair.lanes);
+      compared.edges.clear();
+      if (compared.lacks.empty()) {
+        find_edges(compared, pair);
+        if (compared.edges.empty()) break;
+      }
       if (!on_edge) on_edge = compared;
     }
     if (compared.same() && on_edge) compared = std::move(*on_edge);
@@ -96,8 +95,25 @@ class CompareCommand {
 
   struct Found {
     analysis::Difference difference;
-    std::size_t lane, robot;  ///< the lane that is not as the first
+    std::array<std::size_t, 2> lanes;
+    std::size_t robot;
   };
+
+  /// The lanes behind `first` with that one.
+  std::vector<Found> compare_with(std::size_t first, const std::vector<Histories>& histories,
+                                  Compared& compared) const {
+    std::vector<Found> found;
+    for (std::size_t i = first + 1; i < lanes_.size(); ++i) {
+      for (std::size_t robot = 0; robot < places_.size(); ++robot) {
+        const std::string& name = lanes_[0].name(robot);
+        analysis::Comparison comparison = analysis::compare(histories[first][robot], histories[i][robot]);
+        for (analysis::KnownDifference& known : comparison.known)
+          compared.known.push_back({std::move(known), name, {lanes_[first].target, lanes_[i].target}});
+        if (comparison.first) found.push_back({std::move(*comparison.first), {first, i}, robot});
+      }
+    }
+    return found;
+  }
 
   /// One robot in two lanes.
   struct Pair {
@@ -190,16 +206,6 @@ class CompareCommand {
 
   void say_weighing(std::size_t lane) {
     progress_.say(fmt::format("how often does {} so, with other clocks? …", lanes_[lane].target));
-  }
-
-  /// A place to which the other has not come it may come to later.
-  static std::int64_t shows_by(const Compared& compared) {
-    const analysis::Difference& d = *compared.difference;
-    const std::int64_t later = std::max(d.t_ns[0], d.t_ns[1]);
-    const bool waits = d.place[0].has_value() != d.place[1].has_value();
-    const analysis::Tolerance tolerance;
-    return later + kUntilItShows_ns +
-           (waits ? static_cast<std::int64_t>(tolerance.time * static_cast<double>(later)) : 0);
   }
 
   const analysis::History& run_from_start(const Compared& compared, std::size_t side, const Pair& pair,
@@ -350,17 +356,6 @@ class CompareCommand {
     }
     result.finding = look_with_checks(compared, side, pair);
     return result;
-  }
-
-  /// Where the text of this side begins to differ from that of the other.
-  static std::size_t first_difference(const Compared& compared, std::size_t side, const std::string& text) {
-    const std::string& own = compared.difference->sides[side];
-    const std::string& other = compared.difference->sides[1 - side];
-    const std::size_t begin = own.find('"');
-    if (begin == own.npos) return 0;
-    const auto apart = std::mismatch(own.begin(), own.end(), other.begin(), other.end());
-    const auto at = static_cast<std::size_t>(apart.first - own.begin());
-    return at > begin ? std::min(at - begin - 1, text.size()) : 0;
   }
 
   std::optional<Finding> look_with_checks(const Compared& compared, std::size_t side, const Pair& pair) {

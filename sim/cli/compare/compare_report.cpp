@@ -132,6 +132,19 @@ std::string edge_text(const Edge& edge, const ComparedSide& other) {
       seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
 }
 
+std::string lacks_text(const Compared& c) {
+  if (c.lacks.empty()) return "";
+  std::string what;
+  for (const wire::Lack& lack : c.lacks) {
+    const std::string place = place_of(lack.where);
+    what += fmt::format("{}{}{}", what.empty() ? "" : "; ", lack.what, place.empty() ? "" : " in " + place);
+  }
+  return fmt::format(
+      "lacks     {} does not have {}. So this difference says nothing of the sketch: chips have it, compare "
+      "them by --target avr,stm32, or run it on avr\n",
+      c.lacking, what);
+}
+
 Json json_of(const Edge& edge) {
   Json json{{"target", edge.target},           {"ppm", edge.ppm},
             {"from_s", seconds(edge.from_ns)}, {"kind", analysis::name_of(edge.itself.kind)},
@@ -148,9 +161,10 @@ std::string compare_text(const Compared& c) {
   std::string text =
       fmt::format("{} on {}, seed {}{}: {} ", c.sketch, in.map, c.seed,
                   c.moves.empty() ? "" : fmt::format(", {} on each target", c.moves), names_of(c));
-  text += !c.difference     ? "do the same\n"
-          : c.edges.empty() ? "differ\n"
-                            : "differ no more than each from itself\n";
+  text += !c.difference      ? "do the same\n"
+          : !c.lacks.empty() ? fmt::format("differ, but {} lacks what the sketch uses\n", c.lacking)
+          : c.edges.empty()  ? "differ\n"
+                             : "differ no more than each from itself\n";
   text += lanes_text(c);
   for (const ComparedKnown& known : c.known)
     text += fmt::format("known, and not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,
@@ -162,6 +176,7 @@ std::string compare_text(const Compared& c) {
                       c.robot.empty() ? "" : fmt::format(" of robot {},", c.robot), seconds(d.t_ns[0]),
                       c.sides[0].target, seconds(d.t_ns[1]), c.sides[1].target, d.what);
   for (const ComparedSide& side : c.sides) text += side_text(side);
+  text += lacks_text(c);
   for (std::size_t side = 0; side < c.edges.size(); ++side)
     text += edge_text(c.edges[side], c.sides[1 - side]);
   if (!d.cause.empty()) text += fmt::format("cause     {}\n", d.cause);
@@ -191,6 +206,11 @@ std::string compare_json(const Compared& c) {
                           {"cause", c.difference->cause},
                           {"sides", Json::array({json_of(c.sides[0]), json_of(c.sides[1])})}};
     if (!c.robot.empty()) json["difference"]["robot"] = c.robot;
+  }
+  json["lacks"] = Json::array();
+  for (const wire::Lack& lack : c.lacks) {
+    json["lacks"].push_back(wire::to_json(lack));
+    json["lacks"].back()["target"] = c.lacking;
   }
   json["edges"] = Json::array();
   for (const Edge& edge : c.edges) json["edges"].push_back(json_of(edge));

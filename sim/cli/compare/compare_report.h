@@ -69,7 +69,12 @@ struct Compared {
   std::array<ComparedSide, 2> sides;  ///< of the difference
   std::vector<Edge> edges;            ///< of both sides: the difference says nothing of the targets
 
-  bool same() const { return !difference || !edges.empty(); }
+  /// What this target lacks of the chip, and the sketch had used before the difference: that says nothing of
+  /// the sketch.
+  std::string lacking;
+  std::vector<wire::Lack> lacks;
+
+  bool same() const { return !difference || !edges.empty() || !lacks.empty(); }
 };
 
 std::string compare_text(const Compared& compared);

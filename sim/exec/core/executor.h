@@ -23,6 +23,7 @@ class Server;
 using wire::Crash;
 using wire::Detected;
 using wire::DivisionByZero;
+using wire::Lack;
 using wire::Resources;
 using wire::SourceLine;
 
@@ -78,6 +79,11 @@ class Executor {
   /// Where firmware has divided by zero since the first power-on; on the host, whose image tells.
   virtual const std::vector<DivisionByZero>& divisions_by_zero() const {
     static const std::vector<DivisionByZero> none;
+    return none;
+  }
+  /// What firmware has used of the chip that this executor lacks, since the first power-on.
+  virtual const std::vector<Lack>& lacks() const {
+    static const std::vector<Lack> none;
     return none;
   }
   /// Before the first power-on: detected() shall tell what detectors see in firmware and chip. `counted`:

@@ -179,15 +179,18 @@ class HostExecutor::Instance final : public host::Host {
     owner_.divisions_.add(where, place_of(found, where), owner_.clocked_.to_world(state_.now));
   }
 
+  void lacks(const char* what, const void* where) override {
+    if (owner_.lacks_.has(what)) return;
+    owner_.lacks_.add(what, place_of({}, where), owner_.clocked_.to_world(state_.now));
+  }
+
   void globals(const host::GlobalRecord* records, std::size_t count) override {
     globals_.insert(globals_.end(), records, records + count);
   }
 
   void bad_access(const host::BadAccess& access, const void* where) override {
-    Undefined found;
-    found.check = "bad_access";
-    found.reason = explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow);
-    report(found, where);
+    const auto why = explain(access, globals_, {stack_.begin(), stack_.end()}, image_.entry().shadow);
+    report({"bad_access", why, "", 0}, where);
   }
 
  private:
@@ -228,10 +231,7 @@ class HostExecutor::Instance final : public host::Host {
     calls_.add_callers(addresses);
     addresses.push_back({state_.place, true});
     SourceLine place = image_.locate(addresses);
-    if (!is_own_file(fault.file)) {
-      place.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
-      place.line = fault.line;
-    }
+    take_place(fault, place);
     return place;
   }
 
@@ -243,13 +243,13 @@ class HostExecutor::Instance final : public host::Host {
   static void on_fault(int signal, siginfo_t* info, void* context);
 
   void report_fault() {
-    const HostFault& fault = fault_;
-    std::vector<CodeAddress> addresses = {{fault.pc, fault.signal == SIGSYS}};
-    if (image_.has_code(fault.link)) addresses.push_back({fault.link, true});
-    calls_.add_stack(std::max(fault.stack_pointer, static_cast<const std::byte*>(stack_.begin())), addresses);
+    std::vector<CodeAddress> addresses = {{fault_.pc, fault_.signal == SIGSYS}};
+    if (image_.has_code(fault_.link)) addresses.push_back({fault_.link, true});
+    calls_.add_stack(std::max(fault_.stack_pointer, static_cast<const std::byte*>(stack_.begin())),
+                     addresses);
     addresses.push_back({state_.place, true});
-    owner_.crash_ = Crash{reason_of(fault, heap_, stack_), image_.locate(addresses)};
-    if (fault.signal == SIGSYS) owner_.crash_->check = kSandboxCheck;
+    owner_.crash_ = Crash{reason_of(fault_, heap_, stack_), image_.locate(addresses)};
+    if (fault_.signal == SIGSYS) owner_.crash_->check = kSandboxCheck;
   }
 
   static thread_local Instance* running_;

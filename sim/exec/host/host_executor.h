@@ -16,6 +16,7 @@
 #include "sim/exec/core/silence.h"
 #include "sim/exec/host/divisions.h"
 #include "sim/exec/host/image_file.h"
+#include "sim/exec/host/lacks.h"
 
 namespace robosim::exec {
 
@@ -41,6 +42,7 @@ class HostExecutor final : public Executor {
   SimTime last_call() const override;
   bool hangs() override;
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
+  const std::vector<Lack>& lacks() const override { return lacks_.all(); }
   std::vector<BundledFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
   /// Whether firmware that only waits may be left asleep, which changes nothing but the time that it takes
@@ -63,6 +65,7 @@ class HostExecutor final : public Executor {
   std::optional<Crash> crash_;
   Bites bites_;
   Divisions divisions_;
+  Lacks lacks_;
   std::vector<BundledFile> counters_;  ///< of the power cycles before
   SimTime reached_ = 0;                ///< until when firmware has run
   Silence silence_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/exec/host/image_file.h"
+
 namespace robosim::exec {
 namespace {
 
@@ -203,6 +205,12 @@ Undefined explain_undefined(std::string_view check, const void* data, std::uintp
     found.line = static_cast<int>(at.line);
   }
   return found;
+}
+
+void take_place(const Undefined& fault, SourceLine& place) {
+  if (is_own_file(fault.file)) return;
+  place.file = fault.file.starts_with("./") ? fault.file.substr(2) : fault.file;
+  place.line = fault.line;
 }
 
 }  // namespace robosim::exec

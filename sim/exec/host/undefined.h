@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/exec/core/executor.h"
+
 namespace robosim::exec {
 
 /// The data of gcc's handlers, as far as they have it in common.
@@ -47,5 +49,7 @@ struct Undefined {
 /// `check` is the handler's name without "__ubsan_handle_"; `data` and the values are what it was given.
 Undefined explain_undefined(std::string_view check, const void* data, std::uintptr_t value,
                             std::uintptr_t other);
+/// File and line of the fault, where it tells them and they are the sketch's.
+void take_place(const Undefined& fault, SourceLine& place);
 
 }  // namespace robosim::exec

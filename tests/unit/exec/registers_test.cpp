@@ -5,6 +5,8 @@ namespace robosim::exec {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 class Registers : public HostTest {};
 
@@ -148,6 +150,43 @@ void loop() {})");
   for (const std::uint8_t byte : {1, 2, 3, 4}) board().receive_byte(byte, now_);
   run(40 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(136, 1, 128, 2, 128, 4, 0, 4, 5));
+}
+
+TEST_F(Registers, WhatIsWrittenToAFullSenderIsIgnored) {
+  EXPECT_EQ(output(R"(void setup() {
+  UBRR0 = 16;
+  UCSR0A = _BV(U2X0);
+  UCSR0B = _BV(TXEN0);
+  for (char c = '1'; c < '5'; ++c) UDR0 = c;
+  delay(1);
+  UDR0 = '5';
+}
+void loop() {})"),
+            "125");
+}
+
+TEST_F(Registers, WhatTheHostLacksIsTold) {
+  output(
+      "void setup() {\n  PRR = 0xFF & ~_BV(PRTIM0);\n  GPIOR0 = 7;\n  CLKPR = _BV(CLKPCE);\n  CLKPR = "
+      "0;\n}\nvoid "
+      "loop() {}");
+  EXPECT_THAT(host_->lacks(), IsEmpty());
+  output(
+      "#include <avr/power.h>\nvoid setup() {\n  delay(5);\n  clock_prescale_set(clock_div_2);\n"
+      "  clock_prescale_set(clock_div_4);\n}\nvoid loop() {}");
+  ASSERT_THAT(host_->lacks(), SizeIs(1));
+  EXPECT_EQ(host_->lacks()[0].what, "CLKPR");
+  EXPECT_EQ(host_->lacks()[0].where.line, 4);
+  EXPECT_NEAR(host_->lacks()[0].first_s, 0.005, 0.001);
+}
+
+TEST_F(Registers, PowerReductionIsLackingWhereItWouldStopATimerInUse) {
+  output("void setup() {\n  PRR = _BV(PRTIM0);\n}\nvoid loop() {}");
+  EXPECT_THAT(host_->lacks(), SizeIs(1));
+  output("void setup() {\n  TCCR1B = 1;\n  PRR = _BV(PRTIM1);\n}\nvoid loop() {}");
+  EXPECT_THAT(host_->lacks(), SizeIs(1));
+  output("void setup() {\n  analogWrite(3, 9);\n  PRR = _BV(PRTIM2);\n}\nvoid loop() {}");
+  EXPECT_THAT(host_->lacks(), SizeIs(1));
 }
 
 }  // namespace

@@ -158,6 +158,7 @@ std::vector<Table> tables() {
           table<Metrics>("metrics"),
           table<Crash>("crash"),
           table<DivisionByZero>("divisions_by_zero"),
+          table<Lack>("lacks"),
           table<Detected>("detected"),
           table<Resources>("resources"),
           table<Usage>("usage"),

@@ -1,0 +1,17 @@
+// The host has no stack pointer; but the wait by counting differs between the chips, too.
+#ifdef SP  // not on the Blue Pill
+unsigned int top() { return SP; }
+#else
+unsigned int top() { return 0; }
+#endif
+
+void setup() {
+  Serial.begin(115200);
+  const bool isThere = top() < 65535;
+  Serial.println("waiting");
+  for (volatile long i = 0; i < 900000; ++i) {
+  }
+  Serial.println(isThere ? "waited" : "no stack");
+}
+
+void loop() { delay(10); }
