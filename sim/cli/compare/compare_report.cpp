@@ -140,8 +140,8 @@ std::string lacks_text(const Compared& c) {
     what += fmt::format("{}{}{}", what.empty() ? "" : "; ", lack.what, place.empty() ? "" : " in " + place);
   }
   return fmt::format(
-      "lacks     {} does not have {}. So this difference says nothing of the sketch: chips have it, compare "
-      "them by --target avr,stm32, or run it on avr\n",
+      "lacks     {} does not have {}. So this difference says nothing of the sketch: run it on the chip, by "
+      "--target avr\n",
       c.lacking, what);
 }
 
