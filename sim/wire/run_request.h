@@ -130,8 +130,9 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "of the tick; 0 = there are no `columns`",
     {.unit = "ns", .presence = when(r.columns_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
   v("batches", r.batches,
-    "`true`: `sample`, `pin`, `level`, `volts` and `byte` events come many in one `batch`, at most a second "
-    "of simulated time late; the order of all events stays. `columns` are then the client's to make of these",
+    "`true`: `sample`, `pin`, `level`, `volts` and `byte` events come many in one `batch`, some of them "
+    "late; "
+    "the order of all events stays. `columns` are then the client's to make of these",
     {.presence = when(r.batches)});
   v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
     {.presence = when(r.interactive)});
