@@ -99,6 +99,62 @@ class RegisterPointer {
 
 constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(address_); }
 
+#define ROBOSIM_INLINE __attribute__((always_inline)) inline
+
+/// A register that does something when it is read, which programs make it do by a statement of its own:
+/// `(void)UDR0;`, `SPSR;`. One that nothing else has been done with is read when the statement ends.
+class ReadRegister8 {
+ public:
+  ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}
+  ROBOSIM_INLINE ReadRegister8(const ReadRegister8& other) : register_(other.use()) {}
+  ROBOSIM_INLINE ~ReadRegister8() {
+    if (!used_) static_cast<void>(static_cast<uint8_t>(register_));
+  }
+
+  ROBOSIM_INLINE operator uint8_t() const { return use(); }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator=(T value) const {
+    return use() = value;
+  }
+  ROBOSIM_INLINE uint8_t operator=(const ReadRegister8& other) const { return use() = other.use(); }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator|=(T value) const {
+    return use() |= value;
+  }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator&=(T value) const {
+    return use() &= value;
+  }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator^=(T value) const {
+    return use() ^= value;
+  }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator+=(T value) const {
+    return use() += value;
+  }
+  template <typename T>
+  ROBOSIM_INLINE uint8_t operator-=(T value) const {
+    return use() -= value;
+  }
+  ROBOSIM_INLINE uint8_t operator<<=(int bits) const { return use() <<= bits; }
+  ROBOSIM_INLINE uint8_t operator>>=(int bits) const { return use() >>= bits; }
+  ROBOSIM_INLINE uint8_t operator++() const { return ++use(); }
+  ROBOSIM_INLINE uint8_t operator--() const { return --use(); }
+  ROBOSIM_INLINE uint8_t operator++(int) const { return use()++; }
+  ROBOSIM_INLINE uint8_t operator--(int) const { return use()--; }
+  ROBOSIM_INLINE RegisterPointer operator&() const { return &use(); }
+
+ private:
+  ROBOSIM_INLINE const Register8& use() const {
+    used_ = true;
+    return register_;
+  }
+
+  Register8 register_;
+  mutable bool used_ = false;
+};
+
 /// A register pair of 16 bits, read and written at once (the chip's TEMP register sees to that).
 class Register16 {
  public:
@@ -194,3 +250,16 @@ class Register16 {
 
 #include ROBOSIM_REGISTERS
 #include <avr/portpins.h>
+
+#if defined(__cplusplus) && !defined(ROBOSIM_REGISTER_MEMORY)
+#undef UDR0
+#define UDR0 (robosim_hal::ReadRegister8(0xC6))
+#undef SPSR
+#define SPSR (robosim_hal::ReadRegister8(0x4D))
+#undef SPDR
+#define SPDR (robosim_hal::ReadRegister8(0x4E))
+#undef ADCL
+#define ADCL (robosim_hal::ReadRegister8(0x78))
+#undef ADCH
+#define ADCH (robosim_hal::ReadRegister8(0x79))
+#endif

@@ -165,6 +165,69 @@ void loop() {})"),
             "125");
 }
 
+// Loops of this kind empty the receiver; the others clear SPIF and unlock the result of the ADC.
+TEST_F(Registers, ARegisterThatIsAStatementIsRead) {
+  start(R"(int drained;
+void setup() {
+  Serial.begin(115200);
+  UCSR0B &= ~_BV(RXCIE0);
+  delay(5);
+  while (UCSR0A & _BV(RXC0)) {
+    (void)UDR0;
+    ++drained;
+  }
+  Serial.println(drained);
+  DDRB = _BV(2);
+  SPCR = _BV(SPE) | _BV(MSTR);
+  SPDR = 1;
+  while (!(SPSR & _BV(SPIF)));
+  SPDR;
+  Serial.println(SPSR >> SPIF);
+  SPDR = 2;
+  delayMicroseconds(20);
+  SPSR;
+  SPDR;
+  Serial.println(SPSR >> SPIF);
+  ADMUX = _BV(REFS0) | 14;
+  ADCSRA |= _BV(ADSC);
+  while (ADCSRA & _BV(ADSC));
+  const uint8_t low = ADCL;
+  (void)ADCH;
+  ADMUX = _BV(REFS0) | 15;
+  ADCSRA |= _BV(ADSC);
+  while (ADCSRA & _BV(ADSC));
+  Serial.println(low);
+  Serial.println(ADC);
+}
+void loop() {})");
+  run(2 * kMillisecond);
+  for (const std::uint8_t byte : {'a', 'b'}) board().receive_byte(byte, now_);
+  run(50 * kMillisecond);
+  EXPECT_THAT(numbers(), ElementsAre(2, 0, 0, 225, 0));
+}
+
+TEST_F(Registers, NothingElseReadsThemTwice) {
+  start(R"(void setup() {
+  Serial.begin(115200);
+  UCSR0B &= ~_BV(RXCIE0);
+  delay(5);
+  const uint8_t first = UDR0;
+  Serial.println(first);
+  Serial.println(UDR0);
+  Serial.println(UDR0 + 1);
+  delay(20);
+  UDR0 = 'x';
+  uint8_t last;
+  last = UDR0 = 'y';
+  Serial.println(last);
+}
+void loop() {})");
+  run(2 * kMillisecond);
+  for (const std::uint8_t byte : {'a', 'b', 'c'}) board().receive_byte(byte, now_);
+  run(50 * kMillisecond);
+  EXPECT_EQ(serial_, "97\r\n98\r\n100\r\nxy121\r\n");
+}
+
 TEST_F(Registers, WhatTheHostLacksIsTold) {
   output(
       "void setup() {\n  PRR = 0xFF & ~_BV(PRTIM0);\n  GPIOR0 = 7;\n  CLKPR = _BV(CLKPCE);\n  CLKPR = "
