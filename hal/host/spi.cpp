@@ -15,8 +15,10 @@ constexpr uint8_t kSpie = 0x80, kSpe = 0x40, kMstr = 0x10, kRate = 0x03;  // SPC
 constexpr uint8_t kSpif = 0x80, kWcol = 0x40, kDouble = 0x01;             // SPSR
 constexpr int kBitCycles[] = {4, 16, 64, 128};
 
-constexpr Port kInPort = static_cast<Port>(kChip.spi.in[1] - 'B');
-constexpr uint8_t kInMask = static_cast<uint8_t>(1 << (kChip.spi.in[2] - '0'));
+constexpr Port port_named(const char* pin) { return static_cast<Port>(pin[1] - 'B'); }
+constexpr uint8_t mask_named(const char* pin) { return static_cast<uint8_t>(1 << (pin[2] - '0')); }
+constexpr Port kInPort = port_named(kChip.spi.in), kSelectPort = port_named(kChip.spi.select);
+constexpr uint8_t kInMask = mask_named(kChip.spi.in), kSelectMask = mask_named(kChip.spi.select);
 
 }  // namespace
 
@@ -24,6 +26,18 @@ void Spi::set_control(uint8_t value) {
   rare_used = true;
   control_ = value;
   if (!(value & kSpe)) shifts_ = false;
+  look_at_select();
+}
+
+bool Spi::is_master() const { return (control_ & (kSpe | kMstr)) == (kSpe | kMstr); }
+
+// 19.3.2: SS, an input at low level, makes a slave of it.
+void Spi::look_at_select() {
+  if (!is_master() || ports[kSelectPort].direction & kSelectMask) return;
+  if (read_port(kSelectPort) & kSelectMask) return;
+  control_ &= static_cast<uint8_t>(~kMstr);
+  status_ |= kSpif;
+  shifts_ = false;
 }
 
 uint8_t Spi::status() {
@@ -43,8 +57,9 @@ uint8_t Spi::take() {
 
 void Spi::send(uint8_t) {
   touch();
+  look_at_select();
   if (shifts_) status_ |= kWcol;
-  if (shifts_ || (control_ & (kSpe | kMstr)) != (kSpe | kMstr)) return;
+  if (shifts_ || !is_master()) return;
   shifts_ = true;
   due_ = state.now + cycles(8 * kBitCycles[control_ & kRate] / (status_ & kDouble ? 2 : 1));
 }

@@ -1,6 +1,6 @@
 // The serial peripheral interface as master (datasheet, chapter 19): a byte takes 8 bits of 4, 16, 64 or 128
 // cycles, with SPI2X half of that. What comes in is the level of MISO at its end; nobody sees the bits, and
-// SS, MOSI and SCK stay the port's.
+// MOSI and SCK stay the port's. SS is looked at when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>
@@ -28,6 +28,8 @@ class Spi {
 
  private:
   void touch();
+  bool is_master() const;
+  void look_at_select();
 
   uint8_t control_ = 0, status_ = 0, seen_ = 0, received_ = 0;
   bool shifts_ = false;

@@ -228,6 +228,31 @@ void loop() {})");
   EXPECT_EQ(serial_, "97\r\n98\r\n100\r\nxy121\r\n");
 }
 
+// DS40002061B, 19.3.2
+TEST_F(Registers, SsAtLowLevelEndsAMaster) {
+  output(R"(void tell() {
+  Serial.println(SPCR);
+  Serial.println(SPSR);
+  SPSR;
+  SPDR;
+}
+void setup() {
+  Serial.begin(115200);
+  DDRB = _BV(2);
+  SPCR = _BV(SPE) | _BV(MSTR);
+  tell();
+  SPCR = 0;
+  DDRB = 0;
+  SPCR = _BV(SPE) | _BV(MSTR);
+  tell();
+  PORTB = _BV(2);
+  SPCR = _BV(SPE) | _BV(MSTR);
+  tell();
+}
+void loop() {})");
+  EXPECT_THAT(numbers(), ElementsAre(0x50, 0, 0x40, 0x80, 0x50, 0));
+}
+
 TEST_F(Registers, WhatTheHostLacksIsTold) {
   output(
       "void setup() {\n  PRR = 0xFF & ~_BV(PRTIM0);\n  GPIOR0 = 7;\n  CLKPR = _BV(CLKPCE);\n  CLKPR = "
