@@ -48,8 +48,9 @@ uint8_t Adc::control() const {
 
 void Adc::start() {
   converting_ = true;
-  result_ = sample(next_start() + avr::adc_half_clocks_to_sample(false) * clock() / 2 - state.now);
-  ready_ = next_start() + avr::adc_clocks(false) * clock();
+  const bool first = take_first(false);
+  result_ = sample(next_start() + avr::adc_half_clocks_to_sample(first) * clock() / 2 - state.now);
+  ready_ = next_start() + avr::adc_clocks(first) * clock();
 }
 
 void Adc::set_control_b(uint8_t value) {
@@ -64,7 +65,10 @@ void Adc::look_for_trigger() const {
 void Adc::set_control(uint8_t value) {
   sync();
   const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears it
-  if (value & kEnable && !(control_ & kEnable)) clock_began_ = charges_since_ = state.now;
+  if (value & kEnable && !(control_ & kEnable)) {
+    clock_began_ = charges_since_ = state.now;
+    first_ = First::by_sketch;
+  }
   control_ = static_cast<uint8_t>((value & ~(kFlag | kStart)) | flag);
   look_for_trigger();
   if (!(value & kEnable)) {

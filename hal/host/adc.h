@@ -31,6 +31,15 @@ class Adc {
   /// When a conversion begins that is asked for now: with the next ADC clock.
   SimTime next_start() const;
   bool on() const { return control_ & 0x80; }
+  /// A conversion begins: whether it is the first one behind ADEN, which takes longer (24.4). For an
+  /// analogRead() init()'s ADEN does not count: it takes as long as any other, which the traces of all
+  /// sketches stand on.
+  bool take_first(bool of_analog_read) {
+    const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
+    first_ = First::over;
+    return first;
+  }
+  void enabled_by_init() { first_ = First::by_init; }
   /// A conversion has ended with this code: what reading ADCL and then ADCH gives.
   uint16_t end_with(uint16_t code);
   /// ADCL has been read: ADCL and ADCH stay as they are until ADCH is read (24.9.3).
@@ -50,6 +59,7 @@ class Adc {
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
   bool converting_ = false, locked_ = false;
+  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< whose ADEN it follows
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
   double held_ = 0.0;          ///< V, on its capacitor

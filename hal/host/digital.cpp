@@ -124,11 +124,12 @@ int analogRead(uint8_t pin) {
   if (!host::adc.on()) return 0;
   const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
-  host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(false) * clock / 2);
+  const bool first = host::adc.take_first(true);
+  host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(first) * clock / 2);
   const uint16_t code =
       elsewhere ? host::adc.code_of(host::board->read_volts(host::places[number].wired, host::state.now))
                 : host::adc.sample(0);
-  host::wait_until(start + robosim::avr::adc_clocks(false) * clock);
+  host::wait_until(start + robosim::avr::adc_clocks(first) * clock);
   host::adc.charge();
   return robosim_hal::with_bits(host::adc.end_with(code), kAdcBits, robosim_hal::read_bits);
 }

@@ -71,6 +71,7 @@ void init() {
   host::timer1.set_control_a(with(host::timer1.control_a(), 1));
   host::timer1.leave_bottom();
   host::adc.set_control(with(host::adc.control(), 0x80 | host::adc_prescaler()));
+  host::adc.enabled_by_init();
   host::uart.set_control(0);
   host::refresh_deadline();
   host::spend(host::cost::kInit);
