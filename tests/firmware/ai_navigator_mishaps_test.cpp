@@ -263,6 +263,33 @@ TEST_F(AiNavigatorAgain, SaysHowLongItsScanTook) {
   ASSERT_TRUE(robot().run_until(serial_says(said), within(100_ms)));
 }
 
+TEST_F(AiNavigatorAgain, ForgetsWhereItStoodWhenItScansAnew) {
+  put_on(kTee);
+  scan();
+  robot().run_for(500_ms);
+  robot().press("start");
+  ASSERT_TRUE(robot().run_until(serial_says("scanning"), within(1_s)));
+  robot().run_for(2_s);
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("switched off under way"), within(2_s)));
+}
+
+TEST_F(AiNavigatorAgain, BeepsShortlyWhenItIsDoneAndForLongWhenSomethingIsWrong) {
+  put_on(kTee);
+  ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+  robot().press("start");
+  ASSERT_TRUE(robot().run_until(serial_says("scan complete"), within(1_min)));
+  robot().run_for(80_ms);
+  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "the scan is complete: for 100 ms";
+  robot().run_for(40_ms);
+  EXPECT_EQ(robot().reading("buzzer"), 0);
+  robot().send("9\n");
+  robot().run_for(780_ms);
+  EXPECT_NEAR(robot().reading("buzzer"), 440, 2) << "there is no such station: for 800 ms";
+  robot().run_for(40_ms);
+  EXPECT_EQ(robot().reading("buzzer"), 0);
+}
+
 TEST_F(AiNavigatorAgain, SaysThatItGoesOnWhenItDoes) {
   put_on(kTee);
   scan();

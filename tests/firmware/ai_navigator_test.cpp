@@ -114,10 +114,14 @@ TEST_P(AiNavigator, StopsWhenItsBumperIsPressedAndGoesOnWhenTheWayIsFree) {
   ASSERT_TRUE(robot().run_until(serial_says("arrived at 3"), within(1_min)));
 }
 
-TEST_P(AiNavigator, LightsTheSecondLedAtAStation) {
+TEST_P(AiNavigator, LightsAnLedOnAJunctionAndTheSecondAtAStation) {
   scan();
   robot().send("3\n");
-  ASSERT_TRUE(robot().run_until(turns_off("LED2"), within(5_s)));
+  robot().run_for(700_ms);
+  EXPECT_FALSE(robot().is_on("LED") || robot().is_on("LED2")) << "on the line";
+  ASSERT_TRUE(robot().run_until(turns_on("LED"), within(5_s)));
+  robot().run_for(300_ms);
+  EXPECT_FALSE(robot().is_on("LED") || robot().is_on("LED2")) << "on the next line";
   ASSERT_TRUE(robot().run_until(turns_on("LED2"), within(1_min)));
   EXPECT_EQ(robot().station(), "3");
 }

@@ -470,6 +470,7 @@ TEST(LineWalkerTest, CountsOnFromWhereItIsToldThatItIs) {
   walk.walker.begin();
   const nav::Landmark junction = walk.walker.follow();
   ASSERT_EQ(junction.kind, nav::LandmarkKind::junction);
+  walk.walker.relocate({junction.at.x + 70, junction.at.y + 30});
   walk.walker.relocate({junction.at.x + 1000, junction.at.y - 500});
   walk.walker.leave(kOn);
   const nav::Landmark end = walk.walker.follow();

@@ -226,6 +226,22 @@ TEST(Explorer, GoesOnToTheJunctionItKnowsIfAnObstacleCutsItOffBehindACycle) {
   EXPECT_EQ(map.link(2, 2), Map::kBlocked);
 }
 
+TEST(Explorer, DoesNotGoBackToAnObstacleThatItMetBeforeItsFirstNode) {
+  Floor floor;
+  for (int i = 0; i < 4; ++i) floor.addNode();
+  floor.lines[floor.join({0, kE}, {1, kW})].blocked = true;
+  floor.join({1, kE}, {2, kW});
+  floor.join({1, kN}, {3, kS});
+  SeeingWalker walker(floor, {{1, kW}, true});
+  Map map;
+  nav::Explorer<SeeingWalker, Map> explorer(walker, map);
+  while (explorer.step()) {
+  }
+  EXPECT_EQ(explorer.state(), ScanState::complete);
+  EXPECT_EQ(map.size(), 3);
+  EXPECT_EQ(walker.follows, 6) << "to the obstacle, to the junction, and to each station and back";
+}
+
 /// Tells landmarks from a list, whatever it is told to do.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
