@@ -22,22 +22,6 @@ constexpr int kMostTries = 3;       // of a line maze
 constexpr double kMinPixel = 1e-5;  // m
 constexpr double kMaxPixel = 0.1;
 
-const char* cell_word(Cell cell) {
-  switch (cell) {
-    case Cell::floor:
-      return "floor";
-    case Cell::line:
-      return "line";
-    case Cell::wall:
-      return "wall";
-    case Cell::gap:
-      return "gap";
-    case Cell::obstacle:
-      return "obstacle";
-  }
-  return "";
-}
-
 CellAt read_cell(const ConfigValue& x, const ConfigValue& y) {
   return {static_cast<int>(as_integer(x, "the column", 0, kMaxSide - 1)),
           static_cast<int>(as_integer(y, "the row", 0, kMaxSide - 1))};
@@ -161,26 +145,6 @@ void read_stations(const ConfigValue& value, FrontMatter& front) {
   }
 }
 
-void read_legend(const ConfigValue& value, FrontMatter& front) {
-  if (value.kind != ConfigValue::Kind::table)
-    throw InputError(value.place,
-                     fmt::format("legend is {}; it must be a table: [legend], then lines such as "
-                                 "3 = \"gap\"",
-                                 to_string(value.kind)));
-  for (const auto& [key, meaning] : value.members) {
-    if (key.size() != 1 || key[0] < '3' || key[0] > '9')
-      throw InputError(meaning.place, fmt::format("[legend] names `{}`; it may name the digits 3 to 9", key));
-    const std::string& word = as_string(meaning, key.c_str());
-    std::optional<Cell>& cell = front.legend[static_cast<std::size_t>(key[0] - '0')];
-    for (const Cell c : {Cell::floor, Cell::line, Cell::wall, Cell::gap, Cell::obstacle})
-      if (word == cell_word(c)) cell = c;
-    if (!cell)
-      throw InputError(
-          meaning.place,
-          fmt::format("{} is \"{}\"; allowed are floor, line, wall, gap or obstacle", key, word));
-  }
-}
-
 }  // namespace
 
 FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw) {
@@ -221,7 +185,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* rescue = table.find("rescue")) read_rescue(*rescue, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);
   if (const ConfigValue* stations = table.find("stations")) read_stations(*stations, front);
-  if (const ConfigValue* legend = table.find("legend")) read_legend(*legend, front);
+  if (const ConfigValue* legend = table.find("legend")) front.legend = read_legend(*legend, draw);
   table.finish();
   return front;
 }

@@ -1,7 +1,6 @@
 // The TOML between the two +++ lines of a map file.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/grid/drawn.h"
+#include "sim/grid/legend.h"
 #include "sim/grid/map.h"
 
 namespace robosim::grid {
@@ -39,7 +39,7 @@ struct FrontMatter {
   std::optional<PlacedStart> start;
   std::optional<PlacedCell> goal_cell;
   std::vector<PlacedStation> stations;
-  std::array<std::optional<Cell>, 10> legend;  ///< by digit; 0 to 2 are never set
+  Legend legend;
 };
 
 /// Reads the text between the +++ lines; `first_line` is the file's line on which it begins. Throws

@@ -79,11 +79,14 @@ struct NamedStation {
 };
 
 struct Map {
-  std::string file;         ///< as the user named it; for messages
-  std::string name;         ///< front matter, else the file's stem
-  int width = 0;            ///< cells
-  int height = 0;           ///< cells
-  std::vector<Cell> cells;  ///< row by row from the top
+  std::string file;                             ///< as the user named it; for messages
+  std::string name;                             ///< front matter, else the file's stem
+  int width = 0;                                ///< cells
+  int height = 0;                               ///< cells
+  std::vector<Cell> cells;                      ///< row by row from the top
+  std::vector<SurfaceFigures> legend_surfaces;  ///< of [legend]
+  /// Of each cell 1 + its index in legend_surfaces, 0 = the floor as usual; empty where all are that.
+  std::vector<std::uint8_t> surface_of_cell;
   double cell_m = 0.100;    ///< side of a cell
   double line_m = 0.020;    ///< width of the stripe
   double corner_m = 0.0;    ///< radius that replaces each bend; 0 = square
@@ -117,6 +120,10 @@ struct Map {
   /// The place of a cell of the map in `cells`.
   std::size_t index_of(CellAt c) const {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+  }
+  /// Of a cell by its place in `cells`: as surface_of_cell has it.
+  std::uint8_t surface_at(std::size_t index) const {
+    return surface_of_cell.empty() ? std::uint8_t{0} : surface_of_cell[index];
   }
   /// The inverse of index_of.
   CellAt cell_at(std::size_t index) const {

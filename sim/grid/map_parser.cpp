@@ -140,7 +140,8 @@ void MapParser::end_front_matter() {
   settings.file = std::move(map_.file);
   map_ = std::move(settings);
   for (std::size_t digit = 3; digit <= 9; ++digit)
-    if (front_.legend[digit]) meaning_['0' + digit] = static_cast<std::uint8_t>(*front_.legend[digit]);
+    if (const auto& means = front_.legend.digits[digit]) meaning_['0' + digit] = code_of(*means);
+  map_.legend_surfaces = front_.legend.surfaces;
   section_ = Section::grid;
 }
 
@@ -177,9 +178,10 @@ void MapParser::take_any_row(std::string_view row) {
   std::uint8_t seen = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::uint8_t meaning = meaning_[static_cast<unsigned char>(row[i])];
-    row_[i] = static_cast<Cell>(meaning & ~kMark);
+    row_[i] = static_cast<Cell>(meaning & kCell);
     seen |= meaning;
   }
+  if (seen < kNothing && (seen & kSurface)) take_surfaces(row);
   if (seen < kMark) return;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!is_allowed(row[i])) refuse_character(row, i);
@@ -187,6 +189,12 @@ void MapParser::take_any_row(std::string_view row) {
     if (row[i] == 'S') mark(start_mark_, at, 'S');
     if (row[i] == 'G') mark(goal_mark_, at, 'G');
   }
+}
+
+void MapParser::take_surfaces(std::string_view row) {
+  map_.surface_of_cell.resize(map_.cells.size());
+  for (const char c : row)
+    map_.surface_of_cell.push_back((meaning_[static_cast<unsigned char>(c)] & kSurface) >> kSurfaceShift);
 }
 
 void MapParser::mark(std::optional<CellAt>& which, CellAt cell, char c) {
@@ -217,7 +225,7 @@ void MapParser::refuse_character(std::string_view row, std::size_t column) const
   }
   std::string legend;
   for (char digit = '3'; digit <= '9'; ++digit)
-    if (front_.legend[static_cast<std::size_t>(digit - '0')]) legend += fmt::format(" `{}`", digit);
+    if (front_.legend.digits[static_cast<std::size_t>(digit - '0')]) legend += fmt::format(" `{}`", digit);
   std::string found = describe_character(row, column);
   if (row[column] >= '3' && row[column] <= '9') found += ", which no [legend] in the front matter explains";
   throw InputError(
@@ -258,6 +266,7 @@ Map MapParser::finish() {
                      "the front matter that begins here never ends; close it with a line +++");
   if (!front_.picture.empty()) load_picture();
   if (map_.height == 0) make_floor();
+  if (!map_.surface_of_cell.empty()) map_.surface_of_cell.resize(map_.cells.size());
   check_course();
   check_swap();
   settle_start();

@@ -30,7 +30,12 @@ class MapParser {
   Map finish();
 
  private:
-  static constexpr std::uint8_t kMark = 0x40;
+  static constexpr std::uint8_t kCell = 0x07, kSurface = 0x38, kMark = 0x40;
+  static constexpr int kSurfaceShift = 3;
+  static std::uint8_t code_of(const Legend::Meaning& means) {
+    return static_cast<std::uint8_t>(static_cast<unsigned>(means.cell) | unsigned{means.surface}
+                                                                             << kSurfaceShift);
+  }
   static constexpr std::uint8_t kNothing = 0x80;
 
   enum class Section { beginning, front_matter, grid };
@@ -41,6 +46,8 @@ class MapParser {
   void take_row(std::string_view row);
   /// Rows with characters beyond floor, line and wall.
   void take_any_row(std::string_view row);
+  /// The rows before it, and those behind it that name none, are the floor as usual.
+  void take_surfaces(std::string_view row);
   void mark(std::optional<CellAt>& which, CellAt cell, char c);
   void count_for_swap(std::string_view row);
   [[noreturn]] void refuse_character(std::string_view row, std::size_t column) const;
@@ -58,7 +65,8 @@ class MapParser {
   Map map_;
   FrontMatter front_;
   std::size_t size_hint_;
-  std::array<std::uint8_t, 256> meaning_;  // of each character: a Cell, with kMark for S and G; or kNothing
+  std::array<std::uint8_t, 256>
+      meaning_;  // of each character: a Cell, its surface, kMark for S, G; or kNothing
   Section section_ = Section::beginning;
   int line_ = 0;            // of the last line taken
   int first_row_line_ = 0;  // the line of row 0

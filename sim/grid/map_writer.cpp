@@ -7,6 +7,7 @@
 
 #include "sim/grid/course_writer.h"
 #include "sim/grid/floor_image.h"
+#include "sim/grid/legend.h"
 
 namespace robosim::grid {
 namespace {
@@ -37,11 +38,12 @@ double rounded(double m) { return std::round(m * 1e6) / 1e6; }
 // Whether it is written without rows.
 bool is_bare(const Map& map) {
   return (!map.course.paths.empty() || map.image) &&
-         std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; });
+         std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; }) &&
+         map.surface_of_cell.empty();
 }
 
 // Keys of the top level, then tables; "" if all is as it is without front matter.
-std::string front_matter(const Map& map, bool mark_goal) {
+std::string front_matter(const Map& map, bool mark_goal, const std::string& legend) {
   const Map defaults;
   std::string text;
   if (!map.name.empty()) text += fmt::format("name = {}\n", toml_string(map.name));
@@ -81,22 +83,26 @@ std::string front_matter(const Map& map, bool mark_goal) {
   if (map.goal_cell && !mark_goal)
     text += fmt::format("[goal]\nx = {}\ny = {}\n", map.goal_cell->x, map.goal_cell->y);
   if (!stations.empty()) text += "[stations]\n" + stations;
-  if (std::find(map.cells.begin(), map.cells.end(), Cell::gap) != map.cells.end())
-    text += "[legend]\n3 = \"gap\"\n";
-  return text + course_text(map.course, usual_paint(map)) + lights_text(map.lights);
+  return text + legend + course_text(map.course, usual_paint(map)) + lights_text(map.lights);
 }
 
 }  // namespace
 
 std::string write_map(const Map& map) {
-  const bool mark_goal = map.goal_cell && map.at(*map.goal_cell) == Cell::line;
-  std::string text = front_matter(map, mark_goal);
+  const LegendWriter legend(map);
+  const bool mark_goal = map.goal_cell && map.at(*map.goal_cell) == Cell::line &&
+                         map.surface_at(map.index_of(*map.goal_cell)) == 0;
+  std::string text = front_matter(map, mark_goal, legend.text());
   if (!text.empty()) text = "+++\n" + text + "+++\n";
   if (is_bare(map)) return text;
-  const char symbols[] = {'_', line_character(map), '#', '3', 'x'};
+  const char symbols[] = {'_', line_character(map), '#', '_', 'x'};
   for (CellAt c; c.y < map.height; ++c.y) {
-    for (c.x = 0; c.x < map.width; ++c.x)
-      text += mark_goal && c == *map.goal_cell ? 'G' : symbols[static_cast<std::size_t>(map.at(c))];
+    for (c.x = 0; c.x < map.width; ++c.x) {
+      const char digit = legend.digit(map.at(c), map.surface_at(map.index_of(c)));
+      text += digit                              ? digit
+              : mark_goal && c == *map.goal_cell ? 'G'
+                                                 : symbols[static_cast<std::size_t>(map.at(c))];
+    }
     text += '\n';
   }
   return text;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 
 #include "sim/base/angle.h"
@@ -103,13 +104,31 @@ Surface read_surface(const ConfigValue& item, const Course& course, const Figure
   TableReader table(item, "[[surface]]");
   Surface surface;
   static_cast<Patch&>(surface) = read_patch(table, course, "surface", figures);
+  static_cast<SurfaceFigures&>(surface) = read_surface_figures(table, figures);
+  table.finish();
+  return surface;
+}
+
+}  // namespace
+
+std::string surface_names() {
+  std::string names;
+  for (const SurfaceKind& one : kSurfaces) {
+    const bool is_last = &one + 1 == std::end(kSurfaces);
+    names += fmt::format("{}{}", names.empty() ? "" : is_last ? " or " : ", ", one.name);
+  }
+  return names;
+}
+
+SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures) {
+  SurfaceFigures surface;
   const ConfigValue* const kind = table.find("kind");
   const ConfigValue* const grip = table.find("grip");
   const ConfigValue* const rolling = table.find("rolling");
   if ((kind != nullptr) == (grip || rolling)) {
     table.refuse_misspelt();
     throw InputError(
-        item.place,
+        table.table().place,
         "a surface has either a kind, as in kind = \"carpet\", or figures: grip = 0.5, times the "
         "robot's, and rolling = 0.03, which comes to the robot's");
   }
@@ -122,11 +141,8 @@ Surface read_surface(const ConfigValue& item, const Course& course, const Figure
   }
   if (grip) surface.grip = figures.read(*grip, "grip", Dimension::ratio, 0.05, 2.0);
   if (rolling) surface.rolling = figures.read(*rolling, "rolling", Dimension::ratio, 0.0, 0.5);
-  table.finish();
   return surface;
 }
-
-}  // namespace
 
 double Hill::height_at(Vec2 p) const {
   if (heights.empty()) return 0.0;

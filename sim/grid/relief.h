@@ -1,5 +1,5 @@
 // [[hill]] and [[surface]] of a map: how high the floor is, and what it is made of. Where a map has neither,
-// the floor is a plane of one kind.
+// nor a surface in its [legend] (legend.h), the floor is a plane of one kind.
 //
 // The map is the floor unrolled, as a course's tiles are before they are put on a ramp: its lengths run along
 // the slope, so that dh/ds of a height h is the sine of its angle.
@@ -39,10 +39,16 @@ struct SurfaceKind {
 // wheels on low pile: an estimate, from 0.02 on a hard floor to 0.07.
 constexpr SurfaceKind kSurfaces[] = {{"wet", 0.6, 0.0}, {"dusty", 0.5, 0.0}, {"carpet", 1.0, 0.05}};
 
-struct Surface : Patch {
-  double grip = 1.0;
+struct SurfaceFigures {
+  double grip = 1.0;  ///< as SurfaceKind has them
   double rolling = 0.0;
 };
+struct Surface : Patch, SurfaceFigures {};
+
+/// Their names, for messages: "wet, dusty or carpet".
+std::string surface_names();
+/// kind, or grip and rolling, of a table that is a surface. Throws InputError.
+SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures);
 
 /// Reads all [[hill]] tables, and all [[surface]] tables; `course` has the paths that they may lie along.
 /// Throw InputError.

@@ -78,10 +78,31 @@ void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Are
   }
 }
 
+const char* surface_tint(const grid::SurfaceFigures& surface, bool on_dark) {
+  if (surface.grip < 1.0) return on_dark ? "#24343f" : "#d9e8f3";
+  return on_dark ? "#372f3b" : "#e6dcea";
+}
+
+// Runs of cells that are alike.
+void add_legend_surfaces(const grid::Map& map, std::vector<FloorShapes::Area>& areas) {
+  if (map.surface_of_cell.empty()) return;
+  for (grid::CellAt cell; cell.y < map.height; ++cell.y)
+    for (cell.x = 0; cell.x < map.width;) {
+      const grid::CellAt begin = cell;
+      const std::uint8_t which = map.surface_at(map.index_of(cell));
+      while (cell.x < map.width && map.surface_at(map.index_of(cell)) == which) ++cell.x;
+      if (which == 0) continue;
+      const double left = begin.x * map.cell_m, right = cell.x * map.cell_m;
+      const double low = (map.height - 1 - cell.y) * map.cell_m, high = low + map.cell_m;
+      FloorShapes::Area& drawn = areas.emplace_back();
+      drawn.colour = surface_tint(map.legend_surfaces[which - 1u], map.light_line);
+      for (const Vec2 corner : {Vec2{right, high}, Vec2{left, high}, Vec2{left, low}, Vec2{right, low}})
+        drawn.corners.push_back(millimetres(corner));
+    }
+}
+
 FloorShapes::Area surface_of(const grid::Surface& surface, bool on_dark) {
-  const bool slippery = surface.grip < 1.0;
-  FloorShapes::Area drawn{
-      slippery ? (on_dark ? "#24343f" : "#d9e8f3") : (on_dark ? "#372f3b" : "#e6dcea"), {}, {}, false};
+  FloorShapes::Area drawn{surface_tint(surface, on_dark), {}, {}, false};
   const auto [x, y] = millimetres(surface.middle.position);
   if (surface.radius > 0.0)
     drawn.disc = {x, y, millimetres(surface.radius)};
@@ -139,6 +160,7 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
                       millimetres(map.image->high_m())};
   shapes.light_line = map.light_line;
   for (const grid::Hill& hill : map.course.hills) add_hill(hill, map.light_line, shapes.areas);
+  add_legend_surfaces(map, shapes.areas);
   for (const grid::Surface& surface : map.course.surfaces)
     shapes.areas.push_back(surface_of(surface, map.light_line));
   for (const grid::Mark& mark : map.course.marks) {

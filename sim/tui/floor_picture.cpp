@@ -84,7 +84,7 @@ char FloorPicture::relief_at(Vec2 p) const {
   const grid::Hill* highest = nullptr;
   for (const grid::Hill& hill : map_.course.hills)
     if (hill.contains(p) && (!highest || hill.height_at(p) >= highest->height_at(p))) highest = &hill;
-  if (!highest) return 0;
+  if (!highest) return has_surface(p) ? '~' : '\0';
   if (highest->pivot > 0.0) return '=';
   const auto climb = [&](Vec2 way) {
     return highest->height_at(p + way * window_.dot_m) - highest->height_at(p - way * window_.dot_m);
@@ -93,6 +93,13 @@ char FloorPicture::relief_at(Vec2 p) const {
   if (std::max(std::fabs(east), std::fabs(north)) < kLevel_m) return ':';
   if (std::fabs(east) >= std::fabs(north)) return east > 0.0 ? '>' : '<';
   return north > 0.0 ? '^' : 'v';
+}
+
+bool FloorPicture::has_surface(Vec2 p) const {
+  const grid::CellAt cell = cell_of(map_, p);
+  if (map_.contains(cell) && map_.surface_at(map_.index_of(cell)) != 0) return true;
+  return std::any_of(map_.course.surfaces.begin(), map_.course.surfaces.end(),
+                     [&](const grid::Surface& surface) { return surface.contains(p); });
 }
 
 bool FloorPicture::is_painted(Vec2 p, double reach_m, bool whole) const {

@@ -70,6 +70,7 @@ class FloorPicture {
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
   /// Of a hill at p, in a character's middle: ^ > v < is uphill, : is level, = a seesaw; 0 = there is none.
   char relief_at(Vec2 p) const;
+  bool has_surface(Vec2 p) const;
   void set(Layer& layer, Dot dot) const;
   void draw_line(Layer& layer, Vec2 from, Vec2 to) const;
 
@@ -78,7 +79,7 @@ class FloorPicture {
   grid::Stripes stripes_;
   Window window_;
   Layer wall_;    // 1 = the character's middle is wall
-  Layer relief_;  // a character's sign of a hill, or 0
+  Layer relief_;  // a character's sign of a hill or a surface, or 0
   Layer line_, thin_line_, trail_, robot_;
 };
 

@@ -59,7 +59,14 @@ Top top_of(const CrossSection& profile, double s, double reach, double radius, d
 
 }  // namespace
 
-Ground::Ground(const grid::Map& map) : hills_(map.course.hills), surfaces_(map.course.surfaces) {
+Ground::Ground(const grid::Map& map)
+    : hills_(map.course.hills),
+      surfaces_(map.course.surfaces),
+      legend_surfaces_(map.legend_surfaces),
+      surface_of_cell_(map.surface_of_cell),
+      columns_(map.width),
+      rows_(map.height),
+      cell_m_(map.cell_m) {
   for (const grid::Hill& hill : hills_)
     state_.seesaws.push_back({hill.pivot > 0.0 ? hill.pivot / hill.half_length : 0.0, 0.0, 0.0, 0.0});
 }
@@ -100,8 +107,14 @@ double Ground::height(Vec2 p) const { return under(p, {}, 0.0, true).height; }
 
 Ground::Kind Ground::kind(Vec2 p) const {
   for (std::size_t i = surfaces_.size(); i-- > 0;)
-    if (surfaces_[i].contains(p)) return {surfaces_[i].grip, surfaces_[i].rolling};
-  return {};
+    if (surfaces_[i].contains(p)) return surfaces_[i];
+  if (surface_of_cell_.empty()) return {};
+  const double x = std::floor(p.x / cell_m_), y = std::floor(p.y / cell_m_);
+  if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_)) return {};
+  const auto row = static_cast<std::size_t>(rows_ - 1 - static_cast<int>(y));
+  const std::uint8_t which =
+      surface_of_cell_[row * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+  return which ? legend_surfaces_[which - 1u] : Kind{};
 }
 
 void Ground::press(Vec2 p, double mass, double force) {

@@ -18,6 +18,7 @@
 // edge.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/base/vec.h"
@@ -36,7 +37,7 @@ class Ground {
   explicit Ground(const grid::Map& map);
 
   /// Whether it is all one plane of one kind.
-  bool plain() const { return hills_.empty() && surfaces_.empty(); }
+  bool plain() const { return hills_.empty() && surfaces_.empty() && surface_of_cell_.empty(); }
 
   /// Of a wheel of that radius (m) whose contact point is p; `rolls`: which way, a unit vector.
   Footing under_wheel(Vec2 p, Vec2 rolls, double radius) const;
@@ -45,9 +46,7 @@ class Ground {
   /// m, of the floor itself.
   double height(Vec2 p) const;
   /// The surface there: grip, times the robot's, and rolling resistance, which comes to its own.
-  struct Kind {
-    double grip = 1.0, rolling = 0.0;
-  };
+  using Kind = grid::SurfaceFigures;
   Kind kind(Vec2 p) const;
 
   /// A mass (kg) presses on p with a force (N), in this tick.
@@ -73,6 +72,11 @@ class Ground {
 
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
+  // Of the legend, as grid::Map has them.
+  const std::vector<Kind> legend_surfaces_;
+  const std::vector<std::uint8_t> surface_of_cell_;
+  const int columns_, rows_;
+  const double cell_m_;
   State state_;
 };
 

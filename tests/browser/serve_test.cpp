@@ -8,6 +8,7 @@
 namespace robosim::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -178,6 +179,8 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     const broken = $('map-said').textContent;
     $('map-undo').click();
     const undone = !$('map-text').value.includes('corners');
+    $('map-text').value = $('map-text').value.replace(/^\+\+\+\n_+\n____/m, '[legend]\n3 = "wet"\n$&').replace(/(\n_+\n)____(_{16}\n)/, '$1___3$2');
+    $('map-text').onchange();
     await said((text) => !text);
     const key = (name, more = {}) => $('sheet').dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, ...more }));
     key(' ');
@@ -212,6 +215,9 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
   EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
   EXPECT_EQ(seen["undone"], true) << "what was typed, too";
   EXPECT_EQ(seen["map"], "./my.map");
+  EXPECT_THAT(seen["text"].get<std::string>(), AllOf(HasSubstr("[legend]\n4 = \"wet line\"\n3 = \"wet\"\n"),
+                                                     HasSubstr("\n_S.4......._________\n")))
+      << "a line through a puddle";
   EXPECT_EQ(seen["own"], true) << "an image is for its own chip";
   EXPECT_EQ(seen["wrong"],
             "Wrong.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");

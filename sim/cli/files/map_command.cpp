@@ -108,6 +108,20 @@ std::string describe_path(const grid::PathSurvey& path) {
 // Metres as people would write them: to a micrometre.
 double shown(double m) { return std::round(m * 1e6) / 1e6; }
 
+// By the legend.
+std::ptrdiff_t surface_cells(const grid::Map& map) {
+  return std::count_if(map.surface_of_cell.begin(), map.surface_of_cell.end(),
+                       [](std::uint8_t surface) { return surface != 0; });
+}
+
+std::string surfaces_text(const grid::Map& map) {
+  const auto cells = static_cast<std::size_t>(surface_cells(map));
+  const std::size_t areas = map.course.surfaces.size();
+  const std::string by_legend = counted(cells, "cell") + " by the legend";
+  if (cells == 0) return areas > 0 ? fmt::format("{}", areas) : "";
+  return areas > 0 ? fmt::format("{}, and {}", areas, by_legend) : by_legend;
+}
+
 std::string survey_json(const Survey& s) {
   const auto& [map, start, network] = s;
   JsonLines lines;
@@ -148,6 +162,7 @@ std::string survey_json(const Survey& s) {
   lines.add("areas", map.course.areas.size());
   lines.add("hills", map.course.hills.size());
   lines.add("surfaces", map.course.surfaces.size());
+  if (const std::ptrdiff_t cells = surface_cells(map); cells > 0) lines.add("surface_cells", cells);
   return lines.text();
 }
 
@@ -197,7 +212,8 @@ void describe(const Survey& s, std::ostream& out) {
   if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
   if (!map.course.areas.empty()) out << fmt::format("  areas     {}\n", map.course.areas.size());
   if (!map.course.hills.empty()) out << fmt::format("  hills     {}\n", map.course.hills.size());
-  if (!map.course.surfaces.empty()) out << fmt::format("  surfaces  {}\n", map.course.surfaces.size());
+  if (const std::string surfaces = surfaces_text(map); !surfaces.empty())
+    out << fmt::format("  surfaces  {}\n", surfaces);
   out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
   if (!start.on_path)

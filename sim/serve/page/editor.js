@@ -15,6 +15,18 @@ export function parts(text) {
 }
 export const join = ({ front, rows }) => `${front ? `+++\n${front}+++\n` : ''}${rows.map((row) => `${row}\n`).join('')}`;
 
+/** The digit of a legend for what a tool puts on a cell of another surface, so that this one stays; null: the cell has none. */
+export function onSurface(front, found, tool) {
+  const words = Object.fromEntries([...(/^\[legend\]\r?\n((?:(?!\[).*\n?)*)/m.exec(front)?.[1] ?? '').matchAll(/^([3-9])\s*=\s*"(.*?)"/gm)].map(([, digit, means]) => [digit, means]));
+  const [, kind] = /^(?!floor|line|wall|gap|obstacle)(\w+)/.exec(words[found] ?? '') ?? [];
+  if (!kind || !['line', 'floor', 'obstacle'].includes(tool)) return null;
+  const means = `${kind} ${tool}`, is = (digit) => words[digit] === means || (tool === 'floor' && words[digit] === kind);
+  const known = Object.keys(words).find(is);
+  if (known) return { digit: known, front };
+  const digit = [...'3456789'].find((free) => !new RegExp(`^${free}\\s*=`, 'm').test(front));
+  return digit ? { digit, front: front.replace(/^\[legend\]\r?\n/m, `[legend]\n${digit} = "${means}"\n`) } : null;
+}
+
 /** The segment that begins at a place in a direction and ends at another place: a straight, or the one arc. */
 export function segmentTo({ x, y, heading }, toX, toY) {
   const chord = Math.hypot(toX - x, toY - y);
@@ -151,12 +163,14 @@ export class Editor {
   }
 
   setCell({ x, y }) {
-    const map = parts(this.text.value), c = CELLS[$('tool').value];
+    const map = parts(this.text.value), tool = $('tool').value, kept = onSurface(map.front, map.rows[y]?.[x], tool);
+    const c = kept?.digit ?? CELLS[tool];
     if (!map.rows.length) return this.say('this map has no rows of cells: draw paths');
     if (!(x >= 0 && y >= 0 && y < map.rows.length && x < map.rows[0].length)) return undefined;
     const put = (row, at) => `${row.slice(0, at)}${c}${row.slice(at + 1)}`;
     if (c === 'S' || c === 'G') map.rows = map.rows.map((row) => row.replaceAll(c, '.'));
     map.rows[y] = put(map.rows[y], x);
+    map.front = kept?.front ?? map.front;
     return this.change(join(map));
   }
 

@@ -88,6 +88,15 @@ TEST_F(Picture, ShowsHillsDarkerWhereTheyAreHigher) {
   EXPECT_THAT(svg, HasSubstr(R"(fill="#d9e8f3")"));
 }
 
+TEST_F(Picture, TintsCellsWhoseSurfaceTheLegendSays) {
+  write_file(map, "+++\n[legend]\n4 = \"wet line\"\n5 = \"carpet\"\n+++\n.44.\n_5__\n");
+  recorder.begin(run);
+  recorder.add(wire::Started{});
+  const std::string svg = drawn();
+  EXPECT_THAT(svg, HasSubstr(R"(d="M300.0 0.0L100.0 0.0L100.0 100.0L300.0 100.0Z" fill="#d9e8f3")"));
+  EXPECT_THAT(svg, HasSubstr(R"(d="M200.0 100.0L100.0 100.0L100.0 200.0L200.0 200.0Z" fill="#e6dcea")"));
+}
+
 TEST_F(Picture, CutsOffAtItsEdgeWhatSticksOutOfTheFloor) {
   const auto with = [&](const std::string& x) {
     write_file(map, "+++\nsize = [\"1 m\", \"500 mm\"]\n[[surface]]\nat = [\"" + x +

@@ -69,6 +69,20 @@ TEST_F(FloorPictureTest, WhatIsOutsideTheWindowIsNotDrawn) {
   EXPECT_EQ(drawn(floor_, {{{5.0, 5.0}, {U'X', Ink::mark}}}, kAscii).find_first_of("*X"), std::string::npos);
 }
 
+TEST(FloorPicture, ShowsWhereTheFloorIsOfAnotherKind) {
+  const grid::Map map = grid::parse_map(
+      "+++\n[legend]\n3 = \"wet\"\n4 = \"wet line\"\n[[surface]]\nat = [\"350 mm\", \"150 mm\"]\n"
+      "size = [\"100 mm\", \"100 mm\"]\nkind = \"carpet\"\n+++\n_3__\n.44.\n",
+      "t.map");
+  FloorPicture floor(map);
+  floor.look_at(fit(map, area_of(map), 16, 100));
+  EXPECT_EQ(drawn(floor, {}, kAscii),
+            "    ~ ~     ~ ~\n"
+            "     ~ ~     ~ ~\n"
+            "    ~ ~ ~ ~\n"
+            "  ............\n");
+}
+
 TEST(FloorPicture, AHillSaysWhereItIsUpAndTheLineLiesOnIt) {
   const grid::Map map = grid::parse_map(
       "+++\n[[hill]]\nat = [\"100 mm\", \"100 mm\"]\nsize = [\"200 mm\", \"200 mm\"]\nslope = \"10 deg\"\n"

@@ -239,6 +239,48 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
   }
 }
 
+// Rows of a map count from the top, the world's y from below; where an area lies on a cell, the area counts.
+TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
+  const grid::Map map = grid::parse_map(
+      "+++\n[legend]\n4 = \"wet\"\n5 = { cell = \"line\", grip = 0.3, rolling = 0.02 }\n"
+      "[[surface]]\nat = [\"250 mm\", \"50 mm\"]\nradius = \"20 mm\"\nkind = \"carpet\"\n+++\n"
+      "4..\n___\n__5\n",
+      "m.map");
+  const Ground ground(map);
+  EXPECT_FALSE(ground.plain());
+  const auto at = [&](double x, double y) {
+    const Ground::Kind kind = ground.kind({x, y});
+    return std::pair{kind.grip, kind.rolling};
+  };
+  using P = std::pair<double, double>;
+  EXPECT_EQ(at(0.05, 0.25), P(0.6, 0.0));
+  EXPECT_EQ(at(0.0999, 0.2001), P(0.6, 0.0));
+  EXPECT_EQ(at(0.1001, 0.25), P(1.0, 0.0));
+  EXPECT_EQ(at(0.05, 0.1999), P(1.0, 0.0));
+  EXPECT_EQ(at(0.05, 0.05), P(1.0, 0.0));
+  EXPECT_EQ(at(0.21, 0.09), P(0.3, 0.02));
+  EXPECT_EQ(at(0.25, 0.05), P(1.0, 0.05));
+  for (const double out : {-0.01, 0.31, 1e12}) EXPECT_EQ(at(out, 0.05), P(1.0, 0.0));
+  EXPECT_EQ(at(0.05, 0.31), P(1.0, 0.0));
+}
+
+// v^2 / 2 mu g: a legend's cells stop a robot as an area does.
+TEST_F(GroundTest, StopsOnTheGripOfTheLegendInTheWayOfTheBooks) {
+  BodyParams p = free_body();
+  p.load_share = 1.0;
+  map_.legend_surfaces = {{0.5, 0.0}};
+  map_.surface_of_cell.assign(map_.cells.size(), 1);
+  Body& body = make(p);
+  drive(body, 0.8);
+  run(5.0);
+  const double speed = body.speed(), from = body.distance();
+  body.block(left, true);
+  body.block(right, true);
+  run(3.0);
+  const double expected = speed * speed / (2.0 * p.grip * 0.5 * kG);
+  EXPECT_NEAR(body.distance() - from, expected, kWithin * expected);
+}
+
 TEST_F(GroundTest, RollsAsFarAsRollingResistanceLetsIt) {
   BodyParams p = free_body();
   p.rolling_resistance = 0.02;

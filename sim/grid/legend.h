@@ -1,0 +1,55 @@
+// [legend] of a map: what the digits 3 to 9 mean.
+//
+//   3 = "gap"                                  # a cell
+//   4 = "wet"                                  # a surface: floor that is wet
+//   5 = "wet line"                             # both
+//   6 = { cell = "line", rolling = 0.03 }      # a surface by its figures
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/config.h"
+#include "sim/grid/drawn.h"
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+struct Legend {
+  struct Meaning {
+    Cell cell = Cell::floor;
+    std::uint8_t surface = 0;  ///< as in Map::surface_of_cell
+  };
+  std::array<std::optional<Meaning>, 10> digits;  ///< 0 to 2 are never set
+  std::vector<SurfaceFigures> surfaces;           ///< as Map::legend_surfaces
+};
+
+/// What the front matter calls such a cell.
+const char* cell_word(Cell cell);
+
+/// Throws InputError.
+Legend read_legend(const ConfigValue& value, Draw draw = {});
+
+/// The digits of a map that is written: those cells that have no character of their own.
+class LegendWriter {
+ public:
+  /// Throws std::invalid_argument where seven digits are not enough.
+  explicit LegendWriter(const Map& map);
+
+  /// The digit of such a cell; 0 = none, it has a character.
+  char digit(Cell cell, std::size_t surface) const { return digit_[index(cell, surface)]; }
+  /// The table [legend], or "".
+  const std::string& text() const { return text_; }
+
+ private:
+  static std::size_t index(Cell cell, std::size_t surface) {
+    return surface * 8 + static_cast<std::size_t>(cell);
+  }
+  std::vector<char> digit_;
+  std::string text_;
+};
+
+}  // namespace robosim::grid
