@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <system_error>
 #include <vector>
@@ -78,6 +79,17 @@ namespace {
 /// Beside a file, while it is written.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
+/// As a rename over what is there, which on ext4 waits until all of the new file is on its way to the disk.
+bool replace(const fs::path& fresh, const fs::path& old) {
+  const auto change_places = [&] {
+    return ::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
+  };
+  if (!change_places()) return false;  // there is nothing, or no such thing on this file system
+  if (::unlink(fresh.c_str()) == 0) return true;
+  change_places();  // it was a folder
+  return false;
+}
+
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view content) {
@@ -105,7 +117,7 @@ void place_file(const Descriptor& unnamed, const fs::path& path, int error) {
     ::unlink(target.c_str());  // of a process that had our number once
     if (::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) != 0)
       throw std::system_error(errno, std::generic_category());
-    fs::rename(target, path);
+    if (!replace(target, path)) fs::rename(target, path);
   } catch (const std::system_error& problem) {
     ::unlink(target.c_str());
     fail(path, "written", problem.code().value());

@@ -24,8 +24,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t most_bytes 
 /// such as /dev/stdout is written as it is. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Gives a file without a name (O_TMPFILE) that of the target, as write_file() does. `error`: what went wrong
-/// with it before; 0 = nothing. Throws InputError.
+/// Gives a file without a name (O_TMPFILE) that of the target, as write_file() does, but waits for no disk:
+/// a power cut in the next seconds may leave an empty file. `error`: what went wrong with it before; 0 =
+/// nothing. Throws InputError.
 void place_file(const Descriptor& unnamed, const std::filesystem::path& path, int error = 0);
 
 /// SHA-256 in lower-case hexadecimal.
