@@ -211,11 +211,12 @@ const Sample& Agent::sample_at(SimTime t) {
   sample.cross_track = state_.cross_track;
   sample.left = robot_.left_command(), sample.right = robot_.right_command();
   sample.wheels = {body_.tread_speed(world::left), body_.tread_speed(world::right)};
-  sample.readings.clear();
   sample.at_station.clear();
   readings_.clear();
   robot_.read(readings_);
-  for (const robot::Reading& reading : readings_) sample.readings.push_back(reading.value);
+  sample.readings.resize(readings_.size());
+  std::transform(readings_.begin(), readings_.end(), sample.readings.begin(),
+                 [](const robot::Reading& reading) { return reading.value; });
   if (setup_.controller) {
     for (const judge::Waypoint& station : progress_.stations())
       if (body_.covers(station.centre)) sample.at_station = station.name;

@@ -43,6 +43,8 @@ class Bundler {
     waiting_.add_volts(agent, t, pin, name, volts);
     look();
   }
+  /// Whether one of these three, of that pin at that time, can go on behind what waits as it is.
+  bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
   /// Pins of the robot will have sources, and one of these.
   void sources(int agent) { waiting_.add_sources(agent); }
   void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
@@ -53,7 +55,7 @@ class Bundler {
   /// How late an event may be: for who watches a slow run. Each time costs as much as some hundred events.
   static constexpr SimTime kLongest = 1 * kSecond;
 
-  void look() {
+  [[gnu::always_inline]] void look() {
     if (waiting_.size() >= wire::BatchWriter::kFull_bytes || waiting_.latest_ns() - flushed_ns_ >= kLongest)
       flush();
   }

@@ -23,10 +23,12 @@ Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& 
       bundler_(wire::comes_in_batches(request) ? bundler : nullptr),
       wants_columns_(request.columns_every_ns > 0),
       wants_pins_(request.pins || (wants_columns_ && bundler_)),
-      wants_inputs_(request.io || (wants_columns_ && bundler_)) {
+      wants_inputs_(request.io || (wants_columns_ && bundler_)),
+      quick_inputs_(wants_inputs_ ? bundler_ : nullptr) {
   sample_.agent = agent;
+  const bool has_sources = wants_columns_ && executor.trace_drives();
+  if (wants_pins_ && !has_sources) quick_pins_ = bundler_;
   if (!wants_columns_) return;
-  const bool has_sources = executor.trace_drives();
   if (bundler_) {
     if (has_sources) sources_.emplace();
     return;
@@ -61,6 +63,12 @@ void Narrator::happened(const wire::RunEvent& event) {
 }
 
 void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  if (goes_on(quick_pins_, agent_, t, pin))
+    return quick_pins_->pin(agent_, t, pin, board_.pins[pin].name, drive, 0);
+  change_pin(pin, drive, t);
+}
+
+void Narrator::change_pin(Pin pin, const PinDrive& drive, SimTime t) {
   if (columns_)
     columns_->add_pin(pin, t,
                       wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
@@ -95,6 +103,12 @@ void Narrator::tell_level(Pin pin, bool level, SimTime t) {
 }
 
 void Narrator::volts_seen(Pin pin, double volts, SimTime t) {
+  if (goes_on(quick_inputs_, agent_, t, pin))
+    return quick_inputs_->volts(agent_, t, pin, board_.pins[pin].name, volts);
+  see_volts(pin, volts, t);
+}
+
+void Narrator::see_volts(Pin pin, double volts, SimTime t) {
   if (bundler_ && wants_inputs_) return bundler_->volts(agent_, t, pin, board_.pins[pin].name, volts);
   tell_volts(pin, volts, t);
 }

@@ -40,6 +40,14 @@ class Narrator final : public run::Listener {
   bool in_span(SimTime t) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
+  /// Whether the bundler takes one as it is. Most are such, and little code for them is what a run that is
+  /// recorded has time for.
+  static bool goes_on(const Bundler* bundler, int agent, SimTime t, Pin pin) {
+    return bundler && bundler->follows(agent, t, pin);
+  }
+  // What does not.
+  [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
+  [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
   // Without a bundler.
   [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
@@ -57,6 +65,8 @@ class Narrator final : public run::Listener {
   Tell tell_;
   Bundler* const bundler_;  ///< null = events and columns are told as they are
   const bool wants_columns_, wants_pins_, wants_inputs_;
+  Bundler* quick_pins_ = nullptr;  ///< if it is told all of them, and no sources
+  Bundler* const quick_inputs_;    ///< if it is told all of them
   std::string line_;
   std::optional<wire::RunColumns> columns_;
   std::optional<wire::SourceNumbers> sources_;  ///< for columns that the client makes

@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 constexpr const char* kModes[] = {"input", "input_pullup", "output"};
-constexpr std::uint8_t kMode = 3, kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;
+constexpr std::uint8_t kMode = 3;
 constexpr std::size_t kPins = 256;
 
 bool fits(int agent) { return agent >= 0 && agent < static_cast<int>(kMostAgents); }
@@ -41,17 +41,6 @@ void BatchWriter::name_pin(std::size_t number, const char* name) {
 void BatchWriter::count_from(std::int64_t t_ns) {
   end(put(put_head(at(), 't', 0, 0, 0, 0), t_ns));
   from_ns_ = t_ns;
-}
-
-void BatchWriter::add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode,
-                          bool level, bool pwm, double duty, std::uint32_t tone_hz, int source) {
-  begin_at_pin(agent, t_ns, pin, name);
-  const int flags = mode | (level ? kHigh : 0) | (pwm ? kPwm : 0) | (tone_hz != 0 ? kTone : 0) |
-                    (source != 0 ? kSource : 0);
-  char* to = put(put_head(at(), 'p', agent, pin, flags, step_to(t_ns)), duty);
-  if (tone_hz != 0) to = put(to, tone_hz);
-  if (source != 0) to = put(to, static_cast<std::uint32_t>(source));
-  end(to);
 }
 
 void BatchWriter::add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent) {
@@ -235,10 +224,10 @@ class BatchReader::Unpacker {
   void pin(Robot& robot) {
     const int mode = other_ & kMode;
     if (mode >= static_cast<int>(std::size(kModes))) refuse();
-    const bool level = other_ & kHigh, pwm = other_ & kPwm;
+    const bool level = other_ & BatchWriter::kHigh, pwm = other_ & BatchWriter::kPwm;
     const auto duty = number<double>();
-    const std::uint32_t tone_hz = other_ & kTone ? number<std::uint32_t>() : 0,
-                        source = other_ & kSource ? number<std::uint32_t>() : 0;
+    const std::uint32_t tone_hz = other_ & BatchWriter::kTone ? number<std::uint32_t>() : 0,
+                        source = other_ & BatchWriter::kSource ? number<std::uint32_t>() : 0;
     if (source > robot.sources.size()) refuse();
     if (robot.columns)
       robot.columns->add_pin(robot.number_of(pin_), t_ns_,

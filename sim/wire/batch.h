@@ -58,6 +58,8 @@ class BatchWriter {
   /// There is room for at least one more event if no more than that waits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
+  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< of 'p', beside the mode
+
   struct Head {
     char kind;
     std::uint8_t agent, pin, other;
@@ -81,16 +83,31 @@ class BatchWriter {
   /// as it likes. `mode`: 0 input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's
   /// number must be less than kMostAgents, a name no longer than kMostName.
   void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
-               bool pwm, double duty, std::uint32_t tone_hz, int source = 0);
+               bool pwm, double duty, std::uint32_t tone_hz, int source = 0) {
+    begin_at_pin(agent, t_ns, pin, name);
+    const int flags = mode | (level ? kHigh : 0) | (pwm ? kPwm : 0) | (tone_hz != 0 ? kTone : 0) |
+                      (source != 0 ? kSource : 0);
+    BatchMemory& memory = *memory_;
+    char* to = put(put_head(at(memory), 'p', agent, pin, flags, step_to(t_ns)), duty);
+    if (tone_hz != 0) to = put(to, tone_hz);
+    if (source != 0) to = put(to, static_cast<std::uint32_t>(source));
+    end(memory, to);
+  }
   void add_level(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, bool level) {
     begin_at_pin(agent, t_ns, pin, name);
-    end(put_head(at(), 'l', agent, pin, level, step_to(t_ns)));
+    BatchMemory& memory = *memory_;
+    end(memory, put_head(at(memory), 'l', agent, pin, level, step_to(t_ns)));
   }
   void add_volts(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, double volts) {
     begin_at_pin(agent, t_ns, pin, name);
-    end(put(put_head(at(), 'v', agent, pin, 0, step_to(t_ns)), volts));
+    BatchMemory& memory = *memory_;
+    end(memory, put(put_head(at(memory), 'v', agent, pin, 0, step_to(t_ns)), volts));
   }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
+  /// Whether one of these three, of that pin at that time, would need nothing else before it: most do not.
+  bool follows(int agent, std::int64_t t_ns, std::uint8_t pin) const {
+    return is_named(number_of(agent, pin)) && is_near(t_ns);
+  }
   /// Pins of the robot will have sources.
   void add_sources(int agent);
   /// The next of its sources. Of longer names only the beginning is kept.
@@ -130,18 +147,29 @@ class BatchWriter {
     return put(to,
                Head{kind, static_cast<std::uint8_t>(agent), pin, static_cast<std::uint8_t>(other), number});
   }
-  char* at() { return memory_->bytes + size(); }
-  void end(const char* end) {
-    memory_->used.store(static_cast<std::uint32_t>(end - memory_->bytes), std::memory_order_release);
+  // Of a memory, as a local name has it: what is put there might else be memory_ itself, for all that a
+  // compiler knows.
+  static char* at(BatchMemory& memory) { return memory.bytes + memory.used.load(std::memory_order_relaxed); }
+  static void end(BatchMemory& memory, const char* end) {
+    memory.used.store(static_cast<std::uint32_t>(end - memory.bytes), std::memory_order_release);
   }
+  char* at() { return at(*memory_); }
+  void end(const char* to) { end(*memory_, to); }
   void begin_at_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name) {
-    const std::size_t number = static_cast<std::size_t>(agent) << 8 | pin;
-    if (number >= named_in_.size() || named_in_[number] != batch_) name_pin(number, name);
+    const std::size_t number = number_of(agent, pin);
+    if (!is_named(number)) name_pin(number, name);
     begin_at(t_ns);
   }
   void begin_at(std::int64_t t_ns) {
+    if (!is_near(t_ns)) count_from(t_ns);
+  }
+  static std::size_t number_of(int agent, std::uint8_t pin) {
+    return static_cast<std::size_t>(agent) << 8 | pin;
+  }
+  bool is_named(std::size_t number) const { return number < named_in_.size() && named_in_[number] == batch_; }
+  bool is_near(std::int64_t t_ns) const {
     const std::int64_t step = t_ns - from_ns_;
-    if (step != static_cast<std::int32_t>(step)) count_from(t_ns);
+    return step == static_cast<std::int32_t>(step);
   }
   std::int32_t step_to(std::int64_t t_ns) {
     const auto step = static_cast<std::int32_t>(t_ns - from_ns_);
