@@ -4,10 +4,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -77,6 +80,10 @@ class Session {
   /// What it answers to a line, events apart.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
+    return answer();
+  }
+  /// The next answer.
+  wire::Line answer() {
     events.clear();
     for (;;) {
       wire::Line said = wire::parse_line(line());
@@ -101,6 +108,23 @@ class Session {
   }
 
   void interrupt() const { runner_.send(SIGINT); }
+  /// Waits until the run, which has a process of its own, waits too, and so does its runner; false if it ends
+  /// before.
+  bool comes_to_wait() const {
+    const std::string runner = "/proc/" + std::to_string(runner_.pid());
+    // Either may, for a moment, wait for the other.
+    constexpr int kOften = 2000;
+    for (int times = 0; times < kOften; ++times, ::sched_yield()) {
+      pid_t run = 0;
+      std::ifstream children(runner + "/task/" + std::to_string(runner_.pid()) + "/children");
+      if (!children.is_open()) throw std::runtime_error("/proc does not list the runner's children");
+      children >> run;
+      const char state = run > 0 ? state_of("/proc/" + std::to_string(run)) : '?';
+      if (state == 'Z' || state_of(runner) == 'Z') return false;
+      if (state != 'S' || state_of(runner) != 'S') times = -1;
+    }
+    return true;
+  }
   /// Says no more to it, and waits until it has ended.
   Ending end() {
     input_.write.close();
@@ -110,6 +134,14 @@ class Session {
   std::vector<wire::Event> events;  ///< before the last answer
 
  private:
+  /// As /proc has it: 'R' runs, 'S' waits, 'Z' has ended.
+  static char state_of(const std::string& process) {
+    std::ifstream file(process + "/stat");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::size_t name = text.rfind(") ");
+    return name == text.npos ? '?' : text[name + 2];
+  }
+
   Pipe input_, output_;
   Child runner_;
   std::string unread_;
@@ -140,6 +172,13 @@ ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
   return {"built-in", [at_100_ms](const BoardSpec&, const std::filesystem::path&) {
             return std::make_unique<Driver>(at_100_ms);
           }};
+}
+
+/// As if they were code of this machine: their run is confined and tells its runner, not its client.
+ExecutorFactory confined_drivers() {
+  ExecutorFactory factory = drivers();
+  factory.prepare_for_confinement = [](auto&&...) {};
+  return factory;
 }
 
 class SessionTest : public ::testing::Test {
@@ -408,9 +447,11 @@ TEST_F(SessionTest, ARunMayTellMoreThanWaitsForItsReader) {
   request_.for_ns = 30 * kSecond;
   request_.samples_every_ns = 10 * kMillisecond;
   request_.notes = request_.pins = request_.io = request_.batches = true;
-  Session session(drivers());
+  Session session(confined_drivers());
   session.line();
-  session.ask_for<wire::RunResult>(wire::Request(request_));
+  session.send(wire::to_line(1, wire::Request(request_)));
+  EXPECT_TRUE(session.comes_to_wait()) << "nobody reads, and there is not room for all of it";
+  session.answer();
   wire::BatchReader reader(request_);
   std::vector<std::int64_t> samples_us;
   for (const wire::Event& event : session.events)
