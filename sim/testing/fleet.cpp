@@ -106,6 +106,7 @@ void Fleet::Inside::keep() const {
   keep_inputs(artifacts, all.fleet, stages, scripts);
   for (const auto& log : logs) keep_texts(*log, artifacts, log->name + "-");
   write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", replay, run->now_ns / 1'000'000));
+  record_kept(artifacts);
   if (run->now_ns == 0) return;
   const bool whole = run->over() && logs.front()->result && logs.front()->result->verdict != "interrupted";
   const std::string problem = record_again(all.fleet, stages, scripts, whole ? &run->result(0) : nullptr,

@@ -150,4 +150,14 @@ void record_trace(const std::string& trace_hash) {
   ::testing::Test::RecordProperty("robosim_traces", fmt::format("{:016x}", sum));
 }
 
+void record_kept(const std::string& folder) {
+  static const ::testing::TestInfo* test = nullptr;
+  static std::string folders;
+  const ::testing::TestInfo* now = ::testing::UnitTest::GetInstance()->current_test_info();
+  if (!now) return;
+  folders = now == test ? folders + "; " + folder : folder;
+  test = now;
+  ::testing::Test::RecordProperty("robosim_kept", folders);
+}
+
 }  // namespace robosim::testing

@@ -175,6 +175,7 @@ Simulation::~Simulation() {
     if (::testing::Test::HasFailure() && !log.artifacts.empty()) {
       const std::string problem = keep(log, in_->stage, run.run->script(), *run.runner);
       if (!problem.empty()) std::fputs(fmt::format("robosim: {}\n", problem).c_str(), stderr);
+      record_kept(log.artifacts);
     }
   } catch (const std::exception& problem) {
     run.runner.condemn();

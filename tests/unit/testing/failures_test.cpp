@@ -78,7 +78,14 @@ TEST_F(FailedTests, TellOfTheRobotThoughTheExpectationKnowsNothingOfIt) {
   EXPECT_THAT(said.substr(at),
               AllOf(HasSubstr("the sketch says \"go\\r\\n\""), HasSubstr("\n  at 1.00 s it is at column "),
                     HasSubstr("\n  replay: " + text("kept/PassesBy.StopsAtAStation/command.txt")),
+                    HasSubstr("\n  kept:   " + path("kept/PassesBy.StopsAtAStation") + "; open its run.html"),
                     HasSubstr("robot.verdict()")));
+}
+
+TEST_F(FailedTests, NameWhatIsKeptOfThemToMachinesToo) {
+  const std::string junit = text("junit.xml");
+  for (const char* test : {"TooFast.KeepsToTheLine", "PassesBy.StopsAtAStation", "InTheWay.NobodyIsTouched"})
+    EXPECT_THAT(junit, HasSubstr("<property name=\"robosim_kept\" value=\"" + path("kept/") + test + "\"/>"));
 }
 
 TEST_F(FailedTests, OfPowerCutsTellOfTheRobotToo) {
