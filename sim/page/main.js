@@ -201,7 +201,10 @@ class Page {
       this.chooser.chooseAt(...view.toFloor(e.offsetX, e.offsetY), player.t);
     });
     document.addEventListener('keydown', (e) => this.key(e));
-    $('other-file').addEventListener('change', (e) => e.target.files[0] && this.open(e.target.files[0]));
+    $('other-file').addEventListener('change', ({ target }) => {
+      if (target.files[0]) this.open(target.files[0]);
+      target.value = '';  // the same file may be chosen again
+    });
     document.addEventListener('dragover', (e) => e.preventDefault());
     document.addEventListener('drop', (e) => {
       e.preventDefault();
@@ -230,6 +233,7 @@ class Page {
   stepEvent(direction, kind) {
     const happened = this.player.stepEvent(direction, kind);
     if (happened.length) this.tellHappened(happened.map((e) => e.text).join(' · '));
+    else if (kind) this.tellHappened(`${direction > 0 ? 'from here on' : 'before this'} the line is neither left nor found`);
   }
 
   tellHappened(text) {
@@ -268,18 +272,21 @@ class Page {
     if (Number(where.get('span')) > 0) this.span.set(Number(where.get('span')));
   }
 
-  /** Another run over this one. */
+  /** Another run over this one. What is no such run leaves the page as it was. */
   async open(file) {
+    const { over = [null] } = this;
     try {
       this.compare(await runsOfFile(file), file.name);
       $('problem').hidden = true;
     } catch (error) {
+      if (this.over !== over) this.compare(...over);
       complain(error);
     }
   }
 
   /** `others`: its robots, or null. */
   compare(others, name) {
+    this.over = [others, name];
     this.others = others;
     const other = this.other = others && this.otherOf(this.run);
     const box = $('other-box');
@@ -357,10 +364,13 @@ const runsOfFile = async (file) => runsOfBytes(new Uint8Array(await file.arrayBu
 
 async function runsOfBytes(bytes, name) {
   const begin = new TextDecoder('latin1').decode(bytes.subarray(0, 64)).trimStart().toLowerCase();
-  if (begin.startsWith('robosim.rec/')) return runsOf(await readRecording(bytes));
-  const text = new TextDecoder().decode(bytes);
-  if (begin.startsWith('<!doctype html')) return runsOf(await readRecording(bytesOfPage(text)));
-  return [runOfTable(text, name)];
+  const isPage = begin.startsWith('<!doctype html'), text = () => new TextDecoder().decode(bytes);
+  if (!isPage && !begin.startsWith('robosim.rec/') && !/\.(rec|html)$/i.test(name)) return [runOfTable(text(), name)];
+  try {
+    return runsOf(await readRecording(isPage ? bytesOfPage(text()) : bytes));
+  } catch (error) {
+    throw error instanceof BadFile ? new BadFile(`${name}: ${error.message}`) : error;
+  }
 }
 
 function complain(error) {
@@ -392,7 +402,7 @@ async function begin() {
     const { textContent: over, dataset } = $('over');
     if (over) {
       const name = new TextDecoder().decode(bytesOfBase64(dataset.name));
-      page.compare(await runsOfBytes(bytesOfBase64(over), name), name);
+      await page.open(new File([bytesOfBase64(over)], name));
     }
     page.goTo(new URLSearchParams(location.hash.slice(1)));
     window.robosim = page;  // for tests, and for the curious at the console

@@ -25,13 +25,14 @@ export class Player {
     this.seek((Math.round(this.t * 1000) + ms) / 1000);
   }
 
-  /** To the next event, or the one before, of that kind if one is given; gives all that happened then. */
+  /** To the next event, or the one before; gives all that happened then. After the last one it goes to the end, but where a
+   *  kind is given it stays. */
   stepEvent(direction, kind) {
     this.pause();
     const events = this.run.events.filter((e) => !kind || e.kind === kind);
     const found = direction > 0 ? events.find((e) => e.t > this.t + 1e-9)
       : events.findLast((e) => e.t < this.t - 1e-9);
-    this.seek(found ? found.t : direction > 0 ? this.run.duration : 0);
+    if (found || !kind) this.seek(found ? found.t : direction > 0 ? this.run.duration : 0);
     return found ? events.filter((e) => e.t === found.t) : [];
   }
 

@@ -104,6 +104,12 @@ function streamOf(bytes, at, count, columns) {
   return stream;
 }
 
+/** Whether all is there that a robot is drawn by. */
+function isRobot({ result, started, robot_info: robot, streams }) {
+  const isStream = ({ name, columns }) => Array.isArray(columns) && (name !== 'samples' || ['t_us', 'x_mm', 'y_mm', 'yaw_rad'].every((one) => columns.some((column) => column.name === one)));
+  return Number.isFinite(result?.time_s) && [started?.readings, robot?.sensors, streams].every(Array.isArray) && streams.every(isStream);
+}
+
 /** { header, streams: Map of name to { columnName: Float64Array, text? }, others: the same of further robots } */
 export async function readRecording(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length));
@@ -118,8 +124,7 @@ export async function readRecording(bytes) {
   try {
     header = JSON.parse(new TextDecoder().decode(all.subarray(0, end)));
   } catch {}
-  const isThere = (key, isList) => (isList ? Array.isArray(header?.[key]) : typeof header?.[key] === 'object' && header[key]);
-  if (!isThere('streams', true) || !isThere('notes', true) || !['result', 'started', 'robot_info'].every((key) => isThere(key)))
+  if (!Array.isArray(header?.notes) || ![header, ...(header.others ?? [])].every(isRobot))
     throw new BadFile('The recording’s header is damaged: record the run again.');
   let at = end + 1;
   const read = (infos) => {

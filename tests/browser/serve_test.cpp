@@ -230,6 +230,55 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
   browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "editor.png");
 }
 
+TEST_F(Serve, ZoomsIntoTheMapThatIsEdited) {
+  const Json seen = in_page("sketch=./Echo", R"(
+    await until(() => document.documentElement.dataset.ready);
+    const sheet = $('sheet'), cells = () => $('map-text').value.split('\n').slice(4);
+    $('edit').click();
+    await until(() => $('map-text').value);
+    $('map-new').click();
+    await until(() => cells().length > 12);
+    await drawn();
+    sheet.setPointerCapture = () => {};
+    $('tool').value = 'wall';
+    const box = sheet.getBoundingClientRect(), pitch = Math.min((sheet.clientWidth - 16) / 20, (sheet.clientHeight - 16) / 12);
+    const px = 8 + 6.5 * pitch, py = 8 + 4.5 * pitch;  // in the middle of a cell
+    const press = (dx, dy) => {
+      for (const kind of ['pointerdown', 'pointerup'])
+        sheet.dispatchEvent(new PointerEvent(kind, { clientX: box.left + px + dx * pitch, clientY: box.top + py + dy * pitch, pointerId: 1 }));
+    };
+    const put = () => cells().flatMap((row, y) => [...row].flatMap((c, x) => (c === '#' ? [[x, y]] : [])));
+    const dark = (dx, dy) => {
+      const ratio = sheet.width / sheet.clientWidth;
+      return sheet.getContext('2d').getImageData(Math.round((px + dx * pitch) * ratio), Math.round((py + dy * pitch) * ratio), 1, 1).data[0] < 180;
+    };
+    const places = [[0, 0], [1.4, 1.4], [-1.4, -1.4], [4, -4], [2.6, 0]];
+    const isDrawn = () => until(() => dark(...places[0]) && dark(...places[3]));
+    const walls = [];
+    sheet.dispatchEvent(new WheelEvent('wheel', { deltaY: -Math.log(4) / 0.0015, clientX: box.left + px, clientY: box.top + py, cancelable: true }));
+    press(0, 0);
+    press(1.4, 1.4);  // four times as large, that is the same cell
+    walls.push(put());
+    press(4, -4);
+    walls.push(put());
+    await isDrawn();
+    const seen = places.map((place) => dark(...place));
+    const key = (name) => sheet.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true }));
+    key('0');  // all of it again
+    press(2, 0);
+    walls.push(put());
+    key('+');
+    for (let i = 0; i < 30; i++) key('-');  // never smaller
+    press(3, 0);
+    walls.push(put());
+    return { walls, seen };)");
+  EXPECT_EQ(seen["walls"][0], Json::parse("[[6,4]]")) << "what is under the pointer stays there";
+  EXPECT_EQ(seen["walls"][1], Json::parse("[[7,3],[6,4]]"));
+  EXPECT_EQ(seen["seen"], Json::parse("[true,true,true,true,false]")) << "drawn where it is pressed";
+  EXPECT_EQ(seen["walls"][2], Json::parse("[[7,3],[6,4],[8,4]]"));
+  EXPECT_EQ(seen["walls"][3], Json::parse("[[7,3],[6,4],[8,4],[9,4]]"));
+}
+
 TEST_F(Serve, ShowsWhatTheCompilerSays) {
   const Json said = in_page("sketch=./Broken&run=1",
                             "await until(() => $('said').textContent); return $('said').textContent;");
