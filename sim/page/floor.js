@@ -378,10 +378,12 @@ export class FloorPicture {
 
   drawScale() {
     const { ctx, view } = this;
-    const aim = 110 / view.scale, ten = 10 ** Math.floor(Math.log10(aim));
+    const room = Math.min(Math.max(view.width - 290, 40), 110);  // beside what colours the trail
+    const aim = room / view.scale, ten = 10 ** Math.floor(Math.log10(aim));
     const length = [5, 2, 1].map((k) => k * ten).find((mm) => mm <= aim);
     const text = length >= 1000 ? `${length / 1000} m` : `${length} mm`;
     const y = view.height - 14, x = 14;
+    this.scaleEnds = x + length * view.scale;
     ctx.fillStyle = style('panel');
     ctx.beginPath();
     ctx.roundRect(x - 6, y - 22, Math.max(length * view.scale, 40) + 12, 30, 6);

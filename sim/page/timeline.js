@@ -128,7 +128,8 @@ export class Timeline {
     for (let i = 0; i * step <= this.run.duration * 1.0001; i++) {
       const x = this.xOf(i * step);
       ctx.fillRect(x - 0.5, bottom, 1, 3);
-      if (x < this.canvas.clientWidth - 16) ctx.fillText(timeText(i * step, step < 0.1 ? 2 : step < 1 ? 1 : 0), x, bottom + 4);
+      const text = timeText(i * step, step < 0.1 ? 2 : step < 1 ? 1 : 0), half = ctx.measureText(text).width / 2;
+      if (x + half < this.canvas.clientWidth) ctx.fillText(text, Math.max(x, half), bottom + 4);
     }
   }
 

@@ -216,6 +216,12 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
       const width = document.body.clientWidth;
       for (const part of document.body.querySelectorAll('header, main, footer, .stage, aside'))
         if (part.scrollWidth > part.clientWidth || part.getBoundingClientRect().right > width) faults.push(`too wide: ${part.className || part.tagName}`);
+      const left = (id) => $(id).getBoundingClientRect().left;
+      for (const zoom of [1, 0.9, 0.9, 0.9, 0.9, 0.9, 0.9]) {
+        page.view.zoom(zoom);
+        page.drawFloor();
+        if (left('floor') + page.floor.scaleEnds > $('colour-by').closest('label').parentElement.getBoundingClientRect().left) faults.push('the scale is hidden');
+      }
       page.player.seek(0);
       $('event-on').click();
       if (!$('happened').textContent || !$('happened').getClientRects().length) faults.push('what happened is not shown');
