@@ -10,8 +10,6 @@
 namespace robosim::cli {
 namespace {
 
-using Ending = JunitCase::Ending;
-
 constexpr std::size_t kMostColumns = 12;  // of checks; more are told in words
 
 /// Cases by a name of theirs, in the order in which the names come; numbers of cases.
@@ -28,14 +26,14 @@ struct Table {
 
 /// Which of the numbers ended so.
 std::size_t count(const std::vector<JunitCase>& cases, const std::vector<std::size_t>& numbers,
-                  Ending ending) {
+                  JunitCase::Ending ending) {
   return static_cast<std::size_t>(std::count_if(numbers.begin(), numbers.end(),
                                                 [&](std::size_t i) { return cases[i].ending == ending; }));
 }
 
 std::string cell(const JunitCase& one, std::size_t number, const Shown& shown) {
-  if (one.ending == Ending::skipped) return "<td class=\"dim\">–</td>";
-  if (one.ending == Ending::passed) return "<td class=\"good\">✓</td>";
+  if (one.ending == JunitCase::Ending::skipped) return "<td class=\"dim\">–</td>";
+  if (one.ending == JunitCase::Ending::passed) return "<td class=\"good\">✓</td>";
   return fmt::format("<td class=\"bad\" title=\"{}\">{}</td>", markup_text(one.message),
                      linked(shown, number, "✗"));
 }
@@ -59,9 +57,10 @@ std::string groups_table(const std::vector<JunitCase>& cases, const Table& group
     }
     const auto seen =
         std::find_if(own.begin(), own.end(), [&](std::size_t i) { return shown.replays.contains(i); });
-    body += fmt::format("<tr><td class=\"left\">{}</td><td>{}</td><td class=\"left\">{}</td>",
-                        markup_text(group), share_bar(count(cases, own, Ending::passed), own.size()),
-                        seen == own.end() ? "" : linked(shown, *seen, markup_text(cases[*seen].name)));
+    body +=
+        fmt::format("<tr><td class=\"left\">{}</td><td>{}</td><td class=\"left\">{}</td>", markup_text(group),
+                    share_bar(count(cases, own, JunitCase::Ending::passed), own.size()),
+                    seen == own.end() ? "" : linked(shown, *seen, markup_text(cases[*seen].name)));
     if (columns)
       for (const std::string& name : checks.names) {
         const auto found = by_name.find(name);
@@ -77,7 +76,7 @@ std::string groups_table(const std::vector<JunitCase>& cases, const Table& group
 std::string checks_table(const std::vector<JunitCase>& cases, const Table& checks) {
   std::vector<double> all_times, all_off;
   for (const JunitCase& one : cases) {
-    if (one.ending != Ending::passed) continue;
+    if (one.ending != JunitCase::Ending::passed) continue;
     all_times.push_back(one.time_s);
     if (one.off_line_mm) all_off.push_back(*one.off_line_mm);
   }
@@ -92,7 +91,7 @@ std::string checks_table(const std::vector<JunitCase>& cases, const Table& check
     const std::vector<std::size_t>& own = checks.of.at(name);
     std::vector<double> times, off;
     for (const std::size_t i : own) {
-      if (cases[i].ending != Ending::passed) continue;
+      if (cases[i].ending != JunitCase::Ending::passed) continue;
       times.push_back(cases[i].time_s);
       if (cases[i].off_line_mm) off.push_back(*cases[i].off_line_mm);
     }
@@ -116,7 +115,7 @@ std::string times_of_all(const std::vector<JunitCase>& cases) {
 std::string what_failed(const std::vector<JunitCase>& cases, const Shown& shown) {
   std::string failures;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    if (const JunitCase& one = cases[i]; one.ending == Ending::failed)
+    if (const JunitCase& one = cases[i]; one.ending == JunitCase::Ending::failed)
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
           markup_text(one.group), linked(shown, i, markup_text(one.name)), markup_text(one.message));
@@ -135,8 +134,8 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
   for (std::size_t i = 0; i < cases.size(); ++i) {
     groups.add(cases[i].group, i);
     checks.add(cases[i].name, i);
-    passed += cases[i].ending == Ending::passed;
-    failed += cases[i].ending == Ending::failed;
+    passed += cases[i].ending == JunitCase::Ending::passed;
+    failed += cases[i].ending == JunitCase::Ending::failed;
   }
   // Tests of C++ have names of their own each; checks of a class have those of all others.
   const bool columns =
@@ -146,7 +145,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
                   cases.size(), passed, failed, cases.size() - passed - failed);
   if (groups.names.size() > 1) {
     const auto whole = std::count_if(groups.names.begin(), groups.names.end(), [&](const std::string& name) {
-      return count(cases, groups.of.at(name), Ending::failed) == 0;
+      return count(cases, groups.of.at(name), JunitCase::Ending::failed) == 0;
     });
     body += fmt::format(" Without a failure: {} of {}.", whole, groups.names.size());
   }
