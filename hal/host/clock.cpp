@@ -16,6 +16,7 @@ ROBOSIM_CLOCKWORK FirmwareState state;
 FirmwarePort* board;
 Host* executor;
 ROBOSIM_CLOCKWORK SimTime deadline, watched_deadline;
+SimTime sooner;
 void (*unsettled)();
 
 namespace {
@@ -139,6 +140,16 @@ void work(SimTime duration) {
     state.now += step;
     duration -= step;
     if (state.now >= deadline) reach_deadline();
+  }
+}
+
+void be_late() {
+  while (state.now >= state.late_from) {
+    const SimTime by = state.lateness->by;
+    ++state.lateness;
+    state.late_from = state.lateness->from;
+    if (by < 0) sooner -= by;
+    work(by);
   }
 }
 

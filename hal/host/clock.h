@@ -46,6 +46,15 @@ inline void spend_in_block(int count) {
 /// Work that interrupts prolong: `duration` of the processor's own time.
 void work(SimTime duration);
 
+/// By how much the next delay() shall be shorter, ns.
+extern SimTime sooner;
+
+void be_late();
+/// Lets Lateness pass that is due.
+inline void be_late_if_due() {
+  if (__builtin_expect(state.now >= state.late_from, 0)) be_late();
+}
+
 /// Waits for `time` while interrupts are served at their exact moment; ends later only if a handler takes
 /// longer. Costs nothing however long it is.
 void wait_until(SimTime time);

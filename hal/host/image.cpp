@@ -99,10 +99,12 @@ const host::Image robosim_image = {host::kImageVersion,
 int firmware_main() {
   init();
   initVariant();
+  host::be_late_if_due();
   setup();
   for (;;) {
     loop();
     host::spend_between_loops(host::cost::kLoop);
+    host::be_late_if_due();
     if (serialEventRun) serialEventRun();
   }
 }

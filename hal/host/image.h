@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 14;
+constexpr uint32_t kImageVersion = 15;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -104,6 +104,14 @@ struct ApiCall {
   Pin pin = kNoPin;
 };
 
+/// As if firmware's code took longer: for `by` nothing is done but to serve interrupts, before setup(), at
+/// the end of a loop() or the beginning of a delay(), the first behind `from`. Or, negative, as if it took so
+/// much less: the next delay() is shorter.
+struct Lateness {
+  SimTime from = kNever;
+  SimTime by = 0;
+};
+
 struct FirmwareState {
   // The executor's:
   SimTime limit = 0;            ///< firmware stops here, ns
@@ -112,9 +120,11 @@ struct FirmwareState {
   size_t heap_bytes = 0;
   uint8_t* stack = nullptr;  ///< the fiber's
   size_t stack_bytes = 0;
-  bool watched = false;    ///< Host::block_begins() is wanted
-  bool may_skip = true;    ///< rounds in which it only waits may be left out (polling.h)
-  bool called_up = false;  ///< it shall come to `limit`, though it only waits
+  const Lateness* lateness = nullptr;  ///< the next; the last one is at kNever
+  SimTime late_from = kNever;          ///< its beginning
+  bool watched = false;                ///< Host::block_begins() is wanted
+  bool may_skip = true;                ///< rounds in which it only waits may be left out (polling.h)
+  bool called_up = false;              ///< it shall come to `limit`, though it only waits
   // The firmware's:
   SimTime now = 0;                   ///< its clock
   SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself

@@ -56,7 +56,9 @@ unsigned long micros() {
 
 void delay(unsigned long ms) {
   host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
-  unsigned long start = read_micros();
+  host::be_late_if_due();
+  unsigned long start = read_micros() - static_cast<unsigned long>(host::sooner / robosim::kMicrosecond);
+  host::sooner = 0;
   if (ms > 0) yield();
   if (!own_yield && micros_goes_on()) {
     const unsigned long elapsed = read_micros() - start;

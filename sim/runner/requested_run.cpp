@@ -50,7 +50,7 @@ void check_why(const wire::RunRequest& request) {
 std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request) {
   std::vector<wire::AgentRequest> all = {{request.name, request.target, request.image, request.robot,
                                           request.start, request.goal, request.clock_ns, request.script,
-                                          request.script_file}};
+                                          request.script_file, request.late}};
   all.insert(all.end(), request.agents.begin(), request.agents.end());
   return all;
 }
@@ -117,6 +117,7 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   member.narrator =
       std::make_unique<Narrator>(request_, number, board, *member.executor, tell, bundler_.get());
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
+  if (!agent.late.empty()) member.executor->set_lateness(agent.late);
   if (!request_.counters.empty()) member.executor->count_lines();
   if (request_.source_ns) member.executor->trace_bytes(request_.source_ns->first, request_.source_ns->second);
 

@@ -12,6 +12,7 @@
 
 #include "sim/base/profile.h"
 #include "sim/wire/fields.h"
+#include "sim/wire/lateness.h"
 
 namespace robosim::wire {
 
@@ -40,6 +41,7 @@ struct AgentRequest {
   std::int64_t clock_ns = 0;
   std::string script;
   std::string script_file = "script";
+  std::vector<Lateness> late;
 };
 
 template <class V>
@@ -56,6 +58,7 @@ void fields(V& v, Same<V, AgentRequest>& a) {
     {.unit = "ns", .presence = when(a.clock_ns > 0), .least = 0});
   v("script", a.script, "text of a scenario", {.otherwise = "empty", .presence = when(!a.script.empty())});
   v("script_file", a.script_file, "its name, for messages", {.presence = when(!a.script.empty())});
+  v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
 /// One simulation.
@@ -70,6 +73,7 @@ struct RunRequest {
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< one of kProfileNames
   std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
+  std::vector<Lateness> late;          ///< in the order of their times; on the host only
   int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = nowhere; chip targets only
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< its name in messages
@@ -150,6 +154,10 @@ void fields(V& v, Same<V, RunRequest>& r) {
     {.otherwise = "none", .presence = when(!r.name.empty())});
   v("target", r.target, "whose firmware it has, one that the runner has",
     {.otherwise = "the runner's", .presence = when(!r.target.empty())});
+  v("late", r.late,
+    "when the sketch is late, as if its code took longer, in the order of these times; on the host only "
+    "(else an `input` error)",
+    {.otherwise = "never", .presence = when(!r.late.empty())});
   v("agents", r.agents, "further robots on the same map, at most 255: they are number 1, 2 … of its events",
     {.otherwise = "none", .presence = when(!r.agents.empty())});
 }

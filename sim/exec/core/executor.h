@@ -12,6 +12,7 @@
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
 #include "sim/exec/core/causes.h"
+#include "sim/wire/lateness.h"
 #include "sim/wire/run_result.h"
 
 namespace robosim::exec {
@@ -24,6 +25,7 @@ using wire::Crash;
 using wire::Detected;
 using wire::DivisionByZero;
 using wire::Lack;
+using wire::Lateness;
 using wire::Resources;
 using wire::SourceLine;
 
@@ -108,6 +110,11 @@ class Executor {
   virtual void set_clock_start(SimTime) {
     throw InputError(
         "the clock can be set on an emulated chip only; on the host it is wider and never wraps");
+  }
+  /// From the next power-on the sketch is late there, as if its code took so much longer. In the order of
+  /// their times. Throws InputError where that cannot be.
+  virtual void set_lateness(const std::vector<Lateness>&) {
+    throw InputError("a sketch can be made late on the host only");
   }
 
   /// Where in the sketch the firmware is now; also while run_until() lasts, for watchers of pins.

@@ -54,6 +54,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
     state_.may_skip = owner.skips_waiting_;
+    owner.late_times_.begin(state_, owner.reached_);
     state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
     owner_.divisions_.forget_addresses();
     catch_faults();
@@ -374,9 +375,8 @@ std::vector<BundledFile> HostExecutor::counters() {
 SimTime HostExecutor::last_call() const {
   if (!instance_) return reached_;
   const host::FirmwareState& state = instance_->state();
-  return (state.waiting || (state.polls && state.polls_by_calls)) && !crash_
-             ? reached_
-             : clocked_.to_world(state.last_call);
+  const bool waits = state.waiting || (state.polls && state.polls_by_calls);
+  return waits && !crash_ ? reached_ : clocked_.to_world(state.last_call);
 }
 
 bool HostExecutor::hangs() { return instance_ && !crash_ && instance_->hangs(); }

@@ -17,6 +17,7 @@
 #include "sim/exec/host/divisions.h"
 #include "sim/exec/host/image_file.h"
 #include "sim/exec/host/lacks.h"
+#include "sim/exec/host/late_times.h"
 
 namespace robosim::exec {
 
@@ -48,6 +49,7 @@ class HostExecutor final : public Executor {
   /// Whether firmware that only waits may be left asleep, which changes nothing but the time that it takes
   /// here (hal/host/polling.h); from the next power_on() on.
   void skip_waiting(bool may) { skips_waiting_ = may; }
+  void set_lateness(const std::vector<Lateness>& lateness) override { late_times_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
@@ -60,6 +62,7 @@ class HostExecutor final : public Executor {
   ClockedBoard clocked_{board_};
   ImageFile image_;
   bool skips_waiting_ = true;
+  LateTimes late_times_;
   bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;

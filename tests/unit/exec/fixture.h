@@ -42,6 +42,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   /// Builds `text`, makes an executor for it and switches it on at `t`.
   void start(const std::string& text, SimTime t = 0) {
     host_ = std::make_unique<HostExecutor>(*find_board(board_name_), build(text));
+    host_->set_lateness(lateness_);
     for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
     board().watch_serial(*this);
     host_->power_on(t);
@@ -85,6 +86,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   }
 
   const char* board_name_ = "uno";
+  std::vector<Lateness> lateness_;
   bool sanitize_ = false;
   std::filesystem::path folder_;
   std::unique_ptr<HostExecutor> host_;

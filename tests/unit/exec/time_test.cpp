@@ -45,6 +45,20 @@ TEST_F(TimeTest, MillisKeepsPaceWithSimulatedTime) {
   EXPECT_NEAR(static_cast<double>(changes(13)[1]), 5e9, 2e6);
 }
 
+TEST_F(TimeTest, ASketchThatIsLateIsSoFromThereOnAndItsClockGoesOn) {
+  lateness_ = {{0, 400'000}, {25'000'000, 2'500'000}, {42'000'000, -1'500'000}};
+  output(R"(void setup() { Serial.begin(115200); Serial.println(micros()); }
+void loop() { delay(10); Serial.println(micros()); })",
+         kSecond / 10);
+  const std::vector<long long> said = numbers();
+  ASSERT_GE(said.size(), 6u);
+  const long long round = said[3] - said[2];
+  EXPECT_NEAR(static_cast<double>(round), 10'200, 200);
+  EXPECT_NEAR(static_cast<double>(said[0]), 410, 20) << "before setup()";
+  EXPECT_NEAR(static_cast<double>(said[4] - said[3]), static_cast<double>(round + 2500), 40);
+  EXPECT_NEAR(static_cast<double>(said[5] - said[4]), static_cast<double>(round - 1500), 40);
+}
+
 TEST_F(TimeTest, DelayTakesItsMillisecondsAndAFewMicroseconds) {
   start(
       "void setup() { pinMode(13, OUTPUT); } void loop() { digitalWrite(13, HIGH); delay(10); "

@@ -124,6 +124,7 @@ std::vector<Table> tables() {
   return {table<DescribeRobot>("describe_robot", true),
           table<RunRequest>("run", true),
           table<AgentRequest>("run.agents", true),
+          table<Lateness>("run.late", true),
           table<Act>("script", true),
           table<GoOn>("continue", true),
           table<Stop>("stop", true),

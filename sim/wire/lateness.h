@@ -1,0 +1,26 @@
+// That a sketch is late, as if its code took longer; or, by a negative time, less long.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/wire/fields.h"
+
+namespace robosim::wire {
+
+struct Lateness {
+  std::int64_t from_ns = 0;
+  std::int64_t by_ns = 0;
+};
+
+template <class V>
+void fields(V& v, Same<V, Lateness>& l) {
+  v("from_ns", l.from_ns,
+    "at the first end of `loop()` or beginning of `delay()` from this time of the sketch's clock on; 0: "
+    "before `setup()`",
+    {.unit = "ns", .least = 0});
+  v("by_ns", l.by_ns,
+    "so long nothing is done but to serve interrupts; negative: so much shorter the next `delay()` is",
+    {.unit = "ns"});
+}
+
+}  // namespace robosim::wire
