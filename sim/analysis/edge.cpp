@@ -15,7 +15,7 @@ using Kind = Difference::Kind;
 constexpr std::int64_t kShortest_ns = 100'000'000;  // of a manoeuvre, to be one
 // That go each way; one is enough where there are many.
 constexpr int kFewest = 2, kManyRuns = 100;
-constexpr std::int64_t kBehind_ns = 2'000'000'000, kAboutThen_ns = 2'000'000'000;
+constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
 /// "comes 2.220 s after the one before" and "comes 2.180 s after the one before"
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
@@ -133,8 +133,8 @@ Alikeness alikeness(const Share& one, const Share& other) {
   return many ? Alikeness::apart : Alikeness::rare;
 }
 
-bool does_as(const History& mine, const History& other, const Difference& found) {
-  const std::int64_t until = found.first_ns() + kBehind_ns;
+bool does_as(const History& mine, const History& other, const Difference& found, std::int64_t behind_ns) {
+  const std::int64_t until = found.first_ns() + behind_ns;
   const Comparison comparison = compare(mine, other);
   if (comparison.first && comparison.first->first_ns() <= until) return false;
   const std::int64_t a = seen_ns(mine), b = seen_ns(other);

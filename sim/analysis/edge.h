@@ -2,6 +2,7 @@
 // docs/comparing.md says why that tells chance from a fault.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,8 +11,13 @@
 
 namespace robosim::analysis {
 
-/// Whether `mine` does as `other` did where two targets differ, and for 2 s more; or ends as that does.
-bool does_as(const History& mine, const History& other, const Difference& found);
+/// How long a run must do as another did behind a difference, to be taken for the same.
+constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
+
+/// Whether `mine` does as `other` did where two targets differ, and for `behind_ns` more; or ends as that
+/// does.
+bool does_as(const History& mine, const History& other, const Difference& found,
+             std::int64_t behind_ns = kBehindEdge_ns);
 
 /// Whether a target's own difference is of the sort of that found, within 2 s of it; or, wherever, between
 /// the same two ways: the same two manoeuvres, the same two times at places of one sort.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "sim/wire/json_writer.h"
@@ -121,6 +122,29 @@ Json json_of(const ComparedLane& lane) {
   return {{"target", lane.target}, {"robots", std::move(robots)}};
 }
 
+/// "where it is 0.26 ms late from 3.90 s on": of what it has been late by, the last is what counts here.
+std::string late_text(const std::vector<wire::Lateness>& late) {
+  if (late.empty()) return "as it is";
+  const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);
+  if (late.back().from_ns == 0) return fmt::format("where its setup() begins {:g} ms later", ms);
+  return fmt::format("where it is {:g} ms {} from {:.2f} s on", std::fabs(ms), ms < 0.0 ? "sooner" : "later",
+                     from_s);
+}
+
+std::string tick_text(const Edge& edge, const std::array<ComparedSide, 2>& sides) {
+  std::string ways;
+  for (std::size_t side = 0; side < 2; ++side)
+    if (sides[side].target != edge.target)
+      ways += fmt::format("{} as {}, {}", ways.empty() ? "" : ", and", sides[side].target,
+                          late_text(edge.late[side]));
+  std::string text =
+      fmt::format("on the edge of a tick: {} does{}; {}\n", edge.target, ways, edge.itself.what);
+  for (std::size_t side = 0; side < 2; ++side)
+    text += fmt::format("  {:<9} {}\n", sides[side].target == edge.target ? "as above" : "so",
+                        edge.itself.sides[side]);
+  return text;
+}
+
 std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
       "on the edge: {} {}, too, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
@@ -151,6 +175,13 @@ Json json_of(const Edge& edge) {
             {"what", edge.itself.what},        {"t_s", seconds(edge.itself.t_ns[0])},
             {"texts", edge.itself.sides}};
   if (edge.clocks) json.update({{"clocks", edge.clocks}, {"as_other", edge.as_other}});
+  if (!edge.is_of_tick()) return json;
+  for (const std::vector<wire::Lateness>& late : edge.late) {
+    Json all = Json::array();
+    for (const wire::Lateness& one : late)
+      all.push_back({{"from_s", seconds(one.from_ns)}, {"by_s", seconds(one.by_ns)}});
+    json["late"].push_back(std::move(all));
+  }
   return json;
 }
 
@@ -178,7 +209,8 @@ std::string compare_text(const Compared& c) {
   for (const ComparedSide& side : c.sides) text += side_text(side);
   text += lacks_text(c);
   for (std::size_t side = 0; side < c.edges.size(); ++side)
-    text += edge_text(c.edges[side], c.sides[1 - side]);
+    text += c.edges[side].is_of_tick() ? tick_text(c.edges[side], c.sides)
+                                       : edge_text(c.edges[side], c.sides[1 - side]);
   if (!d.cause.empty()) text += fmt::format("cause     {}\n", d.cause);
   for (const ComparedSide& side : c.sides) text += finding_text(side);
   for (const ComparedSide& side : c.sides) text += around_text(side);

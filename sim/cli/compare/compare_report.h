@@ -11,6 +11,7 @@
 #include "sim/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/second_look.h"
+#include "sim/wire/lateness.h"
 
 namespace robosim::cli {
 
@@ -42,6 +43,11 @@ struct Edge {
   bool does_as_other = true;    ///< there; else it differs from itself in a like way
   /// Where both targets have been tried with many clocks: with so many it does as the other did.
   int clocks = 0, as_other = 0;
+  /// Of the host, where a tick of its clock decides: how late its sketch is where it does as either target;
+  /// as it is for one of them, at least.
+  std::array<std::vector<wire::Lateness>, 2> late;
+
+  bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
 };
 
 /// A target, and what its robots did.
@@ -67,7 +73,8 @@ struct Compared {
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< whose the difference is
   std::array<ComparedSide, 2> sides;  ///< of the difference
-  std::vector<Edge> edges;            ///< of both sides: the difference says nothing of the targets
+  std::vector<Edge>
+      edges;  ///< of both sides, or of the host's ticks: the difference says nothing of the targets
 
   /// What this target lacks of the chip, and the sketch had used before the difference: that says nothing of
   /// the sketch.

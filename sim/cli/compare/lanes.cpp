@@ -54,8 +54,12 @@ const std::string& Lane::name(std::size_t robot) const {
   return robot == 0 ? run.request.name : run.request.agents[robot - 1].name;
 }
 
-std::string& Lane::script(wire::RunRequest& request, std::size_t robot) const {
+std::string& Lane::script(wire::RunRequest& request, std::size_t robot) {
   return robot == 0 ? request.script : request.agents[robot - 1].script;
+}
+
+std::vector<wire::Lateness>& Lane::late(wire::RunRequest& request, std::size_t robot) {
+  return robot == 0 ? request.late : request.agents[robot - 1].late;
 }
 
 RunInputs Lane::inputs(std::size_t robot) const {
@@ -71,6 +75,12 @@ std::vector<Lane> lanes_of(const CompareArguments& arguments, tui::Progress& pro
   for (const std::string& target : arguments.targets)
     lanes.push_back((several ? lane_of_fleet : lane_of_one)(arguments, target, launcher));
   return lanes;
+}
+
+Lane lane_of(const CompareArguments& arguments, const std::string& target, tui::Progress& progress) {
+  launch::Launcher launcher(listener_of(progress, {false, false}));
+  const bool several = !arguments.each.fleet.members.empty();
+  return (several ? lane_of_fleet : lane_of_one)(arguments, target, launcher);
 }
 
 std::vector<Results> run_all(const std::vector<Lane*>& lanes, const std::vector<wire::RunRequest>& requests,

@@ -22,12 +22,17 @@ struct Lane {
 
   /// Of one of its robots, by number.
   const std::string& name(std::size_t robot) const;
-  std::string& script(wire::RunRequest& request, std::size_t robot) const;
+  /// Whether that robot's sketch runs on the host here.
+  bool is_on_host(std::size_t robot) const { return run.members[robot].target == "host"; }
+  static std::string& script(wire::RunRequest& request, std::size_t robot);
+  static std::vector<wire::Lateness>& late(wire::RunRequest& request, std::size_t robot);
   RunInputs inputs(std::size_t robot) const;
 };
 
 /// Throws InputError and ToolMissing.
 std::vector<Lane> lanes_of(const CompareArguments& arguments, tui::Progress& progress);
+/// One more, of a target that is not compared. Throws the same.
+Lane lane_of(const CompareArguments& arguments, const std::string& target, tui::Progress& progress);
 
 /// The result of each robot, in the order of their numbers.
 using Results = std::vector<wire::RunResult>;

@@ -1,0 +1,56 @@
+// Whether a difference is chance: what each target does with its clock a little off, and what one program
+// does on the host, a fraction of a millisecond later. docs/comparing.md says why that tells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "sim/analysis/edge.h"
+#include "sim/cli/compare/compare_report.h"
+#include "sim/cli/compare/lanes.h"
+#include "sim/cli/compare/watch.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+/// One robot in two lanes.
+struct Pair {
+  std::size_t robot = 0;
+  std::array<Lane*, 2> lanes{};
+  std::array<const analysis::History*, 2> histories{};
+  std::array<std::vector<wire::Lateness>, 2> late{};  ///< of their sketches: on the host only
+};
+
+class EdgeFinder {
+ public:
+  /// `make_host` builds the robot for the host, where no lane has it there; null where that cannot be. It is
+  /// called once at most. All that is given must outlive this.
+  EdgeFinder(const Watch& watch, tui::Progress& progress, std::function<Lane*()> make_host)
+      : watch_(watch), progress_(progress), make_host_(std::move(make_host)) {}
+
+  /// Of the difference in `compared`, whose sides are described. Empty: it is the targets'. Nothing is chance
+  /// that has a named cause, or where the checks have found something.
+  std::vector<Edge> find(const Compared& compared, const Pair& pair);
+
+ private:
+  using FromStart = std::map<int, analysis::History>;  ///< by clock
+
+  std::vector<Edge> find_of_clocks(const Compared& compared, const Pair& pair);
+  std::vector<Edge> weigh(const Compared& compared, const Pair& pair);
+  std::optional<Edge> find_of_clock(const Compared& compared, std::size_t side, const Pair& pair);
+  std::vector<Edge> find_of_ticks(const Compared& compared, const Pair& pair);
+  const analysis::History& run_from_start(Lane& lane, const Watched& watched, int ppm);
+  static Watched watched_of(const Compared& compared, std::size_t side, const Pair& pair);
+
+  const Watch& watch_;
+  tui::Progress& progress_;
+  std::function<Lane*()> make_host_;
+  std::map<const Lane*, FromStart> from_start_;  ///< of the lanes of one difference
+};
+
+}  // namespace robosim::cli
