@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/board/board_spec.h"
-
 namespace robosim::judge {
 namespace {
 
@@ -16,13 +14,6 @@ constexpr int kTicksToSteer = 3;
 // Who looks once, or never, does not steer by the line.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
-
-/// Of a call the one that keeps waiting; empty where it comes back at once.
-std::string waiting(const std::string& call) {
-  for (const char* const name : {"delay", "pulseIn", "print", "write", "flush", "read", "Serial."})
-    if (call.starts_with(name)) return call;
-  return "";
-}
 
 std::string mend_for(const std::string& call) {
   const auto is = [&](const char* name) { return call.starts_with(name); };
@@ -39,29 +30,11 @@ std::string mend_for(const std::string& call) {
 }  // namespace
 
 Blind::Blind(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
-    : executor_(&executor), most_m_(std::max(lever_m, 0.0) + line_m) {
-  for (const robot::WiredPin& wired : robot.wiring()) {
-    if (!wired.type.starts_with("reflectance") || wired.role.starts_with("emitter")) continue;
-    if (wired.pin >= executor.board().spec().pin_count) {
-      pins_.clear();
-      return;
-    }
-    pins_.push_back(wired.pin);
-  }
-}
+    : executor_(&executor), most_m_(std::max(lever_m, 0.0) + line_m), floor_(robot, executor) {}
 
-SimTime Blind::last_read() const {
-  SimTime last = -1;
-  for (const Pin pin : pins_) {
-    const exec::PinUse& use = executor_->probe().use(pin);
-    last = std::max(last, use.awaited ? before_.t + kTick : use.last_seen);
-  }
-  return last;
-}
-
-void Blind::look(const Look& now) {
-  if (pins_.empty()) return;
-  const bool reads = last_read() >= before_.t;
+void Blind::look(const Steering& now) {
+  if (!floor_.are_known()) return;
+  const bool reads = floor_.last(before_.t + kTick) >= before_.t;
   if (reads || !now.on_its_own) {
     looks_ += reads;
     if (now.on_its_own) end(now);
@@ -80,7 +53,7 @@ void Blind::look(const Look& now) {
   before_ = now;
 }
 
-void Blind::end(const Look& now) {
+void Blind::end(const Steering& now) {
   if (!stretch_.is_too_long || stretch_.planned || now.sees_line || looks_ < kFewLooks) return;
   const exec::Detected here = told(now);
   const auto known = std::find_if(found_.begin(), found_.end(), [&](const exec::Detected& other) {
@@ -93,9 +66,9 @@ void Blind::end(const Look& now) {
   }
 }
 
-exec::Detected Blind::told(const Look& now) const {
+exec::Detected Blind::told(const Steering& now) const {
   const double seconds = 1e-9 * static_cast<double>(now.t - stretch_.began);
-  const std::string call = waiting(stretch_.busy.call);
+  const std::string call = waiting_call(stretch_.busy);
   exec::Detected told;
   told.detector = "blind";
   told.where = stretch_.busy.where;

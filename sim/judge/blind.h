@@ -21,8 +21,7 @@
 
 #include <vector>
 
-#include "sim/exec/core/executor.h"
-#include "sim/robot/robot.h"
+#include "sim/judge/floor_looks.h"
 
 namespace robosim::judge {
 
@@ -31,15 +30,7 @@ class Blind {
   /// lever_m: how far its sensors are ahead of its axle.
   Blind(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m);
 
-  /// What it looks at, once a tick.
-  struct Look {
-    SimTime t = 0;
-    double distance_m = 0.0;  ///< path of its axle so far
-    double left = 0.0, right = 0.0;
-    bool sees_line = false;
-    bool on_its_own = true;  ///< switched on, and in nobody's hand
-  };
-  void look(const Look& now);
+  void look(const Steering& now);
   /// At the end of the run.
   std::vector<exec::Detected> found() const;
 
@@ -56,15 +47,14 @@ class Blind {
     exec::Activity busy;  ///< with what, when it became too long
   };
 
-  SimTime last_read() const;
-  void end(const Look& now);
-  exec::Detected told(const Look& now) const;
+  void end(const Steering& now);
+  exec::Detected told(const Steering& now) const;
 
   exec::Executor* executor_;
   double most_m_;
-  std::vector<Pin> pins_;  ///< of floor sensors; empty = nobody can say whether they are read
+  FloorLooks floor_;
   int looks_ = 0;
-  Look before_;
+  Steering before_;
   Stretch stretch_;
   std::vector<exec::Detected> found_;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/board/board_spec.h"
+
 namespace robosim::judge {
 namespace {
 

@@ -68,7 +68,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
   if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
   if (!setup_.detect) return;
   board_detectors_.emplace(executor_, robot_.wiring());
-  blind_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
+  steering_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
   std::vector<Pin> counted;
   for (const robot::WiredPin& wired : robot_.wiring())
     if (wired.type == "encoder" || wired.type == "ir-receiver") counted.push_back(wired.pin);
@@ -76,7 +76,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
 }
 
 Agent::Saved Agent::save() const {
-  Saved saved{state_, progress_,     judge_,        blind_,         {},
+  Saved saved{state_, progress_,     judge_,        steering_,      {},
               hash_,  stops_.save(), robot_.save(), player_.save(), executor_.save()};
   if (board_detectors_) saved.board_detectors = board_detectors_->save();
   return saved;
@@ -89,7 +89,7 @@ void Agent::restore(const Saved& saved) {
   stops_.restore(saved.stops);
   hash_ = saved.hash;
   judge_ = saved.judge;
-  blind_ = saved.blind;
+  steering_ = saved.steering;
   if (board_detectors_ && saved.board_detectors) board_detectors_->restore(*saved.board_detectors);
   progress_ = saved.progress;
   state_ = saved.own;
@@ -118,6 +118,7 @@ void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
 
 void Agent::byte_sent(std::uint8_t byte, SimTime t) {
   hash_.serial(byte, t);
+  state_.sent_at = t;
   if (state_.serial.size() < judge::kSerialKept) state_.serial += static_cast<char>(byte);
   player_.hear(byte);
   state_.listener->byte_sent(byte, t);
@@ -179,15 +180,15 @@ void Agent::observe(SimTime end) {
   }
 }
 
-void Agent::look_for_blindness(SimTime end) {
-  blind_->look({end, body_.distance(), robot_.left_command(), robot_.right_command(), state_.sees_line,
-                player_.powered() && !body_.in_hand()});
+void Agent::watch_steering(SimTime end) {
+  steering_->look({end, state_.sent_at, body_.distance(), body_.wheel_travel(), robot_.left_command(),
+                   robot_.right_command(), state_.sees_line, player_.powered() && !body_.in_hand()});
 }
 
 std::vector<exec::Detected> Agent::detected(SimTime t) const {
   std::vector<exec::Detected> all = executor_.detected();
-  if (blind_)
-    for (exec::Detected& one : blind_->found()) all.push_back(std::move(one));
+  if (steering_)
+    for (exec::Detected& one : steering_->found()) all.push_back(std::move(one));
   if (board_detectors_)
     for (exec::Detected& one : board_detectors_->found(t)) all.push_back(std::move(one));
   return all;
@@ -261,7 +262,7 @@ bool Agent::look(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
   observe(end);
-  if (blind_) look_for_blindness(end);
+  if (steering_) watch_steering(end);
   if (robot_.has_tellers()) hear_parts(end);
   if (!state_.happened.empty()) tell_events(end);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));

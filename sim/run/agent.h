@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/judge/blind.h"
 #include "sim/judge/explain.h"
 #include "sim/judge/judge.h"
+#include "sim/judge/steering_detectors.h"
 #include "sim/run/board_detectors.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
@@ -107,7 +107,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
     std::string serial;
-    std::string told;  ///< what parts have told, a line each
+    SimTime sent_at = -1;  ///< when its last byte was
+    std::string told;      ///< what parts have told, a line each
     run::State shown;
     Sample sample;
     std::vector<bool> went_high, was_output, was_pulled_up;
@@ -118,7 +119,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     State own;
     judge::Progress progress;
     judge::Judge judge;
-    std::optional<judge::Blind> blind;
+    std::optional<judge::SteeringDetectors> steering;
     std::optional<BoardDetectors::State> board_detectors;
     trace::TraceHash hash;
     StopConditions::State stops;
@@ -140,7 +141,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void put(const Pose& where);
   void look_to_the_side();
   void observe(SimTime end);
-  void look_for_blindness(SimTime end);
+  void watch_steering(SimTime end);
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
@@ -165,8 +166,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::optional<judge::Blind> blind_;              ///< nothing = nobody asks
-  std::optional<BoardDetectors> board_detectors_;  ///< the same
+  std::optional<judge::SteeringDetectors> steering_;  ///< nothing = nobody asks
+  std::optional<BoardDetectors> board_detectors_;     ///< the same
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;

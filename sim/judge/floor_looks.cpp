@@ -1,0 +1,33 @@
+#include "sim/judge/floor_looks.h"
+
+#include <algorithm>
+
+namespace robosim::judge {
+
+std::string waiting_call(const exec::Activity& activity) {
+  for (const char* const name : {"delay", "pulseIn", "print", "write", "flush", "read", "Serial."})
+    if (activity.call.starts_with(name)) return activity.call;
+  return "";
+}
+
+FloorLooks::FloorLooks(const robot::Robot& robot, exec::Executor& executor) : executor_(&executor) {
+  for (const robot::WiredPin& wired : robot.wiring()) {
+    if (!wired.type.starts_with("reflectance") || wired.role.starts_with("emitter")) continue;
+    if (wired.pin >= executor.board().spec().pin_count) {
+      pins_.clear();
+      return;
+    }
+    pins_.push_back(wired.pin);
+  }
+}
+
+SimTime FloorLooks::last(SimTime now) const {
+  SimTime last = -1;
+  for (const Pin pin : pins_) {
+    const exec::PinUse& use = executor_->probe().use(pin);
+    last = std::max(last, use.awaited ? now : use.last_seen);
+  }
+  return last;
+}
+
+}  // namespace robosim::judge

@@ -1,0 +1,41 @@
+// When firmware has looked at the floor, and what the robot did meanwhile: what the detectors of steering are
+// fed with, once a tick.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/exec/core/executor.h"
+#include "sim/robot/robot.h"
+
+namespace robosim::judge {
+
+struct Steering {
+  SimTime t = 0;
+  SimTime sent_at = -1;     ///< when the last byte of Serial was; -1 = never
+  double distance_m = 0.0;  ///< path of its axle so far
+  double travel_m = 0.0;    ///< of its wheels, so far
+  double left = 0.0, right = 0.0;
+  bool sees_line = false;
+  bool on_its_own = true;  ///< switched on, and in nobody's hand
+};
+
+/// The call in which firmware waits; empty where it is in none, or in one that comes back at once.
+std::string waiting_call(const exec::Activity& activity);
+
+class FloorLooks {
+ public:
+  FloorLooks(const robot::Robot& robot, exec::Executor& executor);
+
+  /// Whether looks can be seen: there are floor sensors, and each is on a pin of the board.
+  bool are_known() const { return !pins_.empty(); }
+  /// When firmware has last looked at one, as of `now`; now where interrupts wait for their edges. -1 =
+  /// never.
+  SimTime last(SimTime now) const;
+
+ private:
+  exec::Executor* executor_;
+  std::vector<Pin> pins_;
+};
+
+}  // namespace robosim::judge

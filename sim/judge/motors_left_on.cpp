@@ -1,0 +1,63 @@
+#include "sim/judge/motors_left_on.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/judge/judge.h"
+
+namespace robosim::judge {
+namespace {
+
+constexpr double kLeftOn_m = 0.5;
+constexpr double kUnchanged = 0.02;
+// Who looks once, or never, does not steer by the line.
+constexpr int kHardlyEver = 2;
+
+}  // namespace
+
+void MotorsLeftOn::look(const Steering& now) {
+  const bool asks = floor_.last(now.t) >= before_;
+  before_ = now.t;
+  looks_ += asks;
+  if (!now.on_its_own) {
+    stretch_.counts = false;
+    return;
+  }
+  if (now.sees_line) {
+    stretch_ = {true, now.t, now.travel_m, now.travel_m, now.left, now.right};
+    return;
+  }
+  if (!stretch_.counts) return;
+  const bool same =
+      std::abs(now.left - stretch_.left) <= kUnchanged && std::abs(now.right - stretch_.right) <= kUnchanged;
+  const bool driven = now.left != 0.0 || now.right != 0.0;
+  if (asks || !same || !driven) stretch_.unchanged_from_m = now.travel_m;
+  stretch_.left = now.left;
+  stretch_.right = now.right;
+  if (now.travel_m - stretch_.from_m < kLostAfter) return;
+  stretch_.counts = false;
+  const double on_m = now.travel_m - stretch_.unchanged_from_m;
+  if (floor_.are_known() && looks_ >= kHardlyEver && on_m >= kLeftOn_m &&
+      waiting_call(executor_->activity()).empty())
+    tell(on_m);
+}
+
+void MotorsLeftOn::tell(double on_m) {
+  if (!found_.empty()) {
+    ++found_.front().times;
+    return;
+  }
+  exec::Detected& told = found_.emplace_back();
+  told.detector = "motors_left_on";
+  told.what = fmt::format(
+      "the line was gone, and the robot's wheels turned {:.0f} mm on at the powers they had, while the "
+      "sketch "
+      "asked no line sensor any more",
+      1e3 * on_m);
+  told.mend =
+      "Where a sketch stops steering, let it stop its motors, too: they keep what they were given last.";
+  told.first_s = 1e-9 * static_cast<double>(stretch_.began);
+}
+
+}  // namespace robosim::judge

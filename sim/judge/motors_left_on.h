@@ -1,0 +1,48 @@
+// A sketch that stops steering, and not its motors: they keep the last powers that they were given.
+//
+//   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }       and the robot drives on
+//
+// It shows on the day that the robot loses its line: somebody touches a wheel, the floor is dirty. Found is a
+// robot whose wheels have turned a metre without a line, as the verdict `lost` has it, and on the last half
+// of it or more its powers were the same, no floor sensor was asked, and the sketch was not waiting in a call
+// either (that is Blind's). Mended by powers of 0, or a brake, wherever steering ends.
+//
+// What it cannot see: sensors behind a shift register, or read by interrupts; who meets a line by luck.
+#pragma once
+
+#include <vector>
+
+#include "sim/judge/floor_looks.h"
+
+namespace robosim::judge {
+
+class MotorsLeftOn {
+ public:
+  MotorsLeftOn(const robot::Robot& robot, exec::Executor& executor)
+      : executor_(&executor), floor_(robot, executor) {}
+
+  void look(const Steering& now);
+  /// At the end of the run.
+  const std::vector<exec::Detected>& found() const { return found_; }
+
+ private:
+  /// From when the line was seen last.
+  struct Stretch {
+    bool counts = false;  ///< it was seen, nobody has had the robot in hand since, and it is not told yet
+    SimTime began = 0;
+    double from_m = 0.0;
+    double unchanged_from_m = 0.0;  ///< since when powers are as they are and no sensor is asked
+    double left = 0.0, right = 0.0;
+  };
+
+  void tell(double on_m);
+
+  exec::Executor* executor_;
+  FloorLooks floor_;
+  int looks_ = 0;
+  SimTime before_ = 0;
+  Stretch stretch_;
+  std::vector<exec::Detected> found_;
+};
+
+}  // namespace robosim::judge

@@ -1,0 +1,38 @@
+// The detectors that look at how a robot steers by its line.
+#pragma once
+
+#include <vector>
+
+#include "sim/judge/blind.h"
+#include "sim/judge/motors_left_on.h"
+#include "sim/judge/slow_serial.h"
+
+namespace robosim::judge {
+
+class SteeringDetectors {
+ public:
+  /// lever_m: how far its sensors are ahead of its axle.
+  SteeringDetectors(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
+      : blind_(robot, executor, lever_m, line_m), left_on_(robot, executor), serial_(robot, executor) {}
+
+  /// Once a tick.
+  void look(const Steering& now) {
+    blind_.look(now);
+    left_on_.look(now);
+    serial_.look(now);
+  }
+  /// At the end of the run.
+  std::vector<exec::Detected> found() const {
+    std::vector<exec::Detected> all = blind_.found();
+    for (const auto& some : {left_on_.found(), serial_.found()})
+      all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }
+
+ private:
+  Blind blind_;
+  MotorsLeftOn left_on_;
+  SlowSerial serial_;
+};
+
+}  // namespace robosim::judge
