@@ -41,12 +41,8 @@ TEST_F(CliHunt, FindsWhatAButtonBringsAboutAndLeavesTheSmallestRunThatShowsIt) {
   sketch(kCrashesWhenPressed);
   const Ended ended = hunt();
   EXPECT_EQ(ended.status, 1) << ended.err;
-  EXPECT_THAT(
-      ended.out,
-      AllOf(
-          HasSubstr(
-              "finding 1: The sketch crashed: write of an int through a null pointer in loop, Tries.ino:5."),
-          HasSubstr("oval; it needs press start\n"), Not(HasSubstr("finding 2"))));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("in loop, Tries.ino:5."),
+                               HasSubstr("oval; it needs press start\n"), Not(HasSubstr("finding 2"))));
   for (const char* file : {"hunt-Tries/1/run.html", "hunt-Tries/1/script.txt", "hunt-Tries/checks.toml"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
 

@@ -48,6 +48,12 @@ Deed pressing(const HuntSpace& space, const Die& die) {
   return {0, fmt::format("{} {}ms", kind, pick<int>(die, {30, 100, 100, 300, 1500})), kind};
 }
 
+Deed holding(const HuntSpace& space, const Die& die) {
+  const std::string& motor = pick(die, space.parts.motors);
+  if (chance(die, 30)) return {0, fmt::format("fault {} stuck for {}ms", motor, 200 + die(600)), kHeld};
+  return {0, fmt::format("fault {} reversed for {}ms", motor, 200 + die(300)), kTwisted};
+}
+
 Deed switching_off(const Die& die) {
   return {0, fmt::format("power off for {}ms", 20 + die(500)), kPowerOff};
 }
@@ -57,6 +63,7 @@ Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
   if (hears(space)) kinds.insert(kinds.end(), 3 + space.listeners.size(), 's');
   if (space.feels) kinds.insert(kinds.end(), 3, 'o');
   kinds.insert(kinds.end(), {'u', 'p'});
+  if (!space.parts.motors.empty()) kinds.insert(kinds.end(), 2, 'h');
   const int at_ms = (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : space.for_ms * 3 / 4);
   Deed deed;
   switch (pick(die, kinds)) {
@@ -65,6 +72,9 @@ Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
       break;
     case 's':
       deed = saying(space, die);
+      break;
+    case 'h':
+      deed = holding(space, die);
       break;
     case 'o':
       if (const std::vector<grid::CellAt> cells = cells_with_line(world, space); !cells.empty()) {
@@ -116,6 +126,14 @@ void draw_talk(HuntWorld& world, const HuntSpace& space, const Die& die) {
     world.deeds.push_back(next);
     at_ms += 100 + die(chance(die, 70) ? 1'200 : 6'000);
   }
+}
+
+void block(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  const std::vector<grid::CellAt> cells = cells_with_line(world, space);
+  if (cells.empty()) return;
+  const grid::CellAt cell = pick(die, cells);
+  world.deeds.push_back({200, fmt::format("obstacle {},{} for 60s", cell.x, cell.y), kObstacle});
+  in_order(world.deeds);
 }
 
 void add_deed(HuntWorld& world, const HuntSpace& space, const Die& die) {

@@ -21,6 +21,8 @@ void draw_deeds(HuntWorld& world, const HuntSpace& space, const worlds::Die& die
 bool hears(const HuntSpace& space);
 /// The opening, and many messages one after the other; often from where the sketch has sent something.
 void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+/// Something stands on the line from the beginning, for longer than most runs.
+void block(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// One more.
 void add_deed(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 

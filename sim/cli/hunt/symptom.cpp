@@ -61,8 +61,9 @@ double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& p
 
 bool tells_behaviour(const HuntWorld& world, const HuntSpace& space) {
   return !space.builds[world.build].checked &&
-         std::none_of(world.deeds.begin(), world.deeds.end(),
-                      [](const Deed& deed) { return deed.kind == kPowerOff; });
+         std::none_of(world.deeds.begin(), world.deeds.end(), [](const Deed& deed) {
+           return deed.kind == kPowerOff || deed.kind == kHeld || deed.kind == kTwisted;
+         });
 }
 
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,
@@ -95,8 +96,9 @@ std::vector<Symptom> detected_in(const wire::RunResult& result) {
   for (const wire::Detected& seen : result.detected) {
     std::string sentence = tui::detected_text(seen);
     sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-    all.push_back({kDetected, fmt::format("{} {}:{}", seen.detector, seen.where.file, seen.where.line),
-                   sentence, false});
+    const std::string place =
+        seen.where.file.empty() ? "" : fmt::format(" {}:{}", seen.where.file, seen.where.line);
+    all.push_back({kDetected, seen.detector + place, sentence, false});
   }
   return all;
 }

@@ -13,10 +13,11 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::size_t kOften = 20, kFirst = 3, kLongest = 60;
+constexpr std::size_t kOften = 20, kFirst = 3, kLongest = 60, kFarMore = 5;
 constexpr double kFar = 20.0, kNear = 0.1, kNearBy = 2.0;
 constexpr double kDrives_m = 0.3, kStands_m = 0.03;
 constexpr int kLater_ms = 37;
+constexpr std::int64_t kEarlier_ms = 10 << 16;  // for a clock of 16 bits the same
 constexpr std::uint64_t kOtherSeed = 1009;
 constexpr double kLonger = 1.3;
 
@@ -88,6 +89,14 @@ std::optional<Parting> parting(const wire::RunResult& ours, const wire::RunResul
   if (auto found = parting(a, b, numbers)) return found;
   for (auto [form, lines] : frequent) {
     const std::size_t both = std::min(lines[0].size(), lines[1].size());
+    const std::size_t most = std::max(lines[0].size(), lines[1].size());
+    if (!numbers && both > 0 && most > kFarMore * both) {
+      const auto times = [&](const std::vector<Line>& side) {
+        return fmt::format("{} {} time{}", says(side.front().text), side.size(), side.size() == 1 ? "" : "s");
+      };
+      return Parting{
+          times(lines[0]), times(lines[1]), form + (lines[0].size() == most ? "|more" : "|less"), {}, {}};
+    }
     if (both > 0)
       for (auto& side : lines) side.resize(std::min(both, kFirst));
     if (auto found = parting(lines[0], lines[1], numbers)) return found;
@@ -110,7 +119,8 @@ bool is_same(const Parting& a, const Parting& b) {
 HuntWorld twin_of(const HuntWorld& world, const HuntSpace& space) {
   HuntWorld twin = world;
   if (world.twin == Twin::host) twin.build = *space.host_twin;
-  twin.clock_ms = 0;
+  // Before the wrap, and like the other behind all that is done once, some time after power-on.
+  twin.clock_ms = world.twin == Twin::clock ? std::max(kPast_ms, world.clock_ms - kEarlier_ms) : 0;
   return twin;
 }
 
@@ -131,8 +141,8 @@ Symptom symptom_of(const Parting& parting, const HuntWorld& world, const HuntSpa
             fmt::format("Where the host {}, the {} {}, with any noise.", parting.other, target, parting.ours),
             false};
   return {kUnlike, "unlike when its clock wraps " + parting.form,
-          fmt::format("The sketch {} when millis() is near a number that does not fit, with any noise; with "
-                      "the clock at 0 it {}.",
+          fmt::format("The sketch {} when millis() is near a number that does not fit, with any noise; "
+                      "some minutes earlier it {}.",
                       parting.ours, parting.other),
           false};
 }

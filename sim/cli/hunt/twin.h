@@ -20,8 +20,9 @@ struct Parting {
   std::vector<double> of_ours, of_other;  ///< the numbers, if it is those that differ
 };
 
-/// Lines that come often are not looked at, nor are times; `numbers`: whether those count, if one is more
-/// than twice the other.
+/// Lines that come often are looked at by themselves, times are not; `numbers`: whether those count, if one
+/// is more than twice the other. Where they do not, one chip is held against itself, and how often a line
+/// comes counts, if it is more than five times as often.
 std::optional<Parting> parting(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
 /// Whether two pairs of runs part in the same way. Numbers that are another each time are chance.
 bool is_same(const Parting& a, const Parting& b);

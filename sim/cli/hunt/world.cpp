@@ -21,6 +21,7 @@ constexpr std::uint64_t kPairEvery = 5;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by when it has met what is in its way
 
 /// Wide enough for the bends of the map that it is to be like.
 int apart(const HuntSpace::Map& map) {
@@ -39,20 +40,31 @@ void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most
 
 /// A little before a number of milliseconds, or of microseconds, does not fit any more.
 void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
-  const std::int64_t wrap = pick<std::int64_t>(
-      die, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms, kInt_ms, 2 * kInt_ms});
+  const std::int64_t wrap =
+      pick<std::int64_t>(die, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,
+                               kPast_ms + kInt_ms, kPast_ms + 2 * kInt_ms});
   world.clock_ms = wrap - 1 - die(std::min<int>(space.for_ms / 2, static_cast<int>(kInt_ms)));
 }
 
-/// Nothing is in the way, and nothing is broken.
+/// Its clock goes back to 0 while something stands in its way.
+void draw_wrap_while_blocked(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  block(world, space, die);
+  world.clock_ms = kMillisWrap_ms - std::min(space.for_ms / 2, kBlockedAfter_ms + die(kBlockedFor_ms));
+}
+
+/// Nothing is broken.
 HuntWorld pair(const HuntSpace& space, const Die& die) {
   HuntWorld world;
-  world.twin = space.host_twin && chance(die, 70) ? Twin::host : Twin::clock;
+  world.twin = space.host_twin && chance(die, space.feels ? 50 : 70) ? Twin::host : Twin::clock;
   world.deeds = space.opening;
   draw_map(world, space, die, kFewPieces);
   world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
-  if (hears(space) && chance(die, 80)) draw_talk(world, space, die);
-  if (world.twin == Twin::clock) draw_clock(world, space, die);
+  if (world.twin == Twin::clock && space.feels && chance(die, 60)) {
+    draw_wrap_while_blocked(world, space, die);
+  } else {
+    if (hears(space) && chance(die, 80)) draw_talk(world, space, die);
+    if (world.twin == Twin::clock) draw_clock(world, space, die);
+  }
   world.to_goal = false;
   return world;
 }

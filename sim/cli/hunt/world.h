@@ -29,6 +29,12 @@ struct Deed {
 
 inline constexpr const char* kPowerOff = "power off";
 inline constexpr const char* kObstacle = "an obstacle";
+inline constexpr const char* kHeld = "a wheel that is held";
+inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
+
+/// Later than what a sketch does once, some time after power-on; a multiple of 2^16, as is what a clock of 16
+/// bits begins from here.
+inline constexpr std::int64_t kPast_ms = 4 << 16;
 
 /// What a world is made a second time for, and held against: see twin.h.
 enum class Twin : std::uint8_t { none, host, clock };

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/cli/hunt/deeds.h"
+#include "sim/cli/hunt/symptom.h"
 #include "sim/cli/hunt/twin.h"
 
 namespace robosim::cli {
@@ -19,6 +20,16 @@ wire::RunResult sent(const std::string& serial, double distance_m = 0.0) {
 std::string apart(const wire::RunResult& ours, const wire::RunResult& other, bool numbers = true) {
   const auto found = parting(ours, other, numbers);
   return found ? found->ours + "; " + found->other : "";
+}
+
+HuntSpace space_of_a_talker() {
+  HuntSpace space;
+  space.builds = {{"avr", false}, {"avr", true}, {"host", true}, {"host", false}};
+  space.host_twin = 3;
+  space.maps.emplace_back().name = "oval";
+  space.words = {"go", "1"};
+  space.said = {"destination?"};
+  return space;
 }
 
 TEST(HuntTwin, PartsWhereAnotherLineIsSaid) {
@@ -41,6 +52,37 @@ TEST(HuntTwin, LooksAtLinesThatComeOftenByThemselves) {
   EXPECT_EQ(apart(sent(ours), sent("at 2 mm\n" + other)), "says “at 200 mm”; says “at 2 mm”");
 }
 
+TEST(HuntTwin, CountsLinesWhereTheClockAloneIsAnother) {
+  std::string many;
+  for (int i = 0; i < 60; ++i) many += "bump\n";
+  const std::string few = "bump\nbump\nbump\n";
+  EXPECT_EQ(apart(sent(many), sent(few), false), "says “bump” 60 times; says “bump” 3 times");
+  EXPECT_EQ(apart(sent(many), sent(few), true), "") << "one of two targets may be slower";
+  EXPECT_EQ(apart(sent(many), sent(many + few), false), "");
+}
+
+TEST(HuntTwin, WrapsTheClockOfWhoStandsBeforeSomething) {
+  HuntSpace space = space_of_a_talker();
+  space.feels = true;
+  space.maps.front().line = {{3, 4}};
+  int blocked = 0;
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    const HuntWorld world = draw_world(space, {}, 1, run);
+    if (world.twin == Twin::clock && script_text(world, space) == "at 200ms obstacle 3,4 for 60s\n")
+      ++blocked;
+  }
+  EXPECT_GT(blocked, 4);
+}
+
+TEST(HuntSymptom, IsNotHowARobotBehavesWhoseWheelWasHeld) {
+  const HuntSpace space = space_of_a_talker();
+  HuntWorld world;
+  world.deeds = {{2000, "fault left stuck for 500ms", kHeld}};
+  EXPECT_FALSE(tells_behaviour(world, space));
+  world.deeds.clear();
+  EXPECT_TRUE(tells_behaviour(world, space));
+}
+
 TEST(HuntTwin, PartsWhereOnlyOneDrives) {
   EXPECT_EQ(apart(sent("", 4.0), sent("", 0.0)), "drives; stands");
   EXPECT_EQ(apart(sent("", 4.0), sent("", 1.0)), "");
@@ -55,16 +97,6 @@ TEST(HuntTwin, TakesNumbersThatAreOthersEachTimeForChance) {
   EXPECT_FALSE(is_same(first, *parting(sent("b 5\n"), sent("b 500\n"), true)));
 }
 
-HuntSpace space_of_a_talker() {
-  HuntSpace space;
-  space.builds = {{"avr", false}, {"avr", true}, {"host", true}, {"host", false}};
-  space.host_twin = 3;
-  space.maps.emplace_back().name = "oval";
-  space.words = {"go", "1"};
-  space.said = {"destination?"};
-  return space;
-}
-
 TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
   const HuntSpace space = space_of_a_talker();
   bool host = false, clock = false, talks = false;
@@ -73,7 +105,14 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
     EXPECT_NE(world.build, *space.host_twin) << run;
     if (world.twin == Twin::none) continue;
     const HuntWorld twin = twin_of(world, space);
-    EXPECT_EQ(twin.clock_ms, 0);
+    if (world.twin == Twin::clock) {
+      // Later than a sketch's own times, and without a wrap of 32 bits within an hour's tenth.
+      EXPECT_GE(twin.clock_ms, kPast_ms);
+      EXPECT_LT(twin.clock_ms, world.clock_ms);
+      EXPECT_TRUE(twin.clock_ms == kPast_ms || (world.clock_ms - twin.clock_ms) % (1 << 16) == 0);
+    } else {
+      EXPECT_EQ(twin.clock_ms, 0);
+    }
     EXPECT_EQ(twin.build, world.twin == Twin::host ? 3U : 0U);
     EXPECT_EQ(twin.deeds, world.deeds);
     EXPECT_EQ(world.clock_ms != 0, world.twin == Twin::clock);
@@ -91,7 +130,7 @@ TEST(HuntTwin, IsToldInOneSentence) {
             "Where the host says “200”, the avr says “3”, with any noise.");
   world.twin = Twin::clock;
   EXPECT_THAT(symptom_of({"stands", "drives", "", {}, {}}, world, space).sentence,
-              HasSubstr("with the clock at 0 it drives"));
+              HasSubstr("some minutes earlier it drives"));
 }
 
 }  // namespace
