@@ -271,13 +271,23 @@ double Sensor::room_light(const Pose& pose, SimTime t) const {
 
 double Sensor::shown() const {
   if (stuck()) return clamp01(stuck_blackness());
+  const Vec2 at = context_.view.body->pose().to_world(state_.at);
+  const world::Floor& floor = *context_.view.floor;
+  const bool is_plain = !hilly_ && !dark() && !floor.varies() && !context_.view.world->lighting().is_lit();
+  if (is_plain && knows_line(at))
+    return clamp01(shown_of(state_.now.light, 1.0 - floor.darkness_of(state_.coverage)));
+  return shown_elsewhere();
+}
+
+double Sensor::shown_elsewhere() const {
   const Pose& pose = context_.view.body->pose();
   const Vec2 at = pose.to_world(state_.at);
   const Optics optics = this->optics(pose);
-  const double darkness = dark() ? 1.0 : shown_darkness(at, optics.footprint);
-  const double white = (1.0 - darkness) * context_.view.floor->brightness(at);
-  const double shown =
-      1.0 - optics.light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
+  const world::Floor& floor = *context_.view.floor;
+  const double darkness = dark()                      ? 1.0
+                          : !hilly_ && knows_line(at) ? floor.darkness_of(state_.coverage)
+                                                      : floor.darkness(at, optics.footprint);
+  const double shown = shown_of(optics.light, (1.0 - darkness) * floor.brightness(at));
   return clamp01(context_.view.world->lighting().is_lit() ? shown - room_light(pose, context_.view.tick_start)
                                                           : shown);
 }

@@ -190,13 +190,16 @@ class Sensor : public Breakable {
     last = {p, context_.view.floor->patches().changes()};
     return true;
   }
-  /// Of the floor there. The line was sought just before, in most samples.
-  double shown_darkness(Vec2 p, double footprint) const {
-    const world::Floor& floor = *context_.view.floor;
-    if (!hilly_ && floor.has_lines_only() && is_as_before(p, state_.line_sought))
-      return floor.darkness_of(state_.coverage);
-    return floor.darkness(p, footprint);
+  /// Whether all that is dark there is the line, and that was sought just before, as in most samples.
+  bool knows_line(Vec2 p) const {
+    return context_.view.floor->has_lines_only() && is_as_before(p, state_.line_sought);
   }
+  /// `white`: the share of the footprint that sends light back, times how bright it is.
+  double shown_of(double light, double white) const {
+    return 1.0 - light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
+  }
+  /// The same as shown(), anywhere; most of the time shown() has less to ask.
+  double shown_elsewhere() const;
   /// What its height does: as it is mounted, or on hills as it is there.
   struct Optics {
     double light, footprint, exposure;
