@@ -155,6 +155,12 @@ TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   EXPECT_NE(edges[0]["late"][0], edges[0]["late"][1]);
 }
 
+TEST_F(CliCompare, SoDoesWhatHangsOnAHostThatIsSlowerThanAChip) {
+  const Ended ended = compare("TellsHalfSeconds", "host,avr");
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("host does as avr, where its first delay() ends ")) << ended.out;
+}
+
 TEST_F(CliCompare, WhatDiffersBehindSuchATickIsFound) {
   const auto found = difference("DiffersAtTick", "host,stm32", {"--for", "8s"});
   EXPECT_EQ(found["kind"], "number");

@@ -126,6 +126,8 @@ Json json_of(const ComparedLane& lane) {
 std::string late_text(const std::vector<wire::Lateness>& late) {
   if (late.empty()) return "as it is";
   const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);
+  if (late.back().from_ns == 0 && ms < 0.0)
+    return fmt::format("where its first delay() ends {:g} ms sooner", -ms);
   if (late.back().from_ns == 0) return fmt::format("where its setup() begins {:g} ms later", ms);
   return fmt::format("where it is {:g} ms {} from {:.2f} s on", std::fabs(ms), ms < 0.0 ? "sooner" : "later",
                      from_s);

@@ -143,11 +143,19 @@ std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair
   Watched watched = watched_of(compared, as, pair);
   std::array<std::vector<wire::Lateness>, 2> late{watched.late, watched.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
+  std::optional<analysis::Difference> itself;
+  // One that goes this way must go the other no more: lines that come a little closer may be a stream, which
+  // is like much else.
   const auto look = [&] {
     const analysis::History run = watch_.run(*host, watched);
-    for (std::size_t side = 0; side < 2; ++side)
-      if (!done[side] && analysis::does_as(run, *pair.histories[side], difference, behind_ns))
-        done[side] = true, late[side] = watched.late, ways[side] = run;
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (done[side] || !analysis::does_as(run, *pair.histories[side], difference, behind_ns)) continue;
+      if (done[1 - side]) {
+        itself = analysis::compare(side == 0 ? run : ways[0], side == 0 ? ways[1] : run).first;
+        if (!itself || itself->first_ns() > difference.first_ns() + behind_ns) continue;
+      }
+      done[side] = true, late[side] = watched.late, ways[side] = run;
+    }
     return done[0] && done[1];
   };
   const auto find = [&] {
@@ -158,7 +166,6 @@ std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair
     starts.push_back(0);
     for (const std::int64_t from : starts) {
       for (const std::int64_t late_us : kLate_us) {
-        if (from == 0 && late_us < 0) continue;
         watched.late = so_far;
         watched.late.insert(
             std::upper_bound(watched.late.begin(), watched.late.end(), from,
@@ -170,8 +177,6 @@ std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair
     return false;
   };
   if ((done[0] || done[1] || !look()) && !find()) return {};
-  auto itself = analysis::compare(ways[0], ways[1]).first;
-  if (!itself) return {};
   if (drives)
     for (const int ppm : kClocksOff_ppm) {
       const analysis::History& run = run_from_start(*host, watched_of(compared, as, pair), ppm);
