@@ -12,6 +12,17 @@ constexpr std::size_t kMostAreas = 1000;
 
 }  // namespace
 
+std::vector<Area> visible_areas(const Course& course) {
+  std::vector<Area> areas = course.areas;
+  for (const Joint& joint : course.joints) {
+    Area& gap = areas.emplace_back();
+    static_cast<Patch&>(gap) = joint;
+    gap.colour = {Hue::black};
+    gap.over_lines = true;
+  }
+  return areas;
+}
+
 void read_areas(const ConfigValue& value, double gloss, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "area")) {
     if (course.areas.size() == kMostAreas)

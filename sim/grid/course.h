@@ -67,8 +67,12 @@ struct Course {
   std::vector<Area> areas;  ///< in the order in which they are painted
   std::vector<Hill> hills;
   std::vector<Surface> surfaces;  ///< of which overlap, the last one counts
+  std::vector<Joint> joints;
   /// Whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }
 };
+
+/// What sensors see: its areas, and over lines and all the dark of its joints.
+std::vector<Area> visible_areas(const Course& course);
 
 }  // namespace robosim::grid

@@ -181,6 +181,7 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   if (const ConfigValue* areas = table.find("area")) read_areas(*areas, map.gloss, map.course, draw);
   if (const ConfigValue* hills = table.find("hill")) read_hills(*hills, map.course, draw);
   if (const ConfigValue* surfaces = table.find("surface")) read_surfaces(*surfaces, map.course, draw);
+  if (const ConfigValue* joints = table.find("joint")) read_joints(*joints, map.course, draw);
   if (const ConfigValue* race = table.find("race")) read_race(*race, map.line_m, map.course);
   if (const ConfigValue* rescue = table.find("rescue")) read_rescue(*rescue, map.course);
   if (const ConfigValue* start = table.find("start")) front.start = read_start(*start, map.course);

@@ -1,4 +1,5 @@
-// A rectangle or a disc on the floor: what [[area]], [[hill]] and [[surface]] of a map have in common.
+// A rectangle or a disc on the floor: what [[area]], [[hill]], [[surface]] and [[joint]] of a map have in
+// common.
 #pragma once
 
 #include <cmath>
@@ -38,7 +39,7 @@ struct Patch {
 Patch read_patch(TableReader& table, const Course& course, const char* name, const Figures& figures,
                  Number* length = nullptr);
 
-/// That all middles of a map's areas, hills and surfaces are on its floor, whatever is drawn. Throws
+/// That all middles of a map's areas, hills, surfaces and joints are on its floor, whatever is drawn. Throws
 /// InputError.
 void check_patches(const Map& map);
 

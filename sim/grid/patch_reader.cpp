@@ -108,6 +108,7 @@ void check_patches(const Map& map) {
   for (const Area& area : map.course.areas) check_middle(map, area, "area");
   for (const Hill& hill : map.course.hills) check_middle(map, hill, "hill");
   for (const Surface& surface : map.course.surfaces) check_middle(map, surface, "surface");
+  for (const Joint& joint : map.course.joints) check_middle(map, joint, "joint");
 }
 
 Patch read_patch(TableReader& table, const Course& course, const char* name, const Figures& figures,

@@ -16,7 +16,7 @@
 namespace robosim::grid {
 namespace {
 
-constexpr std::size_t kMostHills = 64, kMostSurfaces = 256, kMostHeights = 33;
+constexpr std::size_t kMostHills = 64, kMostSurfaces = 256, kMostJoints = 128, kMostHeights = 33;
 constexpr double kMostHeight = 0.5;                     // m
 constexpr double kSteepest = 0.75;                      // sine: 48.6 degrees
 constexpr double kMostSlope = 0.25 * std::numbers::pi;  // 45°
@@ -171,6 +171,32 @@ void read_surfaces(const ConfigValue& value, Course& course, Draw draw) {
   }
 }
 
+void read_joints(const ConfigValue& value, Course& course, Draw draw) {
+  for (const ConfigValue& item : tables_of(value, "joint")) {
+    if (course.joints.size() == kMostJoints)
+      throw InputError(item.place,
+                       fmt::format("this is one [[joint]] too many; a map has at most {}", kMostJoints));
+    TableReader table(item, "[[joint]]");
+    Number gap;
+    Joint joint;
+    static_cast<Patch&>(joint) = read_patch(
+        table, course, "joint", Figures(draw, fmt::format("[[joint]] {}", course.joints.size() + 1)), &gap);
+    if (joint.radius > 0.0)
+      throw InputError(
+          table.require("radius").place,
+          "a joint is a gap between boards: size = [\"3 mm\", \"300 mm\"], how wide it is and how "
+          "long");
+    if (gap.most() > Joint::kWidest)
+      throw InputError(
+          table.require("size").items[0].place,
+          fmt::format("this gap is {:.10g} mm wide; a joint is at most {:.10g} mm wide, and written as "
+                      "size = [\"3 mm\", \"300 mm\"], how wide it is and how long",
+                      1e3 * gap.most(), 1e3 * Joint::kWidest));
+    table.finish();
+    course.joints.push_back(joint);
+  }
+}
+
 std::string relief_text(const Course& course) {
   std::string text;
   for (const Hill& hill : course.hills) {
@@ -187,6 +213,7 @@ std::string relief_text(const Course& course) {
   for (const Surface& surface : course.surfaces)
     text += fmt::format("[[surface]]\n{}grip = {}\nrolling = {}\n", patch_text(surface), surface.grip,
                         surface.rolling);
+  for (const Joint& joint : course.joints) text += "[[joint]]\n" + patch_text(joint);
   return text;
 }
 

@@ -1,5 +1,6 @@
-// [[hill]] and [[surface]] of a map: how high the floor is, and what it is made of. Where a map has neither,
-// nor a surface in its [legend] (legend.h), the floor is a plane of one kind.
+// [[hill]], [[surface]] and [[joint]] of a map: how high the floor is, what it is made of, and where there is
+// a gap in it. Where a map has neither, nor a surface in its [legend] (legend.h), the floor is a plane of one
+// kind.
 //
 // The map is the floor unrolled, as a course's tiles are before they are put on a ramp: its lengths run along
 // the slope, so that dh/ds of a height h is the sine of its angle.
@@ -50,12 +51,18 @@ std::string surface_names();
 /// kind, or grip and rolling, of a table that is a surface. Throws InputError.
 SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures);
 
-/// Reads all [[hill]] tables, and all [[surface]] tables; `course` has the paths that they may lie along.
+/// A gap between two boards: its length, along its heading, is how wide the gap is.
+struct Joint : Patch {
+  static constexpr double kWidest = 0.006;  ///< m: a wheel's tread is wider
+};
+
+/// Reads all [[hill]], [[surface]] and [[joint]] tables; `course` has the paths that they may lie along.
 /// Throw InputError.
 void read_hills(const ConfigValue& value, Course& course, Draw draw = {});
 void read_surfaces(const ConfigValue& value, Course& course, Draw draw = {});
+void read_joints(const ConfigValue& value, Course& course, Draw draw = {});
 
-/// Both as they are read. An implementation detail of write_map.
+/// All as they are read. An implementation detail of write_map.
 std::string relief_text(const Course& course);
 
 }  // namespace robosim::grid

@@ -173,7 +173,7 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     const auto from = millimetres(mark.middle.position - half), to = millimetres(mark.middle.position + half);
     shapes.marks.push_back({from[0], from[1], to[0], to[1], millimetres(2.0 * mark.half_width)});
   }
-  for (const grid::Area& area : map.course.areas) shapes.areas.push_back(area_of(area));
+  for (const grid::Area& area : grid::visible_areas(map.course)) shapes.areas.push_back(area_of(area));
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     if (map.cells[i] == grid::Cell::obstacle)
       shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));

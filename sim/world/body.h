@@ -34,6 +34,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
+#include "sim/world/joints.h"
 #include "sim/world/winding.h"
 
 namespace robosim::batch {
@@ -254,6 +255,7 @@ class Body {
     bool known = false;                  // the rest is of where it is
     double height[3] = {0.0, 0.0, 0.0};  // m: of the left wheel, the right one, the caster
     Vec2 rise[3];                        // their gradients
+    double sunk[3] = {0.0, 0.0, 0.0};    // m, of height: into gaps between boards
     double axle = 0.0;                   // m: of the chassis
     bool is_at_face = false;             // that stops a wheel
     Pose face;                           // where that was
@@ -276,6 +278,9 @@ class Body {
   void set_scrub();
   void scrub();
   void bump(const Vec2* before, const Vec2* rises);
+  void jolt(const Joints&, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises);
+  double share_on(int i) const;
+  Joints::Roller roller(int i) const;
   void pull(const Vec2* at, const Vec2* rises);
   void share_load(Ground*, const Vec2* at);
   void tip(int which, double push, double arm);

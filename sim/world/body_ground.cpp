@@ -28,6 +28,9 @@
 // angle between them: v falls by (1 - cos) of its share of the mass. Where it lands, coming from k_0 < 0, its
 // share of v^2 falls by no more than 2 g r (1 - 1 / sqrt(1 + k_0^2)), what it fell by.
 //
+// Gaps between boards take what joints.h says of each wheel's and the caster's share, at once, and pull it
+// into them while it is there.
+//
 // It has also toppled where the ground under one of its wheels falls off by more than the wheel's radius at
 // once; and what rises in front of a wheel by more than three times its way is a face: it stops there, as at
 // a wall.
@@ -49,6 +52,8 @@ namespace {
 
 constexpr double kMostSine = 0.99;
 constexpr double kToppled = 0.78539816339744831;       // rad: 45 degrees
+constexpr double kNoWay = 1e-6;                        // m
+constexpr double kSteepest = 4.0;                      // as in ground.h
 constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m for m of way, and m
 
 }  // namespace
@@ -83,8 +88,16 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
   stance_.speed = speed;
   if (last.known) bump(last.rise, rises);
   for (int i = 0; i < 3; ++i) stance_.rise[i] = rises[i];
+  if (last.known && ground && !ground->joints().empty()) jolt(ground->joints(), before, last, at, rises);
   pull(at, rises);
   return true;
+}
+
+// Of the robot's weight, as the chassis has it.
+double Body::share_on(int i) const { return i < 2 ? 0.5 * params_.load_share : 1.0 - params_.load_share; }
+
+Joints::Roller Body::roller(int i) const {
+  return {foot_radius(i), i < 2 ? pose_.heading : Vec2{}, std::fabs(v_)};
 }
 
 double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
@@ -113,11 +126,13 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
     if (ground)
       footing = i < 2 ? ground->under_wheel(at[i], pose_.heading, params_.wheel[i].radius_m)
                       : ground->under_ball(at[i], params_.caster_radius_m);
-    stance_.height[i] = footing.height;
+    stance_.sunk[i] = ground ? ground->joints().sunk(at[i], roller(i)).depth : 0.0;
+    stance_.height[i] = footing.height - stance_.sunk[i];
     rises[i] = footing.rise;
     // On a slope a large wheel's axle is higher than a small one's; the chassis still lies along the slope.
     chassis[i] = footing.height > 0.0 && i < 2 ? ground->under_ball(at[i], params_.caster_radius_m).height
                                                : footing.height;
+    chassis[i] -= stance_.sunk[i];
   }
   const double caster = chassis[2] + stance_.tip[0] * std::fabs(params_.caster_m);
   stance_.axle = 0.5 * (chassis[left] + chassis[right]);
@@ -133,12 +148,10 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
 // What comes to rise more steeply, or falls less, turns its share of the speed upward at once.
 void Body::bump(const Vec2* before, const Vec2* rises) {
   const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
-  const double on_wheel = 0.5 * params_.load_share;
   for (int i = 0; i < 3; ++i) {
     const double from = dot(before[i], way), to = dot(rises[i], way);
     if (!(to > from)) continue;
-    const double share = i < 2 ? on_wheel : 1.0 - 2.0 * on_wheel;
-    const double radius = foot_radius(i);
+    const double share = share_on(i), radius = foot_radius(i);
     const double stretch = std::sqrt(1.0 + from * from);
     const double cosine = (1.0 + from * to) / (stretch * std::sqrt(1.0 + to * to));
     double left_over = 1.0 - share * (1.0 - cosine);
@@ -146,6 +159,27 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
       const double fallen = 2.0 * kGravity * radius * (1.0 - 1.0 / stretch) / (v_ * v_);
       left_over = std::max(left_over, std::sqrt(std::max(1.0 - share * fallen, 0.0)));
     }
+    stance_.speed -= hub_share(i) * (1.0 - left_over) * v_;
+    v_ *= left_over;
+    along_free_ *= left_over;
+  }
+}
+
+// What meets the far edge of a gap loses its share of the energy. On the way down and up gravity's work is
+// what the heights differ by, however few ticks that takes.
+void Body::jolt(const Joints& joints, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises) {
+  const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
+                        before.to_world({params_.caster_m, 0.0})};
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 way = at[i] - from[i];
+    const double way2 = dot(way, way), sunk = stance_.sunk[i] - last.sunk[i];
+    if (way2 > kNoWay * kNoWay)
+      rises[i] = rises[i] - way * (bounded(sunk / way2, kSteepest / std::sqrt(way2)));
+    else if (stance_.sunk[i] > 0.0)
+      rises[i] = rises[i] + joints.sunk(at[i], roller(i)).rise;
+    const double met2 = joints.met2(from[i], at[i], roller(i));
+    if (!(met2 > 0.0) || v_ == 0.0) continue;
+    const double left_over = std::sqrt(std::max(1.0 - share_on(i) * met2 / (v_ * v_), 0.0));
     stance_.speed -= hub_share(i) * (1.0 - left_over) * v_;
     v_ *= left_over;
     along_free_ *= left_over;

@@ -62,6 +62,7 @@ Top top_of(const CrossSection& profile, double s, double reach, double radius, d
 Ground::Ground(const grid::Map& map)
     : hills_(map.course.hills),
       surfaces_(map.course.surfaces),
+      joints_(map.course),
       legend_surfaces_(map.legend_surfaces),
       surface_of_cell_(map.surface_of_cell),
       columns_(map.width),

@@ -1,4 +1,5 @@
-// How high the floor is, how steep, and what it is made of: [[hill]] and [[surface]] of a map.
+// How high the floor is, how steep, and what it is made of: [[hill]] and [[surface]] of a map. Gaps:
+// joints.h.
 //
 // Coordinates run along the slope (grid/relief.h), so that the gradient of the height h is the sine of its
 // angle. A wheel of radius r does not follow every corner: its axle is, above r,
@@ -23,6 +24,7 @@
 
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
+#include "sim/world/joints.h"
 
 namespace robosim::world {
 
@@ -37,7 +39,9 @@ class Ground {
   explicit Ground(const grid::Map& map);
 
   /// Whether it is all one plane of one kind.
-  bool plain() const { return hills_.empty() && surfaces_.empty() && surface_of_cell_.empty(); }
+  bool plain() const {
+    return hills_.empty() && surfaces_.empty() && surface_of_cell_.empty() && joints_.empty();
+  }
 
   /// Of a wheel of that radius (m) whose contact point is p; `rolls`: which way, a unit vector.
   Footing under_wheel(Vec2 p, Vec2 rolls, double radius) const;
@@ -48,6 +52,8 @@ class Ground {
   /// The surface there: grip, times the robot's, and rolling resistance, which comes to its own.
   using Kind = grid::SurfaceFigures;
   Kind kind(Vec2 p) const;
+
+  const Joints& joints() const { return joints_; }
 
   /// A mass (kg) presses on p with a force (N), in this tick.
   void press(Vec2 p, double mass, double force);
@@ -72,6 +78,7 @@ class Ground {
 
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
+  const Joints joints_;
   // Of the legend, as grid::Map has them.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;

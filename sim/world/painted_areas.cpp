@@ -25,7 +25,8 @@ double share_of_area(const grid::Area& area, Vec2 p, double footprint) {
 
 }  // namespace
 
-PaintedAreas::PaintedAreas(const grid::Map& map) : areas_(map.course.areas), near_(map, kTile) {
+PaintedAreas::PaintedAreas(const grid::Map& map)
+    : areas_(grid::visible_areas(map.course)), near_(map, kTile) {
   for (std::size_t i = 0; i < areas_.size(); ++i)
     near_.add(static_cast<std::uint32_t>(i), areas_[i].middle.position, areas_[i].reach() + kWidest);
 }

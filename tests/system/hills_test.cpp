@@ -80,6 +80,35 @@ TEST_F(Hills, LiftSensorsOverACrest) {
               code(4.4 - 4.0 * light * light), 3);
 }
 
+// A gap of 4 mm is two thirds of what a sensor sees, 6 mm wide.
+TEST_F(Hills, AreDarkWhereBoardsMeet) {
+  const std::string serial =
+      run("LooksInLight", "[[joint]]\nalong = \"370 mm\"\nsize = [\"4 mm\", \"400 mm\"]\n", "p", 0.1).serial;
+  const double dark = 0.4 + 4.0 * 4.0 / 6.0;
+  EXPECT_NEAR(std::atoi(serial.c_str() + serial.rfind('\n', serial.rfind("\r\n") - 2) + 1),
+              static_cast<int>(dark / 5.0 * 1024.0), 1);
+}
+
+// The bar is 1.5 m ahead of the robot's sensors, 20 mm wide; four gaps lie before it.
+TEST_F(Hills, WhereBoardsMeetStopASketchThatTakesThemForABar) {
+  const std::string bar =
+      "[[area]]\ncolour = \"black\"\nalong = \"1.88 m\"\nsize = [\"20 mm\", \"400 mm\"]\n";
+  std::string joints = bar;
+  for (const char* along : {"600 mm", "900 mm", "1.2 m", "1.5 m"})
+    joints += std::string("[[joint]]\nalong = \"") + along + "\"\nsize = [\"4 mm\", \"400 mm\"]\n";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto way = [&](const char* letter, const std::string& floor) {
+      const wire::RunResult result = run("StopsAtBar", floor, letter, 15.0, seed, "typical");
+      EXPECT_THAT(result.serial, testing::HasSubstr("bar"));
+      return result.metrics.distance_m;
+    };
+    EXPECT_NEAR(way("o", bar), 1.53, 0.04);
+    EXPECT_NEAR(way("b", bar), 1.55, 0.04);
+    EXPECT_NEAR(way("o", joints), 0.26, 0.04);
+    EXPECT_NEAR(way("b", joints), 1.55, 0.04);
+  }
+}
+
 TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   const std::string high = robot("caster = \"60 mm\"\nheight = \"60 mm\"\n");
   const wire::RunResult flat = run("ClimbsSlowly", "", "i", 20.0, 1, "ideal", high);

@@ -162,6 +162,7 @@ std::string survey_json(const Survey& s) {
   lines.add("areas", map.course.areas.size());
   lines.add("hills", map.course.hills.size());
   lines.add("surfaces", map.course.surfaces.size());
+  if (!map.course.joints.empty()) lines.add("joints", map.course.joints.size());
   if (const std::ptrdiff_t cells = surface_cells(map); cells > 0) lines.add("surface_cells", cells);
   return lines.text();
 }
@@ -214,6 +215,7 @@ void describe(const Survey& s, std::ostream& out) {
   if (!map.course.hills.empty()) out << fmt::format("  hills     {}\n", map.course.hills.size());
   if (const std::string surfaces = surfaces_text(map); !surfaces.empty())
     out << fmt::format("  surfaces  {}\n", surfaces);
+  if (!map.course.joints.empty()) out << fmt::format("  joints    {}\n", map.course.joints.size());
   out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
   if (!start.on_path)

@@ -76,16 +76,18 @@ TEST_F(MapCommand, CheckSaysWhereAPathComesNearAWall) {
   EXPECT_THAT(said("150", wall), HasSubstr("note: path 1 at 4,2 runs into a wall"));
 }
 
-TEST_F(MapCommand, CheckCountsSurfaces) {
-  const std::string map =
-      file("m.map",
-           "+++\n[[surface]]\nat = [\"50 mm\", \"50 mm\"]\nradius = \"20 mm\"\n"
-           "kind = \"wet\"\n[legend]\n4 = \"wet line\"\n5 = \"carpet\"\n+++\n.44.\n_5__\n");
+TEST_F(MapCommand, CheckCountsSurfacesAndJoints) {
+  const std::string map = file("m.map",
+                               "+++\n[[surface]]\nat = [\"50 mm\", \"50 mm\"]\nradius = \"20 mm\"\n"
+                               "kind = \"wet\"\n[[joint]]\nat = [\"50 mm\", \"50 mm\"]\nsize = [\"3 mm\", "
+                               "\"99 mm\"]\n[legend]\n4 = \"wet line\"\n5 = \"carpet\"\n+++\n.44.\n_5__\n");
   EXPECT_EQ(check({map}), ExitStatus::ok);
   EXPECT_THAT(out_.str(), HasSubstr("  surfaces  1, and 3 cells by the legend\n"));
   std::ostringstream json;
   EXPECT_EQ(check_maps({map}, "", json, errors_, true), ExitStatus::ok);
+  EXPECT_THAT(out_.str(), HasSubstr("  joints    1\n"));
   EXPECT_THAT(json.str(), HasSubstr("\"surface_cells\": 3"));
+  EXPECT_THAT(json.str(), HasSubstr("\"joints\": 1"));
 }
 
 TEST_F(MapCommand, CheckGoesOnAfterAMapThatIsWrong) {

@@ -46,6 +46,9 @@ along = "500 mm"
 size = ["200 mm", "300 mm"]
 grip = "40 %"
 rolling = 0.01
+[[joint]]
+along = "600 mm"
+size = ["3 mm", "300 mm"]
 )";
 
 TEST(Relief, IsRampsProfilesSeesawsAndSurfaces) {
@@ -66,12 +69,18 @@ TEST(Relief, IsRampsProfilesSeesawsAndSurfaces) {
     EXPECT_EQ(m.course.surfaces[0].grip, 1.0);
     EXPECT_EQ(m.course.surfaces[1].grip, 0.4);
     EXPECT_EQ(m.course.surfaces[1].rolling, 0.01);
+    ASSERT_EQ(m.course.joints.size(), 1u);
+    EXPECT_NEAR(m.course.joints[0].middle.position.x, 0.8, 1e-12);
+    EXPECT_NEAR(m.course.joints[0].half_length, 0.0015, 1e-12);
+    EXPECT_NEAR(m.course.joints[0].half_width, 0.15, 1e-12);
+    EXPECT_TRUE(m.course.areas.empty()) << "its dark is none of the map's areas";
   }
 }
 
 TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
-  const std::string hill = "[[hill]]\n", surface = "[[surface]]\n", at = "at = [\"1 m\", \"200 mm\"]\n",
-                    size = "size = [\"300 mm\", \"300 mm\"]\n", ramp = "slope = \"20 deg\"\n";
+  const std::string hill = "[[hill]]\n", surface = "[[surface]]\n", joint = "[[joint]]\n",
+                    at = "at = [\"1 m\", \"200 mm\"]\n", size = "size = [\"300 mm\", \"300 mm\"]\n",
+                    ramp = "slope = \"20 deg\"\n";
   const struct {
     std::string table;
     const char* message;
@@ -117,6 +126,20 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {surface + at + "kind = \"wet\"", "a surface is either a rectangle"},
       {surface + "at = [\"1 m\", \"2 m\"]\n" + size + "kind = \"wet\"",
        "the middle of this surface, 1000 mm, 2000"},
+      {joint + at + "size = [\"7 mm\", \"300 mm\"]",
+       "m.map:5:9: this gap is 7 mm wide; a joint is at most 6 mm wide"},
+      {joint + at + "size = [{ value = \"5 mm\", spread = \"2 mm\" }, \"300 mm\"]", "this gap is 7 mm wide"},
+      {joint + at + "size = [\"0.5 mm\", \"300 mm\"]", "size is 0.5 mm; it must be from 1 mm"},
+      {joint + at + "size = [\"3 mm\"]", "size must be two lengths"},
+      {joint + at + "radius = \"3 mm\"", "m.map:5:10: a joint is a gap between boards: size = "},
+      {joint + at, "a joint is either a rectangle, size = "},
+      {joint + size, "a joint has a middle"},
+      {joint + at + "size = [\"3 mm\", \"300 mm\"]\nwidth = \"3 mm\"", "unknown key width in [[joint]]"},
+      {joint + at + "size = [\"3 mm\", \"300 mm\"]\nangle = \"4 mm\"", "angle is \"4 mm\""},
+      {joint + "at = [\"1 m\", \"2 m\"]\nsize = [\"3 mm\", \"300 mm\"]",
+       "the middle of this joint, 1000 mm, 2000"},
+      {joint + "along = \"3 m\"\nsize = [\"3 mm\", \"300 mm\"]", "along is 3 m; it must be from"},
+      {"[joint]\nsize = 3\n", "write [[joint]], with two brackets"},
       {"surface = 3\n", "write [[surface]], with two brackets"},
   };
   for (const auto& one : refused) {
@@ -127,9 +150,11 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.table;
     }
   }
-  std::string hills, surfaces;
+  std::string hills, surfaces, joints;
   for (int i = 0; i <= 64; ++i) hills += hill + at + size + ramp;
   for (int i = 0; i <= 256; ++i) surfaces += surface + at + size + "kind = \"wet\"\n";
+  for (int i = 0; i <= 128; ++i) joints += joint + at + "size = [\"3 mm\", \"300 mm\"]\n";
+  EXPECT_THROW(relief_of(joints), InputError);
   EXPECT_THROW(relief_of(hills), InputError);
   EXPECT_THROW(relief_of(surfaces), InputError);
 }

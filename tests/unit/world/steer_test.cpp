@@ -12,7 +12,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kTwoPercent = 0.02;
+constexpr double kSteeredWithin = 0.02;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 class SteerTest : public testing::Test {
@@ -52,13 +52,14 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
         drive(body, share);
         run(2.0);
         EXPECT_GT(std::fabs(body.speed()), 0.1);
-        EXPECT_NEAR(body.turn_rate(), body.speed() / radius, kTwoPercent * std::fabs(body.speed() / radius));
+        EXPECT_NEAR(body.turn_rate(), body.speed() / radius,
+                    kSteeredWithin * std::fabs(body.speed() / radius));
         // From the middle of its circle, which is where it was from the start.
         EXPECT_NEAR(length(body.pose().position - Vec2{20.0, 20.0 + radius}), std::fabs(radius),
-                    kTwoPercent * std::fabs(radius))
+                    kSteeredWithin * std::fabs(radius))
             << degrees << ' ' << share;
         const double ratio = 1.0 - 0.5 * p.track_m / radius;
-        EXPECT_NEAR(body.tread_speed(left), ratio * body.speed(), kTwoPercent * std::fabs(body.speed()));
+        EXPECT_NEAR(body.tread_speed(left), ratio * body.speed(), kSteeredWithin * std::fabs(body.speed()));
       }
     }
   }
@@ -98,7 +99,7 @@ TEST_F(SteerTest, GoesWideWhereItsTyresDoNotHoldTheBend) {
     run(1.0);
     const double v = body.speed();
     if (asked * v * v < 0.6 * p.grip * kGravity)
-      EXPECT_NEAR(body.turn_rate(), asked * v, kTwoPercent * asked * v) << degrees;
+      EXPECT_NEAR(body.turn_rate(), asked * v, kSteeredWithin * asked * v) << degrees;
     else
       EXPECT_LT(body.turn_rate(), 0.9 * asked * v) << degrees;
   }
