@@ -12,6 +12,9 @@
 namespace robosim::test {
 namespace {
 
+const std::string kDivider = "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A5\"\nshare = 0.5\n";
+const std::string kWeak = "source_ohms = \"1000 kohm\"\n";
+
 struct Effect {
   const char* name;
   std::string robot;  ///< what it adds to the robot file
@@ -32,7 +35,7 @@ class Effects : public testing::Test {
     std::ofstream(map) << (floor.starts_with("+++") ? floor : text);
     std::ofstream(file)
         << "base = \"uno5\"\nremove = [\"bumper\", \"LED2\"]\n[[part]]\nname = \"S\"\nemitter = 12\n"
-        << robot << "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A5\"\nshare = 0.5\n";
+        << robot << (robot.find("share = 0.5") == robot.npos ? kDivider : "");
     wire::RunRequest request = request_of({.sketch = "LooksInLight",
                                            .map = map.string(),
                                            .robot = file.string(),
@@ -157,6 +160,14 @@ TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
 }
 
+// 24 to 43 % of the black line, 4.4 V, on the capacitor of the converter.
+TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
+  EXPECT_EQ(prints("", "", 0.1).second, code(3.7));
+  const int read = prints(kDivider + kWeak, "", 0.1).second;
+  EXPECT_GE(read, code(3.7 + 0.24 * (kBlack - 3.7)));
+  EXPECT_LE(read, code(3.7 + 0.43 * (kBlack - 3.7)) + 1);
+}
+
 // Its edge is farther from its middle than half the map's line.
 TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   const std::string loop =
@@ -248,7 +259,8 @@ INSTANTIATE_TEST_SUITE_P(
                "[[light]]\nlevel = 0.65\nat = [\"1.9 m\", \"850 mm\"]\nradius = \"250 mm\"\nmoves = [\"40 "
                "mm/s\", \"0 mm/s\"]\n",
                "typical", 'c', 't'},
-        Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'}),
+        Effect{"ANoisyAdc", "[electronics]\nadc_noise = 12\n", "", "typical", 'v', 'b'},
+        Effect{"AWeakSource", kDivider + kWeak, "", "typical", 'v', 'b'}),
     [](const auto& effect) { return std::string(effect.param.name); });
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <functional>
 #include <numbers>
 
+#include "hal/board/adc_capacitor.h"
 #include "sim/base/file.h"
 #include "sim/robot/describe.h"
 #include "tests/unit/robot/bench_robot.h"
@@ -298,6 +299,11 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
   return amps;
 }
 
+// The share of its voltage that is still on the converter's capacitor, which it has charged for 12 to 20 us.
+double channel_before(double source_ohms, std::uint64_t seed) {
+  return adc_charged(1.0, 0.0, source_ohms, seed % 2 ? 12e-6 : 20e-6);
+}
+
 struct Figure {
   const char* what;
   const char* unit;
@@ -530,6 +536,20 @@ const std::vector<Figure>& figures() {
        "a third more: minutes of load add some 0.1 ohm to a cell, by its chemistry, which ours does not "
        "have; "
        "motors' peaks are shorter"},
+      {"left of another channel, 10 kohm at the pin, `analogRead()` on an Uno",
+       "%",
+       100.0,
+       {0.0, 0.0005},
+       "Microchip, ATmega328P, 24.6.1",
+       [](Profile, std::uint64_t s) { return channel_before(10e3, s); },
+       ""},
+      {"the same, 1 Mohm",
+       "%",
+       100.0,
+       {},
+       "",
+       [](Profile, std::uint64_t s) { return channel_before(1e6, s); },
+       "nobody's figures were found"},
       {"difference of the wheels' radii",
        "%",
        100.0,
