@@ -203,10 +203,12 @@ void HuntBench::look_at_sketch() {
   space_.words = {"0",     "1",     "2",   "3",   "4",    "7",     "10",
                   "99",    "100",   "255", "300", "1000", "32768", "65537",
                   "65538", "99999", "-1",  "x",   "?",    " ",     "the quick brown fox 12"};
+  const std::size_t others = space_.words.size();
   std::set<std::string> known(space_.words.begin(), space_.words.end());
   for (const std::string& word : words)
     if (space_.words.size() < kMostWords && may_be_sent(word) && known.insert(word).second)
       space_.words.push_back(word);
+  space_.own_words = space_.words.size() - others;
 }
 
 std::string HuntBench::fingerprint() const {

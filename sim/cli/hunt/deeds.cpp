@@ -20,8 +20,13 @@ void in_order(std::vector<Deed>& deeds) {
                    [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
 }
 
+/// The first is one of the sketch's own as often as not: it is what commands begin with.
 std::string some_words(const HuntSpace& space, const Die& die) {
   std::string text = pick(die, space.words);
+  if (space.own_words > 0 && chance(die, 50))
+    text =
+        space
+            .words[space.words.size() - 1 - static_cast<std::size_t>(die(static_cast<int>(space.own_words)))];
   if (chance(die, 4))
     while (text.size() < kLongMessage) text += " " + pick(die, space.words);
   else if (chance(die, 50))

@@ -83,6 +83,7 @@ struct HuntSpace {
   std::vector<std::pair<std::string, std::string>>
       listeners;                   ///< parts that messages come by, and their types
   std::vector<std::string> words;  ///< what may be sent; empty = nothing is
+  std::size_t own_words = 0;       ///< the last of them, so many, are the sketch's own
   std::vector<Deed> opening;       ///< what makes it go
   std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin
   bool feels = false;              ///< it looks at a bumper, so that something may stand in its way

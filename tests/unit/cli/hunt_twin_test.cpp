@@ -74,6 +74,22 @@ TEST(HuntTwin, WrapsTheClockOfWhoStandsBeforeSomething) {
   EXPECT_GT(blocked, 4);
 }
 
+TEST(HuntTwin, SpeaksTheSketchsOwnWordsAsOftenAsAllOthers) {
+  HuntSpace space = space_of_a_talker();
+  space.words.assign(40, "9");
+  space.words.emplace_back("calibrate");
+  space.own_words = 1;
+  int own = 0, all = 0;
+  for (std::uint64_t run = 0; run < 200; ++run)
+    for (const Deed& deed : draw_world(space, {}, 1, run).deeds) {
+      if (deed.kind != "send") continue;
+      ++all;
+      own += deed.what.starts_with("send \"calibrate");
+    }
+  EXPECT_GT(10 * own, 3 * all);
+  EXPECT_LT(10 * own, 7 * all);
+}
+
 TEST(HuntSymptom, IsNotHowARobotBehavesWhoseWheelWasHeld) {
   const HuntSpace space = space_of_a_talker();
   HuntWorld world;
