@@ -345,7 +345,7 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.release(action.part, t);
-      return std::nullopt;
+      return acted("release", action);
     case Action::Verb::lift:
     case Action::Verb::tilt:
       state_.tilt.reset();
@@ -360,7 +360,7 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
       return acted("clear", action);
     case Action::Verb::cover:
       stage_.robot.cover(action.part, false);
-      return std::nullopt;
+      return acted("uncover", action);
     case Action::Verb::fault:
       repair(*undo.fault, t);
       note_repair(action.part, t);

@@ -128,7 +128,8 @@ class ScenarioPlayer {
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   wire::RunEvent::What switch_power(const Action& action, SimTime t);
-  /// Undoes what lasted for a time. Letting go of a button or a sensor is no event.
+  /// Undoes what lasted for a time. A key of a remote control is held by the part itself: its end is no
+  /// event.
   std::optional<wire::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);

@@ -45,6 +45,7 @@ struct Text {
     if (e.verb == "sweep") return "robot moved to and fro by hand";
     if (e.verb == "lower") return "robot put down";
     if (e.verb == "cover") return e.part + " covered";
+    if (e.verb == "uncover") return e.part + " uncovered";
     if (e.verb == "paint") return "line painted, " + stretch(e.text);
     if (e.verb == "erase") return "line erased, " + stretch(e.text);
     if (e.verb == "door") return "door " + e.part + ", " + stretch(e.text);

@@ -72,6 +72,14 @@ TEST_F(Scripts, BreakAPartForATimeAndSaySo) {
                                            "300 fault_ended part=S1 arguments=stuck,1023"));
 }
 
+TEST_F(Scripts, SayWhenTheyLetGoOfAButtonAndOfASensor) {
+  play("at 10ms press start 20ms\nat 15ms cover S1 for 30ms\nat 50ms cover S2\nat 60ms press start\n", 0.1);
+  EXPECT_THAT(seen.happenings,
+              ElementsAre("10 script_acted verb=press part=start", "15 script_acted verb=cover part=S1",
+                          "30 script_acted verb=release part=start", "45 script_acted verb=uncover part=S1",
+                          "50 script_acted verb=cover part=S2", "60 script_acted verb=press part=start"));
+}
+
 TEST_F(Scripts, EndAFaultThatAnotherOneHasReplacedNoMore) {
   play("at 100ms fault S1 stuck 1023 for 200ms\nat 200ms fault S1 stuck 1000\n", 0.5);
   EXPECT_GT(s1(0.45), 0.9);
@@ -225,7 +233,7 @@ std::string repeated(const std::string& line, std::size_t times) {
 TEST_F(Scripts, OfAHundredThousandEqualLinesTakeNoLongerForEachThanOfAFew) {
   const std::size_t lines = test::rounds(kMostSteps);
   play(repeated("at 1ms cover S1 for 1ms\n", lines), 0.01);
-  EXPECT_EQ(seen.happenings.size(), lines);
+  EXPECT_EQ(seen.happenings.size(), 2 * lines);
   seen.happenings.clear();
   play(repeated("at 1ms fault S1 stuck 3 for 1ms\n", lines), 0.01);
   EXPECT_EQ(seen.happenings.size(), lines + 1);

@@ -13,6 +13,8 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(CollisionBegan{true}), "collision with another robot");
   EXPECT_EQ(text(ScriptActed{"send", "", "3\n"}), "\"3\\n\" sent to the sketch");
   EXPECT_EQ(text(ScriptActed{"send", "ir", "0b101"}), "0b101 sent to ir");
+  EXPECT_EQ(text(ScriptActed{"cover", "S2", ""}), "S2 covered");
+  EXPECT_EQ(text(ScriptActed{"uncover", "S2", ""}), "S2 uncovered");
   EXPECT_EQ(text(ScriptActed{"clear", "", "3,2"}), "obstacle on 3,2 taken away");
   EXPECT_EQ(text(FaultBegan{"power", {"brown-out"}, true}), "fault: power brown-out, which resets the chip");
   EXPECT_EQ(text(FaultEnded{"S2", {"stuck", "1023"}}), "fault over: S2 stuck 1023");
