@@ -8,6 +8,8 @@
 
 /// Of variables that image.h calls the clockwork: they lie together.
 #define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
+/// What few sketches come to, or seldom, is made small: images are read, and hashed, whenever a run begins.
+#define ROBOSIM_RARE __attribute__((cold))
 
 namespace robosim {
 namespace host {

@@ -152,8 +152,7 @@ void analogWrite(uint8_t pin, int value) {
   host::Timer& timer = host::timer(by.timer);
   timer.set_connection(by.channel, timer.connection(by.channel) | 2);
   // An 8-bit register keeps the low byte of a value out of range.
-  timer.set_compare(by.channel, host::kChip.timers[by.timer].bits == 16 ? static_cast<uint16_t>(value)
-                                                                        : static_cast<uint8_t>(value));
+  timer.set_compare(by.channel, timer.is_wide() ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
   host::refresh_pin(pin);
 }
 

@@ -62,7 +62,7 @@ bool has_line(Pin pin);
 Pin take_line();
 
 /// After a change of the registers: tells the executor which edges matter.
-void refresh_external();
+ROBOSIM_RARE void refresh_external();
 /// Pins of which they do.
 extern PinSet heard;
 /// Takes what has reached such pins until now; and what has come of it that one is driven in another way.

@@ -51,7 +51,7 @@ Pin pin_of_external(int number);
 Pin pin_of_capture();
 Pin pin_of_comparator(int input);
 /// When the firmware begins: fills in all that.
-void place_pins();
+ROBOSIM_RARE void place_pins();
 
 struct PortRegisters {
   uint8_t direction = 0;  ///< DDRx

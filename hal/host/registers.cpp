@@ -93,10 +93,10 @@ void write_timer8(uint8_t address, uint8_t value) {
     case reg::kTcnt0:
       return timer.set_count(value);
     case reg::kOcr0a:
-      timer.set_compare(0, value);
+      timer.write_compare(0, value);
       break;
     default:
-      timer.set_compare(1, value);
+      timer.write_compare(1, value);
   }
   refresh_timer_pins(address < reg::kTccr2a ? 0 : 2);
 }
@@ -130,10 +130,10 @@ void write_word(uint8_t address, uint16_t value) {
     case reg::kIcr1L:
       return timer1.set_capture(value);
     case reg::kOcr1aL:
-      timer1.set_compare(0, value);
+      timer1.write_compare(0, value);
       return refresh_timer_pins(1);
     case reg::kOcr1bL:
-      timer1.set_compare(1, value);
+      timer1.write_compare(1, value);
       return refresh_timer_pins(1);
     case reg::kUbrrL:
       return uart.set_divider(value);

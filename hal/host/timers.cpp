@@ -42,38 +42,20 @@ SimTime Timer::time_of(int64_t tick) const {
 
 SimTime Timer::ticks_from_now(int64_t count) const { return time_of(ticks() + count); }
 
-int64_t Timer::position() const { return ticks() % period_; }
-
 uint16_t Timer::count() const { return count_at(ticks()); }
 
 uint16_t Timer::count_at(int64_t tick) const {
+  if (__builtin_expect(tick < hidden_, 0)) return set_to_;
   const int64_t at = tick % period_;
-  return static_cast<uint16_t>(counting_.dual_slope && at > top_ ? period_ - at : at);
-}
-
-void Timer::decode() {
-  prescaler_ = avr::prescaler(kChip.timers[number_], control_b_);
-  counting_ = avr::counting(kChip.timers[number_], control_a_, control_b_);
-  top_ = avr::top_of(counting_, compare_[0], capture_);
-  period_ = avr::period_of(counting_, top_);
-  lasts_ = kCycles.at_least(period_ * prescaler_);
-}
-
-Timer::Phase Timer::leave_registers() {
-  if (captures_edges()) hear();
-  sync_waves();
-  sync();
-  sync_disabled();
-  for (int channel = 0; channel < 2; ++channel) keep_level(channel);
-  return {position(), prescaler_, prescaler_ == 0 ? state.now : time_of(ticks())};
+  return static_cast<uint16_t>(dual_slope_ && at > top_ ? period_ - at : at);
 }
 
 void Timer::take_registers(const Phase& phase) {
-  decode();
+  prescaler_ = avr::prescaler(kChip.timers[number_], control_b_);
+  counting_ = avr::counting(kChip.timers[number_], control_a_, control_b_);
   base_ = phase.prescaler == prescaler_ ? phase.tick_began : state.now;
-  base_tick_ = overflows_seen_ = disabled_seen_ = phase.position % period_;
-  forget_levels();
-  refresh_due();
+  begin(phase.count, phase.down, phase.hidden);
+  refresh_due(base_tick_);
   refresh_timer_pins(number_);
   refresh_waves();
 }
@@ -101,79 +83,64 @@ void Timer::set_connection(int channel, uint8_t bits) {
   const uint8_t before = connection(channel);
   if (bits == before) return;
   sync_waves();
-  if (bits == 1 || before == 1) keep_level(channel);
+  if (bits == 1 || before == 1 || counting_.kind != avr::Counting::Kind::pwm) keep_level(channel, ticks());
   const int shift = channel == 0 ? 6 : 4;
   control_a_ = static_cast<uint8_t>((control_a_ & ~(3 << shift)) | bits << shift);
 }
 
 void Timer::set_compare(int channel, uint16_t value) {
-  const bool is_top = channel == 0 && counting_.top == avr::Counting::Top::compare_a;
   const uint8_t flag = channel == 0 ? compare_a : compare_b;
-  const bool interrupts = enabled_ & flag;
+  const bool interrupts = enabled_ & flag, pwm = counting_.kind == avr::Counting::Kind::pwm;
   if (value == compare_[channel]) return;
-  if (is_top || interrupts) {
+  if (!pwm && (is_top(channel) || interrupts)) {
     const Phase phase = leave_registers();
     compare_[channel] = value;
     return take_registers(phase);
   }
   sync_waves();
+  sync();
   if (!(flags_ & flag)) sync_disabled();
-  if (counting_.kind == avr::Counting::Kind::pwm) {
-    hold(channel);
-  } else {
-    keep_level(channel);
+  if (!pwm) {
+    keep_level(channel, ticks());
+  } else if (!is_held(channel)) {
+    held_[channel] = compare_[channel];
+    replaced_at_[channel] = state.now;
   }
   compare_[channel] = value;
+  if (is_top(channel)) turn_where_taken_over();
+  if (is_top(channel) || interrupts) refresh_due(ticks());
   refresh_waves();
-}
-
-/// When the count of ticks has been set anew: toggled pins stay as keep_level() has left them.
-void Timer::forget_levels() {
-  for (int64_t& tick : toggled_at_) tick = base_tick_;
-  for (SimTime& time : replaced_at_) time = -1;
-}
-
-/// Before something changes that tells when the channel toggles its pin.
-void Timer::keep_level(int channel) {
-  const int64_t now = ticks();
-  if (connection(channel) == 1) toggled_[channel] = level_at(channel, now);
-  toggled_at_[channel] = now;
-}
-
-/// Before the register of a channel with PWM is written.
-void Timer::hold(int channel) {
-  if (prescaler_ == 0) return;
-  if (state.now - replaced_at_[channel] < lasts_ && ticks() < held_until(channel)) return;
-  held_[channel] = compare_[channel];
-  replaced_at_[channel] = state.now;
-}
-
-/// The tick until which the value holds that was replaced.
-int64_t Timer::held_until(int channel) const {
-  if (replaced_at_[channel] < 0) return 0;
-  const int64_t from = tick_at(replaced_at_[channel]) + 1;
-  const int64_t at = counting_.dual_slope && !counting_.frequency_correct ? top_ : 0;
-  return from + (at - from % period_ + period_) % period_;
 }
 
 bool Timer::level_at(int channel, int64_t tick) const {
   const uint8_t connected = connection(channel);
-  if (connected == 1) {
+  const int64_t until = held_until(channel);
+  if (connected == 1 || counting_.kind != avr::Counting::Kind::pwm) {
+    const int64_t from = toggled_at_[channel] < hidden_ ? hidden_ : toggled_at_[channel];
+    if (!drives(channel) || tick <= from) return toggled_[channel];
     int64_t at[2] = {0, 0};
-    const int count = matches(channel, at);
-    int64_t toggles = 0;
+    const int count = matches(tick <= until ? held_[channel] : compare_[channel], at);
+    int64_t matched = 0;
     for (int i = 0; i < count; ++i)
-      toggles += (tick - at[i] + period_) / period_ - (toggled_at_[channel] - at[i] + period_) / period_;
-    return toggled_[channel] != (toggles % 2 != 0);
+      matched += (tick - at[i] + period_) / period_ - (from - at[i] + period_) / period_;
+    return connected == 1 ? toggled_[channel] != (matched % 2 != 0)
+           : matched      ? connected == 3
+                          : toggled_[channel];
   }
-  const uint16_t compare = tick < held_until(channel) ? held_[channel] : compare_[channel];
+  const uint16_t compare = tick < until ? held_[channel] : compare_[channel];
+  if (__builtin_expect(strays_, 0)) {
+    const bool low = counting_.dual_slope && compare == 0;
+    const uint16_t count = count_at(tick);
+    const bool high = !low && (compare >= pin_top_ || count < compare || (count == compare && !dual_slope_));
+    return high != (connected == 3);
+  }
   return avr::pwm_level(counting_, top_, compare, connected, tick % period_);
 }
 
 /// The first tick behind `after` at which PWM of that value changes its level; INT64_MAX if there is none.
 int64_t Timer::next_change(uint16_t compare, int64_t after) const {
-  if (compare >= top_ || (counting_.dual_slope && compare == 0)) return INT64_MAX;
-  const int64_t falls = compare + 1, rises = counting_.dual_slope ? (2 * top_ - compare + 1) % period_ : 0;
+  if (compare >= pin_top_ || (counting_.dual_slope && compare == 0)) return INT64_MAX;
+  const int64_t falls = compare + 1, rises = dual_slope_ ? (2 * top_ - compare + 1) % period_ : 0;
   const int64_t from = (after + 1) % period_;
   const int64_t to_fall = (falls - from + period_) % period_, to_rise = (rises - from + period_) % period_;
   return after + 1 + (to_fall < to_rise ? to_fall : to_rise);
@@ -182,24 +149,35 @@ int64_t Timer::next_change(uint16_t compare, int64_t after) const {
 SimTime Timer::next_edge(int channel, SimTime after) const {
   if (prescaler_ == 0) return kNever;
   const int64_t tick = tick_at(after), until = held_until(channel);
-  if (connection(channel) == 1) return next(channel + 1, tick);
-  int64_t change = next_change(tick < until ? held_[channel] : compare_[channel], tick);
-  if (tick < until && change >= until)
-    change =
-        level_at(channel, until) != level_at(channel, tick) ? until : next_change(compare_[channel], until);
-  return change == INT64_MAX ? kNever : time_of(change);
+  SimTime edge = kNever;
+  if (connection(channel) == 1) {
+    edge = next(channel + 1, tick);
+  } else {
+    int64_t change = next_change(tick < until ? held_[channel] : compare_[channel], tick);
+    if (tick < until && change >= until)
+      change =
+          level_at(channel, until) != level_at(channel, tick) ? until : next_change(compare_[channel], until);
+    if (change != INT64_MAX) edge = time_of(change);
+  }
+  return edge < turns_at_ || after >= turns_at_ ? edge : turns_at_;
 }
 
 void Timer::count_edge(bool level) {
   if (!counts_edges() || level != (control_b_ & 1)) return;  // CS: 6 falling, 7 rising
   overflows_seen_ = disabled_seen_ = ++base_tick_;
-  const int64_t now = position();
-  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
+  const int64_t now = base_tick_ % period_;
+  for (int flag = 0; flag < flag_count_; ++flag) {
+    const bool match = flag == 1 || flag == 2;
     int64_t at[2] = {0, 0};
-    const int count = raises(flag, at);
+    const int count = match && replaced_at_[flag - 1] >= 0 ? matches(held_[flag - 1], at) : raises(flag, at);
     for (int i = 0; i < count; ++i)
-      if (at[i] == now) flags_ |= bit_of(flag);
+      if (at[i] == now && !(match && base_tick_ == hidden_)) flags_ |= bit_of(flag);
   }
+  if (now == taken_over_at() && !(strays_ && counting_.dual_slope))
+    for (SimTime& time : replaced_at_) time = -1;
+  if (base_tick_ == turn_) turn();
+  if (turn_due_ <= state.now) take_turns();
+  if (control_a_ & kConnections) refresh_timer_pins(number_);
 }
 
 void Timer::set_capture(uint16_t value) {
@@ -210,15 +188,11 @@ void Timer::set_capture(uint16_t value) {
 }
 
 void Timer::set_count(uint16_t value) {
-  if (captures_edges()) hear();
-  sync_waves();
-  sync();
-  sync_disabled();
-  for (int channel = 0; channel < 2; ++channel) keep_level(channel);
-  base_ = state.now;
-  base_tick_ = overflows_seen_ = disabled_seen_ = value % period_;
-  forget_levels();
-  refresh_due();
+  const Phase phase = leave_registers();
+  base_ = phase.tick_began;
+  set_to_ = value;
+  begin(value, phase.down, true);
+  refresh_due(base_tick_);
   refresh_waves();
 }
 
@@ -227,7 +201,7 @@ void Timer::set_enabled(uint8_t mask) {
   sync_disabled();
   enabled_ = mask & (overflow | compare_a | compare_b | (has_capture() ? captured : 0));
   if (enabled_ & captured) listen_to_captures();
-  refresh_due();
+  refresh_due(ticks());
 }
 
 void Timer::clear_flags(uint8_t mask) {
@@ -250,63 +224,100 @@ uint8_t Timer::flags() {
   return flags_;
 }
 
-int Timer::matches(int channel, int64_t (&at)[2]) const {
-  const int64_t value = compare_[channel];
+int Timer::matches(int64_t value, int64_t (&at)[2]) const {
   if (value > top_) return 0;
   at[0] = (value + 1) % period_;  // the flag follows one tick after the match
-  if (!counting_.dual_slope) return 1;
+  if (!dual_slope_) return 1;
   at[1] = (2 * top_ - value + 1) % period_;
   return at[0] == at[1] ? 1 : 2;
 }
 
 int Timer::raises(int flag, int64_t (&at)[2]) const {
-  if (flag == 1 || flag == 2) return matches(flag - 1, at);
-  at[0] = flag == 0 ? overflows_at() : counting_.dual_slope ? (top_ + 1) % period_ : 0;
-  return flag == 0 ? overflows() : counting_.top == avr::Counting::Top::capture;
+  if (flag == 1 || flag == 2) return matches(compare_[flag - 1], at);
+  at[0] = flag == 0 ? overflows_at() : dual_slope_ ? (top_ + 1) % period_ : 0;
+  return flag == 0 ? overflows() : counting_.top == avr::Counting::Top::capture && !strays_;
 }
 
-bool Timer::passed(int64_t event, int64_t until) const {
-  return (until - event + period_) / period_ > (disabled_seen_ - event + period_) / period_;
+bool Timer::passed(int64_t at, int64_t from, int64_t until) const {
+  return (until - at + period_) / period_ > (from - at + period_) / period_;
 }
 
-void Timer::sync_disabled() {
-  if (prescaler_ == 0) return;
-  const int64_t until = ticks();
-  if (until < disabled_seen_) return;
-  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
-    if ((enabled_ | flags_) & bit_of(flag)) continue;
-    int64_t at[2] = {0, 0};
-    const int count = raises(flag, at);
-    for (int i = 0; i < count; ++i)
-      if (passed(at[i], until)) flags_ |= bit_of(flag);
+bool Timer::raised(int flag, int64_t until) const {
+  int64_t at[2];
+  if (flag != 1 && flag != 2) return raises(flag, at) && passed(at[0], disabled_seen_, until);
+  const int channel = flag - 1;
+  int64_t from = disabled_seen_ < hidden_ ? hidden_ : disabled_seen_;
+  const int64_t held = held_until(channel);
+  if (from < held) {
+    const int64_t to = until < held ? until : held;
+    for (int i = matches(held_[channel], at); i-- > 0;)
+      if (passed(at[i], from, to)) return true;
+    from = held;
   }
+  for (int i = from < until ? matches(compare_[channel], at) : 0; i-- > 0;)
+    if (passed(at[i], from, until)) return true;
+  return false;
+}
+
+void Timer::sync_disabled(int64_t until) {
+  if (until < disabled_seen_) return;
+  for (int flag = 0; flag < flag_count_; ++flag)
+    if (!((enabled_ | flags_) & bit_of(flag)) && raised(flag, until)) flags_ |= bit_of(flag);
   disabled_seen_ = until;
 }
 
-SimTime Timer::next(int flag, int64_t after) const {
-  int64_t at[2] = {0, 0};
-  const int count = raises(flag, at);
-  int64_t first = INT64_MAX;
-  for (int i = 0; i < count; ++i) {
-    const int64_t tick = after + 1 + (at[i] - (after + 1) % period_ + period_) % period_;
-    if (tick < first) first = tick;
-  }
-  return first == INT64_MAX ? kNever : time_of(first);
+int64_t Timer::first(int64_t at, int64_t after) const {
+  return after + 1 + (at - (after + 1) % period_ + period_) % period_;
 }
 
-void Timer::refresh_due() {
-  due_ = kNever;
-  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag) {
-    due_of_[flag] = prescaler_ != 0 && enabled_ & bit_of(flag) ? next(flag, ticks()) : kNever;
-    if (due_of_[flag] < due_) due_ = due_of_[flag];
+SimTime Timer::next(int flag, int64_t after) const {
+  if (flag == 1 || flag == 2) return next_match(flag - 1, after);
+  int64_t at[2];
+  return raises(flag, at) ? time_of(first(at[0], after)) : kNever;
+}
+
+SimTime Timer::next_match(int channel, int64_t after) const {
+  const auto next = [&](uint16_t value) {
+    int64_t at[2], next = kNoTick;
+    for (int i = matches(value, at); i-- > 0;) {
+      const int64_t tick = first(at[i], after);
+      if (tick < next) next = tick;
+    }
+    return next;
+  };
+  if (after < hidden_) after = hidden_;
+  int64_t tick = kNoTick;
+  const int64_t held = held_until(channel);
+  if (after < held) {
+    tick = next(held_[channel]);
+    if (tick > held) after = held;
   }
+  if (after >= held) tick = next(compare_[channel]);
+  return tick == kNoTick ? kNever : time_of(tick);
+}
+
+void Timer::refresh_due(int64_t after) {
+  turns_at_ = turn_due_ = kNever;
+  if (__builtin_expect(turn_ != kNoTick || late_ || pins_stale_ || steps(), 0)) refresh_turn();
+  due_of_[0] = prescaler_ != 0 && enabled_ & overflow ? next(0, after) : kNever;
+  due_ = due_to_match_ = turn_due_;
+  for (int flag = 1; flag < 4; ++flag) {
+    if (__builtin_expect(!(enabled_ & ~overflow) || prescaler_ == 0 || !(enabled_ & bit_of(flag)), 1)) {
+      due_of_[flag] = kNever;
+      continue;
+    }
+    due_of_[flag] = next(flag, after);
+    if (due_of_[flag] < due_to_match_) due_ = due_to_match_ = due_of_[flag];
+  }
+  if (due_of_[0] < due_) due_ = due_of_[0];
 }
 
 void Timer::raise_due() {
-  for (int flag = 0, there_are = flags_there_are(); flag < there_are; ++flag)
+  if (state.now >= turn_due_) take_turns();
+  for (int flag = 0; flag < flag_count_; ++flag)
     if (state.now >= due_of_[flag]) flags_ |= bit_of(flag);
   if (flags_ & overflow && enabled_ & overflow) overflows_seen_ = ticks();
-  refresh_due();
+  refresh_due(ticks());
 }
 
 int64_t Timer::take_overflows() {
@@ -316,14 +327,23 @@ int64_t Timer::take_overflows() {
   const int64_t count = (until + ahead) / period_ - (overflows_seen_ + ahead) / period_;
   overflows_seen_ = until;
   due_of_[0] = next(0, until);
-  due_ = due_of_[0] < due_to_match() ? due_of_[0] : due_to_match();
+  due_ = due_of_[0] < due_to_match_ ? due_of_[0] : due_to_match_;
   return count;
 }
 
 bool Timer::drives(int channel) const { return avr::drives_pin(counting_, connection(channel), channel); }
 
 PinDrive Timer::drive(int channel) const {
-  return avr::timer_drive(counting_, prescaler_, top_, compare_[channel], connection(channel), kClockHz);
+  if (prescaler_ == 0 || (steps() && steps(channel))) {
+    PinDrive drive;
+    drive.mode = PinMode::output;
+    drive.level = level_at(channel, ticks());
+    drive.duty = drive.level ? 1.0 : 0.0;
+    return drive;
+  }
+  const bool late = late_ >> channel & 1 || is_top(channel);
+  const uint16_t compare = late && is_held(channel) ? held_[channel] : compare_[channel];
+  return avr::timer_drive(counting_, prescaler_, pin_top_, compare, connection(channel), kClockHz);
 }
 
 }  // namespace host

@@ -3,10 +3,10 @@
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
-// A tick is `prescaler` CPU cycles. What a compare register of PWM is given holds for the level of its pin
-// from TOP (BOTTOM where there is one slope, or the mode is frequency correct) on. Edges of ICP1 are captured
-// in timer_capture.cpp. Not modelled: double buffering of OCR for flags and duties, what an external clock
-// makes of output pins.
+// A tick is `prescaler` CPU cycles. What a compare register of PWM is given is taken over with the tick that
+// leaves TOP (BOTTOM where the mode is frequency correct). Where TOP changes, or is lowered below the count,
+// a counter goes on in a way of its own until a turn: timer_turns.cpp. Edges of ICP1 are captured in
+// timer_capture.cpp.
 #pragma once
 
 #include <stdint.h>
@@ -29,10 +29,14 @@ class Timer {
 
   constexpr explicit Timer(uint8_t number)
       : number_(number),
+        max_(kChip.timers[number].bits == 16 ? 0xFFFF : 0xFF),
+        flag_count_(kChip.timers[number].capture != 0 ? 4 : 3),
         counting_(avr::counting(kChip.timers[number], 0, 0)),
         top_(counting_.fixed_top),
         period_(top_ + 1) {}
 
+  /// Whether it has 16 bits.
+  bool is_wide() const { return max_ > 0xFF; }
   uint8_t control_a() const { return control_a_; }
   uint8_t control_b() const { return control_b_; }
   uint16_t compare(int channel) const { return compare_[channel]; }
@@ -42,18 +46,21 @@ class Timer {
   uint8_t flags();
   uint16_t count() const;
 
-  void set_control_a(uint8_t value);
-  void set_control_b(uint8_t value);
-  /// The caller refreshes the pin, unless the value is the counter's TOP.
+  ROBOSIM_RARE void set_control_a(uint8_t value);
+  ROBOSIM_RARE void set_control_b(uint8_t value);
+  /// The caller refreshes the pin, unless the value is the counter's TOP. The pin's duty is told at once,
+  /// even if the value is taken over later.
   void set_compare(int channel, uint16_t value);
-  void set_capture(uint16_t value);
-  void set_count(uint16_t value);
-  void set_enabled(uint8_t mask);
+  /// The same, but for that: told when it is taken over.
+  ROBOSIM_RARE void write_compare(int channel, uint16_t value);
+  ROBOSIM_RARE void set_capture(uint16_t value);
+  ROBOSIM_RARE void set_count(uint16_t value);
+  ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
   /// In init(), which has it counted by 8 for a moment before PWM (CS11, then CS10, then WGM10): it most
   /// likely comes to 1 there, which raises its matches, but no overflow before the next BOTTOM.
-  void leave_bottom();
+  ROBOSIM_RARE void leave_bottom();
 
   /// Raises the enabled flags that are due.
   void sync() {
@@ -62,7 +69,7 @@ class Timer {
   /// When the next enabled flag will be raised.
   SimTime due() const { return due_; }
   /// Of timer 0: the same without the overflow.
-  SimTime due_to_match() const { return due_of_[1] < due_of_[2] ? due_of_[1] : due_of_[2]; }
+  SimTime due_to_match() const { return due_to_match_; }
   /// Flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
   /// The handler of `flag` starts.
@@ -71,29 +78,32 @@ class Timer {
   /// The COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
   uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
   /// Sets them; the caller refreshes the pin.
-  void set_connection(int channel, uint8_t bits);
+  ROBOSIM_RARE void set_connection(int channel, uint8_t bits);
   /// Whether a channel drives its pin, if that is an output.
   bool drives(int channel) const;
   /// How it does so.
-  PinDrive drive(int channel) const;
+  ROBOSIM_RARE PinDrive drive(int channel) const;
   /// Of a channel whose drive is PWM: the level at a moment since the registers were last written, and when
   /// behind that it changes next; kNever if it does not.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
-  SimTime next_edge(int channel, SimTime after) const;
+  ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
+  /// Until when that holds: then it turns.
+  SimTime turns_at() const { return turns_at_; }
+  ROBOSIM_RARE void turn();
 
   /// Whether it counts edges of a pin; the pin has got that level.
   bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
-  void count_edge(bool level);
+  ROBOSIM_RARE void count_edge(bool level);
 
   /// Whether it captures edges of a pin; the pin has got that level at that moment.
   bool captures_edges() const { return listens_ && !of_comparator_ && captures(); }
-  void capture_edge(bool level, SimTime at);
+  ROBOSIM_RARE void capture_edge(bool level, SimTime at);
   /// It captures the comparator's edges instead (ACIC), or no longer; and that output has changed.
   void capture_comparator(bool is, bool level);
   void comparator_changed(bool level);
 
   /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
-  bool counts_bytes() const { return !counting_.dual_slope && top_ == 255 && prescaler_ != 0; }
+  bool counts_bytes() const { return !dual_slope_ && top_ == 255 && prescaler_ != 0 && turn_ == kNoTick; }
   /// The moment `ticks` timer ticks after the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
   /// Counts overflows until now, without raising the flag for them.
@@ -102,61 +112,99 @@ class Timer {
  private:
   /// Where the counter is when a register changes that tells how it counts.
   struct Phase {
-    int64_t position;
+    uint16_t count;
+    bool down, hidden;
     int32_t prescaler;
     SimTime tick_began;
   };
-  Phase leave_registers();
-  void take_registers(const Phase& phase);
-  void decode();
-  void keep_level(int channel);
-  void hold(int channel);
+  ROBOSIM_RARE Phase leave_registers();
+  ROBOSIM_RARE void take_registers(const Phase& phase);
+  ROBOSIM_RARE void keep_level(int channel, int64_t tick);
+  bool is_held(int channel) const {
+    if (replaced_at_[channel] < 0) return false;
+    return prescaler_ == 0 || (state.now - replaced_at_[channel] < lasts_ && ticks() < held_until(channel));
+  }
   int64_t held_until(int channel) const;
-  void forget_levels();
-  bool level_at(int channel, int64_t tick) const;
-  int64_t next_change(uint16_t compare, int64_t after) const;
-  int64_t position() const;
+  ROBOSIM_RARE void begin(uint16_t count, bool down, bool hidden);
+  bool is_top(int channel) const { return channel == 0 && counting_.top == avr::Counting::Top::compare_a; }
+  int64_t taken_over_at() const {
+    return !dual_slope_ ? 0 : (counting_.frequency_correct ? 1 : top_ + 1) % period_;
+  }
+  void turn_where_taken_over() {
+    const int64_t until = held_until(0);
+    if (until != kLongAgo && until < turn_) turn_ = until;
+  }
+  ROBOSIM_RARE void take_turns();
+  ROBOSIM_RARE bool steps(int channel) const;
+  /// Whether a channel may.
+  bool steps() const {
+    return control_a_ & (counting_.kind == avr::Counting::Kind::pwm ? kToggles : kConnections);
+  }
+  ROBOSIM_RARE bool level_at(int channel, int64_t tick) const;
+  ROBOSIM_RARE int64_t next_change(uint16_t compare, int64_t after) const;
   int64_t tick_at(SimTime at) const;
   int64_t ticks() const { return tick_at(state.now); }
   uint16_t count_at(int64_t tick) const;
+  /// At BOTTOM, too, if it has come from above.
+  bool counts_down(int64_t tick) const {
+    const int64_t at = tick % period_;
+    return dual_slope_ && (strays_ || (top_ > 0 && (at > top_ || (at == 0 && tick > 0))));
+  }
   SimTime time_of(int64_t tick) const;
-  bool passed(int64_t event, int64_t until) const;
+  bool passed(int64_t at, int64_t from, int64_t until) const;
+  ROBOSIM_RARE bool raised(int flag, int64_t until) const;
   void raise_due();
-  void sync_disabled();
-  void refresh_due();
+  void sync_disabled() {
+    if (prescaler_ != 0) sync_disabled(ticks());
+  }
+  void sync_disabled(int64_t until);
+  void refresh_due(int64_t after);
+  ROBOSIM_RARE void refresh_turn();
+  int64_t first(int64_t at, int64_t after) const;
   SimTime next(int flag, int64_t after) const;
+  ROBOSIM_RARE SimTime next_match(int channel, int64_t after) const;
   bool overflows() const {
-    return counting_.kind != avr::Counting::Kind::clear_on_match || top_ == counter_max();
+    const bool clears = counting_.kind == avr::Counting::Kind::clear_on_match;
+    return counting_.dual_slope || (strays_ ? clears : !clears || top_ == max_);
   }
   /// The position at which the flag of an overflow is raised: a tick behind BOTTOM where there are two
   /// slopes, so that a counter that begins there raises it at once.
   int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
-  /// Positions at which compare match `channel` happens; returns how many there are, 0..2.
-  int matches(int channel, int64_t (&at)[2]) const;
-  /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP.
+  /// Positions at which a match with `value` is seen; returns how many there are, 0..2.
+  ROBOSIM_RARE int matches(int64_t value, int64_t (&at)[2]) const;
+  /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP. Of
+  /// matches: by what has been written last.
   int raises(int flag, int64_t (&at)[2]) const;
-  int flags_there_are() const { return has_capture() ? 4 : 3; }
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
   /// From now on edges of ICPn are heard: a sketch has shown interest in them.
   void listen_to_captures();
   /// The noise canceler begins at the pin's level.
   void begin_canceler();
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
-  bool has_capture() const { return kChip.timers[number_].capture != 0; }
-  bool wide() const { return kChip.timers[number_].bits == 16; }
-  uint16_t counter_max() const { return wide() ? 0xFFFF : 0xFF; }
+  bool has_capture() const { return flag_count_ > 3; }
+  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< COM in TCCRnA; 1 or 3
   /// ICNCn and ICESn in TCCRnB.
   static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
 
   uint8_t number_;
+  uint16_t max_;
+  int flag_count_;
   uint8_t control_a_ = 0, control_b_ = 0, enabled_ = 0, flags_ = 0;
   uint16_t compare_[2] = {0, 0};
   uint16_t capture_ = 0;
   // What the registers mean:
   avr::Counting counting_;
   int32_t prescaler_ = 0;  ///< 0 = stopped
+  // How it counts until it turns:
+  static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
+  bool dual_slope_ = false, strays_ = false;  ///< it is beyond the TOP of its registers
   int64_t top_, period_;
-  SimTime lasts_ = 0;  ///< no period takes longer
+  int64_t pin_top_ = 0xFF;                         ///< TOP of its registers, for duties
+  SimTime lasts_ = 0;                              ///< no period takes longer
+  int64_t turn_ = kNoTick;                         ///< the tick by which it begins anew
+  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< also when pins have to be told
+  int64_t hidden_ = kLongAgo;                      ///< by this tick a write to TCNTn hides a match
+  uint16_t set_to_ = 0;                            ///< what was written then
   // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
@@ -164,13 +212,15 @@ class Timer {
   int64_t disabled_seen_ =
       0;  ///< the tick up to which flags that are not enabled are known: they are not timed
   SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< of flags 0..3; kNever where not enabled
-  SimTime due_ = kNever;
-  // Levels of its pins: of one that is toggled as it was left at a tick, of PWM the value that was replaced,
-  // and when.
+  SimTime due_ = kNever, due_to_match_ = kNever;
+  // Levels of its pins: what a match has made of one without PWM, as it was left at a tick; of PWM the value
+  // that was replaced, and when.
   bool toggled_[2] = {false, false};
   int64_t toggled_at_[2] = {0, 0};
   uint16_t held_[2] = {0, 0};
-  SimTime replaced_at_[2] = {-1, -1};  ///< since the counter was last set; else -1
+  SimTime replaced_at_[2] = {-1, -1};  ///< since it began; else -1
+  uint8_t late_ = 0;                   ///< channels whose pins are told when values are taken over
+  bool pins_stale_ = false;
   // Captures: whether any are wanted, what the noise canceler has let through and what it has got since when,
   // and, should it take the last edge back, what was there before that.
   bool listens_ = false, of_comparator_ = false, comparator_ = false;

@@ -40,19 +40,38 @@ bool wave_level(Pin pin) { return level_at(pin, state.now); }
 
 SimTime wave_until(Pin pin) { return next_edge(pin, state.now); }
 
-void tell_waves() {
-  for_each_followed([](Pin pin) {
+namespace {
+
+void tell_until(SimTime limit) {
+  for_each_followed([limit](Pin pin) {
     SimTime& next = next_edges[pin];
     // Flags tell no more than two edges: of those behind them only the last one counts, but to a timer.
     const bool timed = places[pin].counted_by >= 0 || places[pin].captured_by >= 0;
-    for (int told = 0; (timed || told < 2) && next <= state.now; ++told) {
+    for (int told = 0; (timed || told < 2) && next <= limit; ++told) {
       hear_level(pin, level_at(pin, next), next);
       next = next_edge(pin, next);
     }
-    if (next > state.now) return;
-    hear_level(pin, wave_level(pin), state.now);
-    next = wave_until(pin);
+    if (next > limit) return;
+    hear_level(pin, level_at(pin, limit), limit);
+    next = next_edge(pin, limit);
   });
+}
+
+SimTime next_turn() {
+  const SimTime a = timer0.turns_at(), b = timer1.turns_at(), c = timer2.turns_at();
+  return a < b && a < c ? a : b < c ? b : c;
+}
+
+}  // namespace
+
+void tell_waves() {
+  for (SimTime turn = next_turn(); turn <= state.now; turn = next_turn()) {
+    tell_until(turn);
+    for (int number = 0; number < 3; ++number)
+      if (timer(number).turns_at() == turn) timer(number).turn();
+    for_each_followed([turn](Pin pin) { next_edges[pin] = next_edge(pin, turn); });
+  }
+  tell_until(state.now);
 }
 
 void follow_anew() {

@@ -17,7 +17,7 @@ SimTime wave_until(Pin pin);
 /// When the next edge comes that somebody listens to.
 extern SimTime wave_due;
 /// Tells all such edges until now: before anything changes that says when they come.
-void tell_waves();
+ROBOSIM_RARE void tell_waves();
 inline void sync_waves() {
   if (state.now >= wave_due) tell_waves();
 }
