@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kStream = 20;    // a text that comes more often is a stream
 constexpr std::size_t kStreamRow = 5;  // so is one that comes so often within kStreamTime_ns
 constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
+constexpr std::size_t kMissedRow =
+    10;  // so many lines of a stream, for so long, are missed on the other side
+constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;
 constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
 constexpr std::size_t kLongestName = 60;
 
@@ -246,7 +249,7 @@ class Comparer {
                      "",
                      {}};
         d.t_ns[has] = said.t_ns;
-        d.t_ns[1 - has] = has == 0 ? clocks_.to_b(said.t_ns) : clocks_.to_a(said.t_ns);
+        d.t_ns[1 - has] = other_clock(has, said.t_ns);
         d.sides[has] = "says " + quoted(said.text) + ", and often";
         d.sides[1 - has] = "says nothing like it";
         d.line[has] = said.number;
@@ -254,6 +257,7 @@ class Comparer {
         continue;
       }
       compare_rates(lanes);
+      for (const std::size_t side : {0U, 1U}) compare_presence(lanes, side);
       if (compare_stream(lanes, 0)) compare_stream(lanes, 1);
     }
   }
@@ -278,14 +282,42 @@ class Comparer {
             {lanes[0].front().number, lanes[1].front().number}});
   }
 
+  /// Whether the other side has `side`'s lines at about that time, too.
+  void compare_presence(const std::array<std::vector<Said>, 2>& lanes, std::size_t side) {
+    const auto& others = lanes[1 - side];
+    const Said* first = nullptr;  // of those that are missed
+    std::size_t missed = 0;
+    for (const Said& said : lanes[side]) {
+      const std::int64_t t = other_clock(side, said.t_ns), about = std::max(kNear_ns, allowed(t));
+      if (t + about > seen_ns(*sides_[1 - side])) return;
+      const auto near = std::ranges::lower_bound(others, t - about, {}, &Said::t_ns);
+      if (near != others.end() && near->t_ns <= t + about) {
+        missed = 0;
+        continue;
+      }
+      if (++missed == 1) first = &said;
+      if (missed < kMissedRow || said.t_ns - first->t_ns < kMissedTime_ns) continue;
+      Difference d{Difference::Kind::time, "the line " + quoted(first->text), {}, {}, "", {}};
+      d.t_ns[side] = first->t_ns;
+      d.t_ns[1 - side] = other_clock(side, first->t_ns);
+      d.sides[side] = "says it again and again";
+      d.sides[1 - side] = "does not, for " + seconds(said.t_ns - first->t_ns) + " and more";
+      d.line[side] = first->number;
+      return report(std::move(d));
+    }
+  }
+
+  std::int64_t other_clock(std::size_t side, std::int64_t t) const {
+    return side == 0 ? clocks_.to_b(t) : clocks_.to_a(t);
+  }
+
   /// Each number of `side`'s lines against those that the other has said at about that time.
   bool compare_stream(const std::array<std::vector<Said>, 2>& lanes, std::size_t side) {
     const auto& own = lanes[side];
     const auto& others = lanes[1 - side];
     for (const Said& said : own) {
-      const std::int64_t t = side == 0 ? clocks_.to_b(said.t_ns) : clocks_.to_a(said.t_ns);
-      const auto from = std::lower_bound(others.begin(), others.end(), t - kNear_ns,
-                                         [](const Said& s, std::int64_t at) { return s.t_ns < at; });
+      const std::int64_t t = other_clock(side, said.t_ns);
+      const auto from = std::ranges::lower_bound(others, t - kNear_ns, {}, &Said::t_ns);
       auto to = from;
       while (to != others.end() && to->t_ns <= t + kNear_ns) ++to;
       if (from == to) continue;

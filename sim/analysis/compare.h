@@ -7,7 +7,7 @@
 //   places    their names and order
 //   lines     their text and order, numbers aside; a text that comes more than 20 times, or 5 times in 2 s,
 //   is
-//             a stream, of which only the rate counts
+//             a stream: of it the rate counts, and that both sides say it at about the same time
 //   numbers   those of a line: within 10 % of each other; of a stream: within what the other side printed in
 //             the second before and after
 //   times     from one place or line to the next: within 0.5 s and 25 %

@@ -151,6 +151,35 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
+/// Each second "on", and from `off_from` on "off".
+History light(std::int64_t off_from) {
+  History h;
+  h.end_ns = 70 * kS;
+  for (std::int64_t t = 0; t < h.end_ns; t += kS) h.lines.push_back({t, t < off_from ? "on" : "off"});
+  return h;
+}
+
+TEST(Compare, AStreamMayEndALittleSoonerButNotLongBefore) {
+  EXPECT_EQ(kind(light(21 * kS), light(21 * kS)), std::nullopt);
+  EXPECT_EQ(kind(light(21 * kS), light(24 * kS)), std::nullopt);
+  EXPECT_EQ(kind(light(42 * kS), light(21 * kS)), Kind::time);
+  const auto d = compare(light(21 * kS), light(5 * kS)).first;
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->kind, Kind::time);
+  EXPECT_EQ(d->what, "the line \"off\"");
+  EXPECT_EQ(d->t_ns[1], 5 * kS);
+  EXPECT_EQ(d->sides[1], "says it again and again");
+  EXPECT_EQ(d->sides[0], "does not, for 9.000 s and more");
+}
+
+TEST(Compare, AStreamThatOneSideHadNoTimeForIsNoDifference) {
+  History a = light(21 * kS), b = a;
+  std::erase_if(b.lines, [](const TimedText& line) { return line.t_ns > 25 * kS; });
+  EXPECT_EQ(kind(a, b), Kind::time) << "it says nothing any more";
+  b.end_ns = 25 * kS;
+  EXPECT_EQ(kind(a, b), std::nullopt) << "it has ended";
+}
+
 TEST(Compare, ALineAmongAStreamIsFoundWhereverItIs) {
   History a = stream(20 * kMs, 0), b = stream(22 * kMs, 0);
   a.lines.insert(a.lines.begin() + 100, {a.lines[100].t_ns, "turning"});
