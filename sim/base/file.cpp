@@ -80,13 +80,15 @@ namespace {
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
 /// As a rename over what is there, which on ext4 waits until all of the new file is on its way to the disk.
-bool replace(const fs::path& fresh, const fs::path& old) {
+bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::path& old) {
+#ifdef RENAME_EXCHANGE
   const auto change_places = [&] {
     return ::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
   };
   if (!change_places()) return false;  // there is nothing, or no such thing on this file system
   if (::unlink(fresh.c_str()) == 0) return true;
   change_places();  // it was a folder
+#endif
   return false;
 }
 
