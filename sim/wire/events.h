@@ -67,7 +67,8 @@ template <class V>
 void fields(V& v, Same<V, ScriptActed>& e) {
   v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
   v("part", e.part,
-    "`script_acted`: of press, release, cover, and send to a part; of light on or off, of door shut or open; "
+    "`script_acted`: of press, release, cover, uncover, and send to a part; of light on or off, of door shut "
+    "or open; "
     "else empty");
   v("argument", e.text,
     "`script_acted`: of send, place, obstacle, clear, paint, erase, door and light; else empty");
