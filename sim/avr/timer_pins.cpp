@@ -38,6 +38,7 @@ bool Timer::changes_at_match(std::size_t channel) const {
   if (!drives(channel)) return false;
   if (connection(control_a(), static_cast<int>(channel)) != 1)
     return counter.how().kind != Counting::Kind::pwm;
+  if (counter.compare(channel) > counter.top()) return true;
   const std::int64_t period = period_of(counter.how(), counter.top()) << std::max(state_.shift, 0);
   return is_external() || 2 * kLowestTone_hz * period > core_.clock_hz;
 }
@@ -57,8 +58,7 @@ PinDrive Timer::drive_of(std::size_t channel) const {
   const std::uint8_t com = connection(control_a(), static_cast<int>(channel));
   const bool pwm = counter.how().kind == Counting::Kind::pwm && com != 1;
   const bool counts = ticks_come() || (state_.runs && is_external());
-  const bool toggles =
-      com == 1 && ticks_come() && counter.compare(channel) <= counter.top() && !changes_at_match(channel);
+  const bool toggles = com == 1 && ticks_come() && !changes_at_match(channel);
   if ((pwm && counts) || toggles)
     return timer_drive(counter.how(), 1 << std::max(state_.shift, 0), counter.top(), counter.compare(channel),
                        com, core_.clock_hz);

@@ -92,6 +92,26 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
+// 16.9.2: above TOP a counter runs on to MAX, and there is a match on the way.
+TEST_F(TimerTest, TogglesAboveTop) {
+  constexpr Address kOcr1a = 0x88;
+  write(kDdrb, 1 << 1);
+  write(kOcr1a + 1, 1000 >> 8);
+  write(kOcr1a, 1000 & 0xFF);
+  write(kIcr1l + 1, 0);
+  write(kIcr1l, 100);
+  write(kTcnt1l + 1, 500 >> 8);
+  write(kTcnt1l, 500 & 0xFF);
+  write(kTccr1a, 0x40);
+  write(kTccr1b, 0x19);
+  run(490);
+  EXPECT_FALSE(drive('B', 1).level);
+  run(20);
+  EXPECT_TRUE(drive('B', 1).level);
+  run(200'000);
+  EXPECT_TRUE(drive('B', 1).level) << "below TOP it does not come to 1000 again";
+}
+
 TEST_F(TimerTest, CostsAnEventAnOverflowWhenOnlyThatInterruptIsOn) {
   write(kTccr0a, 3);
   write(kTccr0b, 3);
