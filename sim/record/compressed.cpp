@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/base/error.h"
 
@@ -27,7 +28,10 @@ Deflater::Deflater() : stream_(new z_stream{}) {
     cannot_begin();
 }
 
-Deflater::~Deflater() { deflateEnd(stream_.get()); }
+Deflater::~Deflater() {
+  deflateEnd(stream_.get());
+  if (unpacking_) inflateEnd(unpacking_.get());
+}
 
 void Deflater::pack(std::string_view piece, Packed& to) {
   z_stream& stream = *stream_;
@@ -46,16 +50,20 @@ void Deflater::pack(std::string_view piece, Packed& to) {
   to.unpacked_size += piece.size();
 }
 
-std::string Deflater::unpacked(const Packed& packed) {
-  z_stream stream{};
-  if (inflateInit2(&stream, kBare) != Z_OK) cannot_begin();
-  std::string out(packed.unpacked_size, '\0');
-  stream.next_in = bytes_of(packed.bytes.data());
-  stream.avail_in = static_cast<uInt>(packed.bytes.size());
+std::string Deflater::unpacked(std::string_view packed, std::size_t unpacked_size) {
+  if (!unpacking_) {
+    auto fresh = std::make_unique<z_stream>();
+    if (inflateInit2(fresh.get(), kBare) != Z_OK) cannot_begin();
+    unpacking_ = std::move(fresh);
+  }
+  z_stream& stream = *unpacking_;
+  inflateReset(&stream);
+  std::string out(unpacked_size, '\0');
+  stream.next_in = bytes_of(packed.data());
+  stream.avail_in = static_cast<uInt>(packed.size());
   stream.next_out = bytes_of(out.data());
   stream.avail_out = static_cast<uInt>(out.size());
   inflate(&stream, Z_SYNC_FLUSH);
-  inflateEnd(&stream);
   return out;
 }
 

@@ -23,10 +23,10 @@ class Deflater final : public Packer {
   Deflater& operator=(const Deflater&) = delete;
 
   void pack(std::string_view piece, Packed& to) override;
-  std::string unpacked(const Packed& packed) override;
+  std::string unpacked(std::string_view packed, std::size_t unpacked_size) override;
 
  private:
-  std::unique_ptr<z_stream_s> stream_;
+  std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< the latter once there is something to unpack
 };
 
 /// Takes what is written, piece by piece.

@@ -96,10 +96,11 @@ void Gatherer::add_columns(const wire::Columns& columns) {
   std::size_t bytes = 0;
   for (const auto& [name, stream] : own.columns)
     if (name != kSamples) bytes += stream.bytes();
-  if (bytes <= most_changes_bytes_ / streams_.size()) return;
-  own.thinned = true;
+  const std::size_t most_bytes = most_changes_bytes_ / streams_.size();
+  if (bytes <= most_bytes / 2) return;
+  own.thinned = bytes > most_bytes;
   for (auto& [name, stream] : own.columns)
-    if (name != kSamples) stream.thin(kThinned_ns);
+    if (name != kSamples) own.thinned ? stream.thin(kThinned_ns) : stream.prepare_to_thin(kThinned_ns);
 }
 
 Gatherer::LineColumns Gatherer::line_columns(std::size_t robot,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace robosim::record {
 
@@ -22,7 +23,8 @@ class Packer {
   virtual ~Packer() = default;
   /// Adds a piece.
   virtual void pack(std::string_view piece, Packed& to) = 0;
-  virtual std::string unpacked(const Packed& packed) = 0;
+  /// One piece, or several that follow each other.
+  virtual std::string unpacked(std::string_view packed, std::size_t unpacked_size) = 0;
 };
 
 class KeptBytes {
@@ -35,9 +37,19 @@ class KeptBytes {
     if (packer_ && rest_.size() >= kPiece_bytes) pack_rest();
   }
   std::size_t size() const { return packed_.unpacked_size + rest_.size(); }
-  std::string all() const { return packed_.bytes.empty() ? rest_ : packer_->unpacked(packed_) + rest_; }
+  std::string all() const {
+    return packed_.bytes.empty() ? rest_ : packer_->unpacked(packed_.bytes, packed_.unpacked_size) + rest_;
+  }
 
   const Packer::Packed& packed() const { return packed_; }
+  /// How many pieces were packed.
+  std::size_t pieces() const { return ends_.size(); }
+  /// One of them, unpacked.
+  std::string piece(std::size_t number) const {
+    const End begin = number > 0 ? ends_[number - 1] : End{}, end = ends_[number];
+    return packer_->unpacked(std::string_view(packed_.bytes).substr(begin.packed, end.packed - begin.packed),
+                             end.unpacked - begin.unpacked);
+  }
   /// What has not been packed yet.
   std::string_view rest() const { return rest_; }
 
@@ -47,11 +59,18 @@ class KeptBytes {
 
   void pack_rest() {
     packer_->pack(rest_, packed_);
+    ends_.push_back({packed_.bytes.size(), packed_.unpacked_size});
     rest_.clear();
   }
 
   Packer* packer_;
+  /// Of a piece, counted from the first one's begin.
+  struct End {
+    std::size_t packed = 0, unpacked = 0;
+  };
+
   Packer::Packed packed_;
+  std::vector<End> ends_;
   std::string rest_;
 };
 

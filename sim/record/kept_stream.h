@@ -7,19 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "sim/record/kept_bytes.h"
 #include "sim/record/recording_header.h"
-#include "sim/wire/columns.h"
+#include "sim/record/thinner.h"
 
 namespace robosim::record {
 
 class KeptStream {
  public:
   /// `packer`: as KeptBytes has it; must live as long as this.
-  explicit KeptStream(Packer* packer = nullptr) : packer_(packer) {}
+  explicit KeptStream(Packer* packer = nullptr) : packer_(packer), all_(0, packer) {}
 
   /// Throws wire::BadValue if they do not fit those before.
   void add(const wire::Rows& rows);
+  /// thin() may come: it has less to do then, as it begins now, a little with all rows that are added.
+  void prepare_to_thin(std::int64_t span_ns);
   /// From now on, and of what is there, only the last row in each span is kept. The first column is t_ns.
   void thin(std::int64_t span_ns);
   /// Unpacked.
@@ -29,20 +30,13 @@ class KeptStream {
   StreamInfo finish(const std::string& name, std::vector<const KeptBytes*>& body);
 
  private:
-  struct Thinned {
-    std::int64_t span_ns;
-    std::vector<wire::ColumnReader> readers;
-    wire::Stream few;
-    std::vector<double> pending;
-  };
-  void keep(const wire::Rows& rows);
-  void add_thinned(const std::vector<std::string>& bytes, std::int64_t count);
+  const KeptRows& kept() const { return is_thin_ ? thinner_->kept() : all_; }
 
   Packer* packer_;
   std::vector<wire::ColumnSpec> specs_;
-  std::vector<KeptBytes> columns_;
-  std::int64_t count_ = 0;
-  std::optional<Thinned> thinned_;
+  KeptRows all_;
+  std::optional<Thinner> thinner_;
+  bool is_thin_ = false;
 };
 
 }  // namespace robosim::record

@@ -229,17 +229,44 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
 /// Counts what it is given.
 class CountingPacker final : public Packer {
  public:
-  explicit CountingPacker(std::size_t& bytes) : bytes_(bytes) {}
+  explicit CountingPacker(std::size_t& bytes, std::size_t* unpacked_bytes = nullptr)
+      : bytes_(bytes), unpacked_bytes_(unpacked_bytes) {}
   void pack(std::string_view piece, Packed& to) override {
     bytes_ += piece.size();
     deflater_.pack(piece, to);
   }
-  std::string unpacked(const Packed& packed) override { return deflater_.unpacked(packed); }
+  std::string unpacked(std::string_view packed, std::size_t unpacked_size) override {
+    if (unpacked_bytes_) *unpacked_bytes_ += unpacked_size;
+    return deflater_.unpacked(packed, unpacked_size);
+  }
 
  private:
   std::size_t& bytes_;
+  std::size_t* unpacked_bytes_;
   Deflater deflater_;
 };
+
+TEST_F(ARecording, IsThinnedALittleAtATimeAndHoldsWhatItWouldHoldOtherwise) {
+  constexpr std::size_t kMost_bytes = 400'000;
+  std::size_t packed_bytes = 0, unpacked_bytes = 0, most_at_a_time = 0;
+  Gatherer slowly(std::make_unique<CountingPacker>(packed_bytes, &unpacked_bytes), kMost_bytes);
+  Gatherer at_once(nullptr, kMost_bytes);  // nothing is packed there, so all waits for the limit
+  for (Gatherer* both : {&slowly, &at_once}) both->begin(run);
+  for (std::int64_t i = 0; i < 200'000; ++i) {
+    columns.add_volts(kA0, i * 1'000'000, 0.001 * static_cast<double>(i * 7919 % 5000));
+    if (i % 3 == 0) columns.add_pin(kD5, i * 1'000'037, wire::PinLevel::pulsing, 0.0001 * (i % 9999), 0);
+    if (i == 150'000) columns.add_pin(kD2, i * 1'000'000, wire::PinLevel::high, 1.0, 0);
+    if (i % 500 != 499) continue;
+    const wire::Columns piece = columns.take();
+    const std::size_t before = unpacked_bytes;
+    for (Gatherer* both : {&slowly, &at_once}) both->add(piece);
+    most_at_a_time = std::max(most_at_a_time, unpacked_bytes - before);
+  }
+  EXPECT_GT(unpacked_bytes, kMost_bytes * 3 / 4) << "all that came before the limit";
+  EXPECT_LT(most_at_a_time, kMost_bytes / 10) << "as long as it takes, the run waits";
+  EXPECT_EQ(slowly.content({}), at_once.content({}));
+  EXPECT_EQ(slowly.header().thinned_ns, Gatherer::kThinned_ns);
+}
 
 TEST_F(ARecording, IsCompressedWhileTheRunGoesOnAndHoldsTheSame) {
   std::size_t packed_bytes = 0;

@@ -1,0 +1,73 @@
+// What changes, with only the last row in each span of time: for runs of which all of it would be too much.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/record/kept_bytes.h"
+#include "sim/wire/columns.h"
+
+namespace robosim::record {
+
+/// Rows of a stream.
+struct KeptRows {
+  KeptRows(std::size_t width, Packer* packer) : columns(width, KeptBytes(packer)) {}
+
+  void add(const wire::Rows& rows) {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(rows.bytes[i]);
+    count += rows.count;
+  }
+
+  std::vector<KeptBytes> columns;
+  std::int64_t count = 0;
+};
+
+/// Goes along behind rows that are kept in full, a little each time: all of them at once would take so long
+/// that the run waits. The first column is t_ns.
+class Thinner {
+ public:
+  /// `packer`: as KeptBytes has it.
+  Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
+
+  /// The next rows of `all`, so many at most; none of those that wait to be packed. Throws wire::BadValue,
+  /// as the others do, if the columns do not hold as many numbers as there are rows.
+  void follow(const KeptRows& all, std::size_t most_rows);
+  /// All rows of `all` that are left.
+  void catch_up(const KeptRows& all);
+  /// Rows that come after those.
+  void add(const std::vector<std::string>& bytes, std::int64_t count);
+  /// Keeps the last row, too.
+  void finish();
+
+  const KeptRows& kept() const { return kept_; }
+
+ private:
+  /// Of a column of `all`: what has been unpacked, and not read.
+  struct Ahead {
+    std::size_t pieces = 0;  ///< that were unpacked
+    std::string bytes;
+    std::size_t numbers = 0;
+  };
+  static void unpack(Ahead& ahead, std::string_view bytes);
+  /// So many numbers.
+  static std::string take(Ahead& ahead, std::size_t count);
+  /// False if there are none.
+  bool read_some(const KeptRows& all, std::size_t most_rows);
+  void keep_last();
+
+  std::uint64_t span_ns_;
+  std::vector<wire::ColumnSpec> specs_;
+  std::vector<wire::ColumnReader> readers_;
+  std::vector<Ahead> ahead_;
+  std::int64_t read_ = 0;           ///< rows of `all`
+  std::uint64_t begin_ns_ = 0;      ///< of the span in which the last row is
+  std::vector<std::int64_t> last_;  ///< row, which is not kept yet
+  bool has_last_ = false;
+  wire::Stream few_;
+  KeptRows kept_;
+};
+
+}  // namespace robosim::record
