@@ -114,7 +114,7 @@ wire::BatchMemory& Relay::hand_on() {
   const std::size_t ahead = batch_ - batches_->taken.load(std::memory_order_acquire);
   if (ahead >= kBatches)
     ask(kAskForRoom, "");
-  else if (ahead >= kBatches / 2)
+  else if (ahead >= kWaking)
     send(kLine, "");
   return *waiting();
 }

@@ -75,9 +75,11 @@ class Relay {
 
   Pipe told_, answers_, lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  /// So far the run gets ahead of its runner, which it wakes when half of them are full: each time costs it
-  /// as much as some hundred events.
-  static constexpr std::size_t kBatches = 8;
+  /// So far the run gets ahead of its runner before it waits. Who reads what it tells may be busy for some
+  /// milliseconds, compressing it, or without a processor; in each of them a run fills three.
+  static constexpr std::size_t kBatches = 32;
+  /// So many wake the runner: each time costs the run as much as some hundred events.
+  static constexpr std::size_t kWaking = 4;
   struct Batches {
     wire::BatchMemory memories[kBatches];   ///< in turn
     std::atomic<std::size_t> handed_on{0};  ///< by the run
