@@ -276,6 +276,11 @@ std::string subject_of(const Action& action) {
   }
 }
 
+std::string finger_of(const Action& action) {
+  using enum Action::Verb;
+  return action.verb == press ? "press " + action.part : action.verb == cover ? "cover " + action.part : "";
+}
+
 Step parse_varied(const Step& step, const Share& share) {
   return *parse_step(step.varies, {step.place.file, step.place.line, 1}, share);
 }

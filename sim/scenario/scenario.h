@@ -85,6 +85,8 @@ struct Action {
 
 /// What an action is about, where a later one about the same makes the end of this one void; else empty.
 std::string subject_of(const Action& action);
+/// What a finger is on that presses or covers: it stays until the last finger has left; else empty.
+std::string finger_of(const Action& action);
 
 struct Step {
   Trigger trigger;

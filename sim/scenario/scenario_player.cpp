@@ -166,15 +166,32 @@ bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress
 
 // What ends in one tick ends in the order in which it began.
 void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
-  std::map<std::uint64_t, Undo> over;
+  std::map<std::uint64_t, std::pair<SimTime, Undo>> over;
   while (!state_.undo.empty() && state_.undo.begin()->first.first <= t) {
     Undo& undo = state_.undo.begin()->second;
     if (const std::string subject = subject_of(undo.action); !subject.empty()) state_.lasting.erase(subject);
-    over.emplace(undo.number, std::move(undo));
+    over.emplace(undo.number, std::pair(state_.undo.begin()->first.first, std::move(undo)));
     state_.undo.erase(state_.undo.begin());
   }
-  for (const auto& [number, undo] : over)
-    if (auto event = end(undo, t)) events.push_back(std::move(*event));
+  for (const auto& [number, undo] : over) {
+    if (const std::string finger = finger_of(undo.second.action); !finger.empty()) {
+      std::set<Moment>& all = state_.fingers[finger];
+      all.erase({undo.first, number});
+      if (!all.empty()) continue;
+    }
+    if (auto event = end(undo.second, t)) events.push_back(std::move(*event));
+  }
+}
+
+// A button is down, and a sensor covered, until the last finger leaves it.
+void ScenarioPlayer::note_finger(const Action& action, const Moment& due) {
+  if (action.verb == Action::Verb::release) {
+    const auto all = state_.fingers.extract("press " + action.part);
+    if (all)
+      for (const auto& one : all.mapped()) state_.undo.erase(one);
+  } else if (const std::string finger = finger_of(action); !finger.empty()) {
+    state_.fingers[finger].insert(due);
+  }
 }
 
 void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events) {
@@ -190,8 +207,9 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
   }
   if (subject == "body") state_.tilt.reset();
   events.push_back(perform(action, pending.fault, t));
+  const Moment due(action.duration ? t + *action.duration : kNever, state_.undos++);
+  note_finger(action, due);
   if (!action.duration) return;
-  const std::pair due(t + *action.duration, state_.undos++);
   if (!subject.empty()) state_.lasting[subject] = due;
   state_.undo.emplace(due, Undo{due.second, std::move(action), std::move(pending.fault)});
 }

@@ -90,9 +90,10 @@ class ScenarioPlayer {
     Action action;
     std::optional<ReadFault> fault;  ///< of an action that is one
   };
-  /// By when they are due, and by number.
+  /// When something is due, and its number.
+  using Moment = std::pair<SimTime, std::uint64_t>;
   template <class T>
-  using Due = std::map<std::pair<SimTime, std::uint64_t>, T>;
+  using Due = std::map<Moment, T>;
 
   /// What changes during a run, but for what the script has changed elsewhere.
   struct State {
@@ -101,7 +102,9 @@ class ScenarioPlayer {
     std::vector<Pending> awaiting;  ///< an event, in the script's order
     Due<Undo> undo;
     /// Where in `undo` that is which a later action about the same thing makes void.
-    std::map<std::string, std::pair<SimTime, std::uint64_t>> lasting;
+    std::map<std::string, Moment> lasting;
+    /// What fingers are on, and when each leaves it, as in `undo`; kNever: it stays.
+    std::map<std::string, std::set<Moment>> fingers;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;
     std::set<std::pair<int, int>> obstacle_cells;  ///< that the script names
@@ -124,6 +127,7 @@ class ScenarioPlayer {
   void end_what_is_over(SimTime t, judge::Events& events);
   /// Of a step that waits for an event: whether that has happened.
   bool met(const Pending& pending, const judge::Progress& progress) const;
+  void note_finger(const Action& action, const Moment& due);
   void carry_out(Pending pending, SimTime t, judge::Events& events);
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);

@@ -21,12 +21,14 @@ using testing::IsEmpty;
 
 /// Keeps what a run tells.
 struct Witness final : run::Listener {
+  void began(const run::Beginning& beginning) override { readings = beginning.readings; }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
   void happened(const wire::RunEvent& event) override { happenings.push_back(test::values_of(event)); }
   const run::Sample& at(double seconds) const {
     return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
   }
 
+  std::vector<std::string> readings;
   std::vector<run::Sample> samples;  // one each millisecond
   std::vector<std::string> happenings;
 };
@@ -70,6 +72,33 @@ TEST_F(Scripts, BreakAPartForATimeAndSaySo) {
   EXPECT_LT(s1(0.301), 0.5);
   EXPECT_THAT(seen.happenings, ElementsAre("100 fault_began part=S1 arguments=stuck,1023",
                                            "300 fault_ended part=S1 arguments=stuck,1023"));
+}
+
+TEST_F(Scripts, HoldAButtonUntilTheLastFingerLeavesIt) {
+  const auto held = [&](const std::string& script) {
+    seen = {};
+    play(script, 0.1);
+    const auto start = std::find(seen.readings.begin(), seen.readings.end(), "start") - seen.readings.begin();
+    return std::count_if(seen.samples.begin(), seen.samples.end(), [start](const run::Sample& s) {
+      return s.readings[static_cast<std::size_t>(start)] == 1.0;
+    });
+  };
+  EXPECT_EQ(held("at 10ms press start 20ms\n"), 20);
+  EXPECT_EQ(held("at 10ms press start 20ms\nat 20ms press start 40ms\n"), 50) << "until the later end";
+  EXPECT_EQ(held("at 10ms press start 50ms\nat 20ms press start 10ms\n"), 50) << "not the shorter one's";
+  EXPECT_EQ(held("at 10ms press start 20ms\nat 10ms press start 20ms\n"), 20);
+  EXPECT_EQ(held("at 10ms press start\nat 20ms press start 10ms\nat 50ms release start\n"), 40);
+  EXPECT_EQ(held("at 10ms press start 30ms\nat 20ms release start\nat 30ms press start 30ms\n"), 40)
+      << "what was let go of ends nothing more";
+}
+
+TEST_F(Scripts, SayOnceThatTheyLetGo) {
+  play("at 10ms press start 20ms\nat 20ms press start 40ms\nat 15ms cover S1 30ms\nat 20ms cover S1 10ms\n",
+       0.1);
+  EXPECT_THAT(seen.happenings,
+              ElementsAre("10 script_acted verb=press part=start", "15 script_acted verb=cover part=S1",
+                          "20 script_acted verb=press part=start", "20 script_acted verb=cover part=S1",
+                          "45 script_acted verb=uncover part=S1", "60 script_acted verb=release part=start"));
 }
 
 TEST_F(Scripts, SayWhenTheyLetGoOfAButtonAndOfASensor) {
@@ -233,7 +262,7 @@ std::string repeated(const std::string& line, std::size_t times) {
 TEST_F(Scripts, OfAHundredThousandEqualLinesTakeNoLongerForEachThanOfAFew) {
   const std::size_t lines = test::rounds(kMostSteps);
   play(repeated("at 1ms cover S1 for 1ms\n", lines), 0.01);
-  EXPECT_EQ(seen.happenings.size(), 2 * lines);
+  EXPECT_EQ(seen.happenings.size(), lines + 1);
   seen.happenings.clear();
   play(repeated("at 1ms fault S1 stuck 3 for 1ms\n", lines), 0.01);
   EXPECT_EQ(seen.happenings.size(), lines + 1);
