@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -65,6 +66,54 @@ std::uintptr_t without_mode(const void* pc) {
 #endif
 }
 
+// The handles of what is loaded.
+std::vector<void*>& handles() {
+  static std::vector<void*> all;
+  return all;
+}
+
+void write_to(int fd, const ImageFile& file) {
+  const std::string& content = *file.content;
+  bool fits = fd >= 0 && ftruncate(fd, static_cast<off_t>(content.size())) == 0;
+  for (std::size_t done = 0; fits && done < content.size();) {
+    const ssize_t wrote = write(fd, content.data() + done, content.size() - done);
+    fits = wrote > 0;
+    if (fits) done += static_cast<std::size_t>(wrote);
+  }
+  if (!fits) throw std::runtime_error("no memory for a copy of " + file.name.string());
+}
+
+// In a confined process the loader opens nothing, but gets kImageFd, and closes it. It hears of another file
+// each time (serve_loader()); so those who load the same image one after the other need one copy of it, and
+// their code is in the same memory.
+void* load_confined(const ImageFile& file) {
+  static std::shared_ptr<const std::string> content;
+  static Descriptor copy;
+  static int loaded = 0;
+  for (;;) {
+    const bool fresh = content != file.content;
+    if (fresh) {
+      content = nullptr;
+      copy.close();
+      Descriptor place(memfd_create("robosim-firmware", MFD_CLOEXEC));
+      copy = place.get() == kImageFd ? Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC))
+                                     : std::move(place);
+    }
+    if (dup3(copy.get(), kImageFd, O_CLOEXEC) < 0 && !fresh) {  // firmware has closed it
+      content = nullptr;
+      continue;
+    }
+    if (fresh) write_to(copy.is_open() ? kImageFd : -1, file);
+    content = file.content;
+    lseek(kImageFd, 0, SEEK_SET);
+    void* const handle = dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!handle || std::count(handles().begin(), handles().end(), handle) == 0) return handle;
+    // A loader that did not ask serve_loader().
+    dlclose(handle);
+    content = nullptr;
+  }
+}
+
 }  // namespace
 
 bool is_own_file(const std::string& file) {
@@ -79,29 +128,15 @@ std::string ask_addr2line(const std::filesystem::path& image, const std::vector<
 }
 
 LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
-  const auto no_memory = [&] { return std::runtime_error("no memory for a copy of " + file.name.string()); };
-  // A copy without a name: the loader knows files by their identity, and gives one that it knows already
-  // again.
-  copy_ = Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC));
-  if (is_confined() && copy_.is_open() && copy_.get() != kImageFd) {
-    const Descriptor first = std::move(copy_);
-    copy_ = Descriptor(dup3(first.get(), kImageFd, O_CLOEXEC));
+  if (is_confined()) {
+    handle_ = load_confined(file);
+  } else {
+    // A copy without a name: the loader knows files by their identity, and gives one that it knows already
+    // again. The descriptor stays open while the image is loaded, because it also knows them by this name.
+    copy_ = Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC));
+    write_to(copy_.get(), file);
+    handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
   }
-  const std::string& content = *file.content;
-  if (!copy_.is_open() || ftruncate(copy_.get(), static_cast<off_t>(content.size())) != 0) throw no_memory();
-  for (std::size_t done = 0; done < content.size();) {
-    const ssize_t wrote = write(copy_.get(), content.data() + done, content.size() - done);
-    if (wrote <= 0) throw no_memory();
-    done += static_cast<std::size_t>(wrote);
-  }
-  // The descriptor stays open while the image is loaded, because the loader also knows files by this name. In
-  // a confined process it opens nothing, but gets this descriptor, and closes it: there each has a name of
-  // its own.
-  if (is_confined()) lseek(copy_.get(), 0, SEEK_SET);
-  static int loaded = 0;
-  const std::string name = is_confined() ? fmt::format("{}-{}", kImageName, ++loaded)
-                                         : fmt::format("/proc/self/fd/{}", copy_.get());
-  handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
   const std::string error = handle_ ? "" : dlerror();
   if (handle_) entry_ = static_cast<const host::Image*>(dlsym(handle_, "robosim_image"));
   if (!entry_ || entry_->version != host::kImageVersion) {
@@ -113,6 +148,7 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
     throw InputError({file.name.string()},
                      "is no firmware image for this machine" + (error.empty() ? "" : ": " + error));
   }
+  handles().push_back(handle_);
   link_map* map = nullptr;
   dlinfo(handle_, RTLD_DI_LINKMAP, &map);
   base_ = map->l_addr;
@@ -127,7 +163,10 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
       variables.begin = std::min(end_of_constants, variables.end);
 }
 
-LoadedImage::~LoadedImage() { dlclose(handle_); }
+LoadedImage::~LoadedImage() {
+  std::erase(handles(), handle_);
+  dlclose(handle_);
+}
 
 bool LoadedImage::has_code(const void* address) const {
   const auto value = reinterpret_cast<std::uintptr_t>(address);

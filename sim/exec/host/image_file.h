@@ -1,4 +1,5 @@
-// A firmware image in memory: loaded from a private copy, so that every instance has its own variables.
+// A firmware image in memory: loaded anew for each instance, so that every one has its own variables.
+// Confined (confinement.h), those of one image have their code in the same memory, which keeps it in caches.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +55,7 @@ class LoadedImage {
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   const ImageFile& file_;
-  Descriptor copy_;  ///< in memory, without a name
+  Descriptor copy_;  ///< in memory, without a name; in a confined process none of its own
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;
