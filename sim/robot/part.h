@@ -14,6 +14,7 @@ namespace robosim::robot {
 
 class ButtonPart;
 class FanPart;
+class Mount;
 class Sensor;
 class ServoPart;
 class WheelMotor;
@@ -69,6 +70,12 @@ class Teller {
 
 class Part;
 
+/// What notices other robots.
+struct Lookout {
+  const Mount* mount;
+  double reach;  ///< m from there
+};
+
 /// What the robot's parts offer; each part registers itself.
 struct Roster {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
@@ -81,9 +88,14 @@ struct Roster {
   std::vector<Teller*> tellers;
   std::vector<ServoPart*> servos;
   std::vector<FanPart*> fans;
+  std::vector<Lookout> lookouts;
+  bool has_radio = false;                     ///< hears other robots, wherever they are
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
   bool differential = false;                  ///< the left one drives both wheels
+
+  /// As Robot::sight().
+  double sight() const;
 };
 
 class Part {

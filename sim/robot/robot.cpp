@@ -246,6 +246,8 @@ bool Robot::end_tick(SimTime t) {
   return changed;
 }
 
+double Robot::sight() const { return in_->roster.sight(); }
+
 std::optional<double> Robot::fed_volts() const {
   if (!in_->feeds()) return std::nullopt;
   return volts();

@@ -82,6 +82,9 @@ class Robot {
   /// Midpoint of the reflectance sensors in the body's frame, m. The cross-track error is measured here. (0,
   /// 0) without any.
   Vec2 sensor_midpoint() const;
+  /// m from its axle's centre, within which it may notice another robot: 0 without distance sensors. Infinite
+  /// with a radio; and with a fan, which changes its grip, and so how fast it may be somewhere else.
+  double sight() const;
   /// Whether it has parts that tell something.
   bool has_tellers() const;
   /// What its parts have to tell at `t`, the end of a tick.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
 constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
+constexpr double kFarthestSight = 1e3;             // m: who sees as far has to do with all others
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 
@@ -28,8 +29,12 @@ std::string exceeded_budget(const robot::Budget& budget, const std::optional<exe
   return "";
 }
 
+struct Nobody final : Listener {
+  bool minds_turns() const override { return false; }
+};
+
 Listener& nobody() {
-  static Listener listener;
+  static Nobody listener;
   return listener;
 }
 
@@ -73,6 +78,11 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
   for (const robot::WiredPin& wired : robot_.wiring())
     if (wired.type == "encoder" || wired.type == "ir-receiver") counted.push_back(wired.pin);
   executor_.detect(counted);
+}
+
+// A hand that belongs to a competition's rules may put it anywhere.
+bool Agent::may_take_turns() const {
+  return !progress_.contest() && !state_.listener->minds_turns() && sight() < kFarthestSight;
 }
 
 Agent::Saved Agent::save() const {
@@ -138,13 +148,16 @@ void Agent::hear_parts(SimTime t) {
   }
 }
 
-void Agent::tell_events(SimTime t) {
+void Agent::tell_events(SimTime t, SimTime tick, int step) {
   for (wire::RunEvent::What& what : state_.happened) {
     const bool shows = std::holds_alternative<wire::PartTold>(what);
     state_.events.push_back({t, number_, std::move(what)});
     if (shows && state_.told.size() < judge::kShownKept)
       state_.told += wire::text_of(state_.events.back()) + '\n';
-    state_.listener->happened(state_.events.back());
+    if (untold_)
+      untold_->push_back({tick, step, number_, state_.listener, state_.events.back()});
+    else
+      state_.listener->happened(state_.events.back());
     if (setup_.controller) stops_.happened(state_.events.back());
     if (state_.events.size() > kEventsKept) state_.events.pop_front();
   }
@@ -247,7 +260,7 @@ void Agent::stand_still(SimTime t, int stop_met) {
 void Agent::act(SimTime t) {
   if (const auto volts = robot_.fed_volts()) player_.feed(*volts, t, state_.happened);
   if (!finished()) player_.act(t, progress_, state_.happened);
-  if (!state_.happened.empty()) tell_events(t);  // causes, before what comes of them in this tick
+  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before what comes of them in this tick
   if (board_detectors_) board_detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }
@@ -264,8 +277,13 @@ bool Agent::look(SimTime end) {
   observe(end);
   if (steering_) watch_steering(end);
   if (robot_.has_tellers()) hear_parts(end);
-  if (!state_.happened.empty()) tell_events(end);
-  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) state_.listener->sampled(sample_at(end));
+  if (!state_.happened.empty()) tell_events(end, end - kTick, 4);
+  if (setup_.samples_every > 0 && end % setup_.samples_every == 0) {
+    if (untold_)
+      untold_->push_back({end - kTick, 4, number_, state_.listener, sample_at(end)});
+    else
+      state_.listener->sampled(sample_at(end));
+  }
   const std::optional<judge::Verdict> verdict = verdict_at(end);
   if (verdict) finish(*verdict, end);
   return verdict.has_value();
@@ -293,7 +311,7 @@ std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                           verdict == judge::Verdict::toppled;
   if (needs_hand && progress_.contest().give_up(state_.happened)) verdict.reset();
   if (const auto where = progress_.contest().take_hand()) put(*where);
-  if (!state_.happened.empty()) tell_events(end);
+  if (!state_.happened.empty()) tell_events(end, end - kTick, 4);
   if (!verdict && progress_.contest().over(end)) return judge::Verdict::timeout;
   return verdict;
 }

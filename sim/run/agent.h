@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/judge/explain.h"
@@ -51,6 +52,23 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool run_firmware(SimTime end);
   /// 4: goal and judge look at the world at `end`. Whether that gave a verdict: the agent is then finished.
   bool look(SimTime end);
+
+  // --- turns of several ticks, while it is apart from others ---
+  /// What is to be told in the order of time, once all have come as far.
+  struct Untold {
+    SimTime tick;  ///< when that began
+    int step;      ///< of the tick, as above
+    int agent;
+    Listener* listener;
+    std::variant<wire::RunEvent, Sample> what;
+  };
+  /// Whether it may ever take turns.
+  bool may_take_turns() const;
+  double sight() const { return robot_.sight(); }
+  /// When its script does something next; kNever if it has its verdict.
+  SimTime acts_at(SimTime t) const { return finished() ? kNever : player_.next_act(t); }
+  /// Its events and samples are added there from now on, instead of being told; null: they are told.
+  void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
   // --- ticks of a robot at rest (resting.cpp) ---
   /// Whether act(), but for its parts, and look() would find the same again in the ticks that begin between
@@ -145,7 +163,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
-  void tell_events(SimTime t);
+  /// Of a step, as above, of the tick that begins at `tick`.
+  void tell_events(SimTime t, SimTime tick, int step);
   /// Until the next call.
   const Sample& sample_at(SimTime t);
   judge::Metrics metrics() const;
@@ -174,6 +193,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   Sample sample_;                         ///< made again and again
   std::vector<robot::Reading> readings_;  ///< for it
   StopConditions stops_;
+  std::vector<Untold>* untold_ = nullptr;
 };
 
 }  // namespace robosim::run

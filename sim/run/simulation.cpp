@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 
 #include "sim/run/agent.h"
 #include "sim/world/world.h"
 
 namespace robosim::run {
+namespace {
+
+constexpr SimTime kTurn = 5 * kRestSpan;  // at most: so that robots need not be far apart
+
+}  // namespace
+
 struct Simulation::Inside final : Standstill {
   explicit Inside(const Setup& from);
 
@@ -33,6 +40,12 @@ struct Simulation::Inside final : Standstill {
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
   bool tick(SimTime t);
+  bool look_of(Agent& agent, SimTime end);
+  SimTime turns_end(SimTime t, SimTime end) const;
+  bool take_turns(SimTime t, SimTime end);
+  void take_turn(std::size_t number, SimTime t, SimTime end);
+  void go_together(SimTime t, SimTime end);
+  void tell_in_order();
   bool rest(SimTime t);
   void rest_on(SimTime end);
   bool look(SimTime end);
@@ -59,6 +72,11 @@ struct Simulation::Inside final : Standstill {
   Clock clock;
   SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does
   bool rested = false;      // the last tick was such a one, and nothing did
+  bool takes_turns;
+  SimTime turns_from = 0;      // before, it is not tried
+  std::vector<double> sights;  // of the agents
+  std::vector<std::size_t> together;
+  std::vector<Agent::Untold> untold;
 };
 
 struct Simulation::Snapshot::Saved {
@@ -77,6 +95,10 @@ Simulation::Inside::Inside(const Setup& from)
     world.draw_light_phases(NoiseStream(setup.seed, 0, "light", "phase"));
   }
   for (const AgentSetup& own : setup.agents) add_agent(own);
+  takes_turns =
+      setup.takes_turns && agents.size() > 1 && !setup.controller && !world.ground() &&
+      std::all_of(agents.begin(), agents.end(), [](const auto& one) { return one->may_take_turns(); });
+  for (const auto& one : agents) sights.push_back(one->sight());
 }
 
 void Simulation::Inside::add_agent(const AgentSetup& own) {
@@ -161,12 +183,98 @@ bool Simulation::Inside::rest(SimTime t) {
 inline bool Simulation::Inside::look(SimTime end) {
   world.step();
   bool left = false;
-  for (const auto& agent : agents) {
-    if (agent->finished() || !agent->look(end) || over()) continue;
-    agent->leave(end);
-    left = true;
-  }
+  for (const auto& agent : agents) left |= look_of(*agent, end);
   return left;
+}
+
+// Whether it has its verdict now, while others go on.
+inline bool Simulation::Inside::look_of(Agent& agent, SimTime end) {
+  if (agent.finished() || !agent.look(end) || over()) return false;
+  agent.leave(end);
+  return true;
+}
+
+// Until when robots that are apart may go on from `t`, each by itself: up to then no script does anything,
+// and nobody wants to see all of them at one time. `t`: not at all.
+SimTime Simulation::Inside::turns_end(SimTime t, SimTime end) const {
+  if (wants_to_stop()) return t;
+  SimTime until = std::min(end, t - t % kTurn + kTurn);
+  for (const auto& agent : agents) until = std::min(until, agent->acts_at(t));
+  return until;
+}
+
+// The same as ticks from `t` up to `end`, or less: those that are apart from all others go there one by one,
+// then the others in step. So a robot's state and its copy of the firmware are used again while they are in
+// caches. False, and nothing is done, where they are not apart.
+bool Simulation::Inside::take_turns(SimTime t, SimTime end) {
+  if (end < t + 2 * kTick) return false;
+  const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
+  const auto most = static_cast<std::ptrdiff_t>(agents.size() / 2);
+  if (const SimTime soon = t - t % kRestSpan + kRestSpan;
+      soon < end && std::count(apart->begin(), apart->end(), true) < most) {
+    end = soon;
+    apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
+  }
+  together.clear();
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    if (!(*apart)[i]) together.push_back(i);
+  if (together.size() == agents.size()) return false;
+  if (rested) catch_up(t);
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    if ((*apart)[i]) take_turn(i, t, end);
+  if (!together.empty()) go_together(t, end);
+  if (!untold.empty()) tell_in_order();
+  clock.t = end - kTick;
+  if (over()) {
+    clock.t = 0;
+    for (const auto& agent : agents) clock.t = std::max(clock.t, agent->outcome()->time - kTick);
+  } else if (end % kRestSpan == 0) {
+    rests_until = rest_from(end);
+  }
+  return true;
+}
+
+void Simulation::Inside::take_turn(std::size_t number, SimTime t, SimTime end) {
+  Agent& agent = *agents[number];
+  agent.tell_later(&untold);
+  note_acting(number);
+  for (bool goes_on = true; t < end && goes_on; t += kTick) {
+    if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
+    agent.act(t);
+    agent.run_firmware(t + kTick);
+    world.step_alone(number);
+    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // or it is the last
+  }
+  agent.tell_later(nullptr);
+}
+
+void Simulation::Inside::go_together(SimTime t, SimTime end) {
+  for (const std::size_t i : together) agents[i]->tell_later(&untold);
+  for (; t < end; t += kTick) {
+    if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
+    for (const std::size_t i : together) agents[i]->act(t);
+    for (const std::size_t i : together) {
+      note_acting(i);
+      agents[i]->run_firmware(t + kTick);
+    }
+    world.step_together(together);
+    for (const std::size_t i : together) look_of(*agents[i], t + kTick);
+    if (over()) break;
+  }
+  for (const std::size_t i : together) agents[i]->tell_later(nullptr);
+}
+
+void Simulation::Inside::tell_in_order() {
+  std::stable_sort(untold.begin(), untold.end(), [](const Agent::Untold& one, const Agent::Untold& other) {
+    return std::tuple(one.tick, one.step, one.agent) < std::tuple(other.tick, other.step, other.agent);
+  });
+  for (const Agent::Untold& one : untold) {
+    if (const auto* event = std::get_if<wire::RunEvent>(&one.what))
+      one.listener->happened(*event);
+    else
+      one.listener->sampled(std::get<Sample>(one.what));
+  }
+  untold.clear();
 }
 
 void Simulation::Inside::catch_up(SimTime t) {
@@ -203,6 +311,10 @@ void Simulation::Inside::run_until(SimTime end) {
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
     // The last one is a whole one: whoever looks at the state then finds all of it.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
+    if (takes_turns && clock.t >= std::max(rests_until, turns_from)) {
+      if (take_turns(clock.t, turns_end(clock.t, end))) continue;
+      turns_from = clock.t - clock.t % kRestSpan + kRestSpan;
+    }
     const bool left = clock.t < rests_until ? rest(clock.t) : tick(clock.t);
     if (rested) rest_on(end);
     if (wants_to_stop() && clock.t >= rests_until) interrupt(clock.t + kTick);
@@ -248,7 +360,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   const Snapshot::Saved& saved = *snapshot.saved_;
   if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
   in_->clock = saved.clock;
-  in_->rests_until = 0;
+  in_->rests_until = in_->turns_from = 0;
   in_->rested = false;  // a run that was left within a tick may have been at rest
   in_->world.restore(saved.world);
   for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);

@@ -7,8 +7,9 @@
 //   3. each motor's command becomes the time average of its pins over the tick;
 //   4. the world integrates to t+1 ms; then goal and judge look at it.
 // Each step is taken by all agents, in the order of their numbers, before the next begins: what one does to
-// another in a tick is seen in the next. The same for every executor. Nothing here depends on wall time,
-// threads or what is listened to.
+// another in a tick is seen in the next. Robots that are so far from all others that nothing of one can reach
+// another take turns of several ticks, which comes to the same and keeps to the processor's caches. The same
+// for every executor. Nothing here depends on wall time, threads or what is listened to.
 #pragma once
 
 #include <array>
@@ -70,6 +71,10 @@ class Listener {
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
   virtual void happened(const wire::RunEvent&) {}
+  /// Whether it minds that, of several robots that have nothing to do with each other, one's pins and bytes
+  /// of up to 100 ms are told before another's; samples and events come in the order of time all the same.
+  /// Asked once.
+  virtual bool minds_turns() const { return true; }
 };
 
 /// One robot: its firmware, where it starts, what it is for, and what happens to it.
@@ -91,6 +96,7 @@ struct Setup {
   SimTime samples_every = 0;    ///< a multiple of the tick; 0 = no samples
   bool detect = false;          ///< detectors watch
   bool leaves_rest_out = true;  ///< of robots at rest, without a trace (resting.cpp); tests try it without
+  bool takes_turns = true;      ///< of robots that are apart, without a trace; the same
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null

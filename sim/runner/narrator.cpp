@@ -58,6 +58,10 @@ void Narrator::sampled(const run::Sample& s) {
   if (s.t % wire::kColumnsEvery_ns == 0) flush_columns();
 }
 
+bool Narrator::minds_turns() const {
+  return request_.serial || request_.io || wants_pins_ || wants_inputs_ || wants_columns_;
+}
+
 void Narrator::happened(const wire::RunEvent& event) {
   if (request_.notes) tell(wire::note_of(event));
 }

@@ -27,6 +27,7 @@ class Narrator final : public run::Listener {
   void happened(const wire::RunEvent& event) override;
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   bool wants_inputs() const override { return wants_inputs_ || columns_; }
+  bool minds_turns() const override;
   void level_seen(Pin pin, bool level, SimTime t) override;
   void volts_seen(Pin pin, double volts, SimTime t) override;
   void byte_received(std::uint8_t byte, SimTime t) override;

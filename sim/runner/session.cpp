@@ -41,14 +41,18 @@ constexpr int kLongestEnd_us = 2'000'000;
 
 std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
+std::atomic<int> acting_robot{0};
 SimTime reached_at_last_look = -2;  // the watchdog's own
+int acting_at_last_look = 0;        // the same
 
 void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
 
 void on_watchdog(int) {
   const SimTime now = reached.load(std::memory_order_relaxed);
-  if (now == reached_at_last_look) ::_exit(kWatchdogStatus);
+  const int who = acting_robot.load(std::memory_order_relaxed);
+  if (now == reached_at_last_look && who == acting_at_last_look) ::_exit(kWatchdogStatus);
   reached_at_last_look = now;
+  acting_at_last_look = who;
 }
 
 void start_watchdog() {
@@ -151,12 +155,12 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   }
   run.setup().interrupted = &interrupted;
   run.setup().reached = relay ? &relay->reached() : &reached;
+  if (!request.agents.empty()) run.setup().acting = relay ? &relay->acting() : &acting_robot;
   if (!debugger && !relay) start_watchdog();  // nor is a chip ever caught inside a tick
 
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
   if (relay) {
-    if (!request.agents.empty()) run.setup().acting = &relay->acting();
     const std::vector<wire::AgentRequest> agents = agents_of(request);
     for (const std::size_t agent : to_confine(factory, request))
       factory_of(factory, agents[agent].target)

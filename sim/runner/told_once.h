@@ -41,6 +41,7 @@ class ToldOnce final : public run::Listener {
   void byte_received(std::uint8_t byte, SimTime t) override {
     if (is_new()) listener_.byte_received(byte, t);
   }
+  bool minds_turns() const override { return listener_.minds_turns(); }
   void happened(const wire::RunEvent& event) override {
     if (is_new()) listener_.happened(event);
   }

@@ -84,6 +84,12 @@ void Body::draw_energy() {
   }
 }
 
+double Body::reach(double seconds) const {
+  const double speed = std::fabs(v_) + std::fabs(u_) + std::fabs(omega_) * bound_radius_;
+  const double grip = params_.grip * (kGravity + params_.downforce_n / params_.mass_kg);
+  return 2.0 * way_per_travel_ * seconds * (speed + 0.5 * grip * seconds);
+}
+
 void Body::advance(double dt) {
   const Pose next = pose_after(dt);
   const double cosine = dot(pose_.heading, next.heading), sine = cross(pose_.heading, next.heading);

@@ -173,6 +173,9 @@ class Body {
   /// The circle about the outline's middle that holds the outline, m.
   Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
+  /// m by which that circle's middle moves within so many seconds, at most, on a plane floor, unless somebody
+  /// else does something: twice what its speeds and its grip come to.
+  double reach(double seconds) const;
   /// Kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 

@@ -56,6 +56,12 @@ void World::step() {
   for (const auto& body : bodies_) body->settle_contact();
 }
 
+void World::step_together(const std::vector<std::size_t>& numbers) {
+  for (const std::size_t number : numbers) bodies_[number]->step(walls_, nullptr);
+  if (numbers.size() > 1) collide_bodies();
+  for (const std::size_t number : numbers) bodies_[number]->settle_contact();
+}
+
 // Bodies meet as circles: pushed apart, and their approach cancelled, in proportion to their masses.
 void World::collide_bodies() {
   for (const auto& [i, j] : near_.pairs(bodies_)) {

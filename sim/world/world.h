@@ -9,6 +9,7 @@
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
 #include "sim/world/air.h"
+#include "sim/world/apart.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
 #include "sim/world/ground.h"
@@ -78,6 +79,19 @@ class World {
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
   void step();
 
+  // The same for bodies that have nothing to do with others for a while, on a plane floor: see Apart.
+  /// Of each body, whether none of the others meets it or notices it, nor it them, within so many seconds,
+  /// unless somebody does something. `sights`: m from its axle's centre, within which it notices others.
+  const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
+    return apart_.find(bodies_, sights, seconds);
+  }
+  void step_alone(std::size_t number) {
+    bodies_[number]->step(walls_, nullptr);
+    bodies_[number]->settle_contact();
+  }
+  /// All that are not alone.
+  void step_together(const std::vector<std::size_t>& numbers);
+
  private:
   void collide_bodies();
 
@@ -88,6 +102,7 @@ class World {
   Air air_;
   std::vector<std::unique_ptr<Body>> bodies_;
   NearBodies near_;
+  Apart apart_;
 };
 
 }  // namespace robosim::world

@@ -73,6 +73,7 @@ IrDistancePart::IrDistancePart(const IrDistanceSpec& spec, PartContext& context)
 void IrDistancePart::join(Roster& roster) {
   context_.connect_analog(spec_.pin, *this, Scale::volts);
   roster.ticking.push_back(this);
+  roster.lookouts.push_back({&mount_, kFarthest});
   roster.breakable.push_back(this);
 }
 

@@ -38,6 +38,7 @@ IrSwitchPart::IrSwitchPart(const IrSwitchSpec& spec, PartContext& context)
 void IrSwitchPart::join(Roster& roster) {
   context_.board.connect(spec_.pin, *this);
   roster.ticking.push_back(this);
+  roster.lookouts.push_back({&mount_, kLetsGo * range_});
   roster.breakable.push_back(this);
 }
 

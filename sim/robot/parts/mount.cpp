@@ -1,5 +1,8 @@
 #include "sim/robot/parts/mount.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "sim/base/turn.h"
 #include "sim/robot/parts/servo.h"
 
@@ -22,6 +25,15 @@ Mount::Mount(const MountSpec& spec, const View& view)
 void Mount::meet(const Roster& roster) {
   for (const ServoPart* servo : roster.servos)
     if (servo->name() == spec_.servo) servo_ = servo;
+}
+
+double Mount::arm() const { return length(spec_.at) + (servo_ ? servo_->arm() : 0.0); }
+
+double Roster::sight() const {
+  if (has_radio || !fans.empty()) return std::numeric_limits<double>::infinity();
+  double sight = 0.0;
+  for (const Lookout& lookout : lookouts) sight = std::max(sight, lookout.mount->arm() + lookout.reach);
+  return sight;
 }
 
 Pose Mount::pose_at(SimTime t) const {

@@ -27,6 +27,8 @@ class Mount {
   /// Finds its servo.
   void meet(const Roster&);
 
+  /// m from the axle's centre, at most.
+  double arm() const;
   /// In the world, at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const;
 

@@ -43,6 +43,7 @@ SerialRadioPart::SerialRadioPart(const SerialRadioSpec& spec, PartContext& conte
 }
 
 void SerialRadioPart::join(Roster& roster) {
+  roster.has_radio = true;
   roster.breakable.push_back(this);
   roster.receivers.push_back(this);
   line_.join(*this, roster);

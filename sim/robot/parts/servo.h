@@ -39,6 +39,9 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   /// Where its axis is, and where its horn points to at `t`, in the body's frame.
   Pose horn(SimTime t) const;
 
+  /// m from the axle's centre to its axis.
+  double arm() const { return length(spec_.at); }
+
   /// Called once: it turns the body's wheels, `ratio` times as far as itself, and at most by `most`, rad.
   void turn_wheels(world::Body& body, double ratio, double most);
 

@@ -53,6 +53,7 @@ void UltrasonicPart::join(Roster& roster) {
   context_.board.connect(spec_.echo, *this);
   context_.board.watch(spec_.trig, *this);
   roster.ticking.push_back(this);
+  roster.lookouts.push_back({&mount_, reach_});
   roster.breakable.push_back(this);
 }
 

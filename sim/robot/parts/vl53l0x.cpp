@@ -12,6 +12,7 @@ constexpr std::uint8_t kStart = 0x00, kClearRegister = 0x0B, kStatusRegister = 0
 constexpr std::uint8_t kIsThere = 0x04, kOnce = 0x01, kForEver = 0x06;
 constexpr SimTime kBudget = 33 * kMillisecond;
 constexpr int kNothingNear = 8190;  // mm
+constexpr double kBeyond = 1.0;     // m, of what noise may bring nearer
 
 }  // namespace
 
@@ -46,6 +47,7 @@ Vl53l0xPart::Vl53l0xPart(const Vl53l0xSpec& spec, PartContext& context)
 void Vl53l0xPart::join(Roster& roster) {
   context_.board.connect(*this);
   roster.ticking.push_back(this);
+  roster.lookouts.push_back({&mount_, reach_ + kBeyond});
 }
 
 void Vl53l0xPart::set(std::uint8_t number, std::uint8_t value, SimTime t) {
@@ -65,8 +67,7 @@ void Vl53l0xPart::begin_tick(SimTime t) {
   if (t + kTick <= state_.ready_at) return;
   const Pose from = mount_.pose_at(std::max(t, state_.ready_at));
   const View& view = context_.view;
-  const double far = reach_ + 1.0;
-  double metres = view.world->range_along(view.body_number, from.position, from.heading, far);
+  double metres = view.world->range_along(view.body_number, from.position, from.heading, reach_ + kBeyond);
   if (noise_ > 0.0) metres *= 1.0 + noise_ * stream_.gauss(state_.samples++);
   state_.millimetres = metres > reach_ ? kNothingNear : static_cast<int>(std::lround(metres * 1000.0));
   state_.registers[kResult] = static_cast<std::uint8_t>(state_.millimetres >> 8);

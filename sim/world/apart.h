@@ -1,0 +1,30 @@
+// Which bodies are so far from all others that for a while nothing of one can show in another. What each of
+// them does meanwhile may then be worked out at a stretch.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "sim/world/body.h"
+
+namespace robosim::world {
+
+class Apart {
+ public:
+  /// Of each body, whether nobody meets it or notices it, nor it them, within so many seconds, as
+  /// World::apart has it. Valid until the next call.
+  const std::vector<bool>& find(const std::vector<std::unique_ptr<Body>>& bodies,
+                                const std::vector<double>& sights, double seconds);
+
+ private:
+  struct Room {
+    Vec2 centre;
+    double radius, sight;  // m: of a circle that it does not leave; beyond that circle
+    std::size_t number;
+  };
+  std::vector<Room> rooms_;  // within a call, from west to east
+  std::vector<bool> apart_;
+};
+
+}  // namespace robosim::world

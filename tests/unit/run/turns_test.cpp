@@ -1,0 +1,195 @@
+// A run of several robots is the same, whether those that are apart from others take turns or not: what they
+// do, see, say and are told of, and in which order that is told.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+#include "sim/exec/core/board_state.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+
+namespace robosim::run {
+namespace {
+
+/// Firmware for an Uno that drives about at random, bumps, looks, prints and now and then crashes.
+class Roaming final : public exec::Executor {
+ public:
+  explicit Roaming(unsigned seed) : random_(seed) {}
+
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
+  void power_on(SimTime t) override {
+    board_.reset(t);
+    on_ = true;
+  }
+  void power_off(SimTime t) override {
+    board_.reset(t);
+    on_ = false;
+  }
+  void run_until(SimTime t) override {
+    now_ = t;
+    for (; on_ && !crash_ && next_ < t; next_ += (1 + random_() % 40) * 700 * kMicrosecond) act(next_);
+  }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return now_; }
+
+  std::string seen;
+
+ private:
+  void act(SimTime t) {
+    seen += board_.read_level(12, t) ? '1' : '0';  // the bumper, or the eye
+    const auto drive = [&](Pin enable, Pin one, Pin other, bool back) {
+      board_.set_drive(enable, {PinMode::output, true, true, 0.25 * static_cast<double>(random_() % 5), 0},
+                       t);
+      board_.set_drive(one, {PinMode::output, !back, false, back ? 0.0 : 1.0, 0}, t);
+      board_.set_drive(other, {PinMode::output, back, false, back ? 1.0 : 0.0, 0}, t);
+    };
+    switch (random_() % 6) {
+      case 0:
+        return drive(5, 7, 8, random_() % 4 == 0);
+      case 1:
+        return drive(6, 9, 10, random_() % 4 == 0);
+      case 2:
+        return board_.send_byte(static_cast<std::uint8_t>('a' + random_() % 4), t);
+      case 3:
+        if (random_() % 400 == 0) crash_ = exec::Crash{"it has crashed", {}};
+        return;
+      default:
+        seen += fmt::format(
+            "{:.6f} ", board_.read_volts(static_cast<Pin>(board_.spec().analog_pin_0 + random_() % 5), t));
+    }
+  }
+
+  exec::BoardState board_{*find_board("uno")};
+  std::mt19937 random_;
+  SimTime next_ = 0, now_ = 0;
+  bool on_ = false;
+  std::optional<exec::Crash> crash_;
+};
+
+/// Of one robot; what all are told comes to one text.
+struct Noting final : Listener {
+  explicit Noting(std::string& text) : all(text) {}
+  void sampled(const Sample& s) override {
+    all += fmt::format("{} {} {} {} {}\n", s.t, s.pose.position.x, s.pose.heading.y, s.cross_track, s.left);
+  }
+  void happened(const wire::RunEvent& event) override {
+    all += fmt::format("{} {} {}\n", event.t_ns, event.agent, wire::text_of(event));
+  }
+  bool minds_turns() const override { return false; }
+  std::string& all;
+};
+
+// As uno5, with an eye that looks ahead in the bumper's place.
+std::string seeing_robot() {
+  const std::string file = testing::TempDir() + "seeing.toml";
+  std::ofstream(file)
+      << "base = \"uno5\"\nremove = [\"bumper\"]\n[[part]]\nname = \"eye\"\ntype = \"ir-switch\"\n"
+         "pin = 12\nat = [\"85 mm\", \"0 mm\"]\nrange = \"400 mm\"\n";
+  return file;
+}
+
+class Turns : public testing::TestWithParam<unsigned> {};
+
+// Two of them in each of three streets, which they leave as they like.
+std::string run_of(unsigned seed, bool takes_turns) {
+  std::mt19937 random(seed);
+  const grid::Map map = grid::read_map(grid::find_map("city"));
+  const robot::Description plain = robot::load_description("uno5");
+  const robot::Description seeing = robot::load_description(seeing_robot());
+  std::vector<std::string> scripts(6);
+  if (random() % 2) scripts[1] = fmt::format("at {}ms lift for 300ms\n", random() % 3000);
+  if (random() % 2) scripts[4] = fmt::format("at {}ms obstacle 14,11 for 1s\n", random() % 3000);
+  if (random() % 4 == 0) scripts[5] = "after serial \"abc\" place 20,15,E\n";
+  std::string told;
+  std::vector<std::unique_ptr<Roaming>> firmware;
+  std::vector<std::unique_ptr<Noting>> listeners;
+  Setup setup;
+  setup.map = &map;
+  setup.seed = seed;
+  setup.limit = 3 * kSecond + random() % 140 * kMillisecond;
+  setup.samples_every = static_cast<SimTime>(random() % 3) * 23 * kMillisecond;
+  setup.takes_turns = takes_turns;
+  const bool some_see = random() % 2;
+  for (unsigned i = 0; i < 6; ++i) {
+    firmware.push_back(std::make_unique<Roaming>(static_cast<unsigned>(random())));
+    listeners.push_back(std::make_unique<Noting>(told));
+    const std::string start = fmt::format("{},{},E", 8 + random() % 4 + i % 2 * 6, 7 + i / 2 * 4);
+    setup.agents.push_back({.robot = some_see && i % 3 == 0 ? &seeing : &plain,
+                            .executor = firmware.back().get(),
+                            .start = grid::parse_start(map, start),
+                            .goal = judge::parse_goal("none"),
+                            .scenario = scenario::parse_scenario(scripts[i], "s.txt"),
+                            .listener = listeners.back().get()});
+  }
+  Simulation simulation(setup);
+  simulation.run_until(1111 * kMillisecond);
+  simulation.run_until(setup.limit);
+  told += fmt::format("{}\n", simulation.now());
+  for (const judge::Outcome& o : simulation.end())
+    told += fmt::format("{} {} {} {} {} {}\n", o.why, o.time, o.trace_hash, o.serial, o.metrics.distance_m,
+                        o.metrics.collisions);
+  for (const auto& one : firmware) told += one->seen + '\n';
+  return told;
+}
+
+TEST_P(Turns, LeaveNoTrace) {
+  for (unsigned seed = 10 * GetParam(); seed < 10 * GetParam() + 10; ++seed)
+    ASSERT_EQ(run_of(seed, true), run_of(seed, false)) << "seed " << seed;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
+
+/// Counts how often another robot's firmware ran since its own last ran.
+class Counting final : public exec::Executor {
+ public:
+  explicit Counting(const void*& last) : last_(last) {}
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
+  void power_on(SimTime) override {}
+  void power_off(SimTime t) override { board_.reset(t); }
+  void run_until(SimTime t) override {
+    now_ = t;
+    changes += last_ != this;
+    last_ = this;
+  }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return now_; }
+
+  int changes = 0;
+
+ private:
+  const void*& last_;
+  exec::BoardState board_{*find_board("uno")};
+  SimTime now_ = 0;
+  std::optional<exec::Crash> crash_;
+};
+
+int changes_of(const std::string& other_start) {
+  const grid::Map map = grid::read_map(grid::find_map("city"));
+  const robot::Description robot = robot::load_description("uno5");
+  const void* last = nullptr;
+  Counting a(last), b(last);
+  Setup setup;
+  setup.map = &map;
+  setup.limit = kSecond;
+  setup.leaves_rest_out = false;
+  const judge::Goal goal = judge::parse_goal("none");
+  setup.agents = {
+      {.robot = &robot, .executor = &a, .start = grid::parse_start(map, "10,7,E"), .goal = goal},
+      {.robot = &robot, .executor = &b, .start = grid::parse_start(map, other_start), .goal = goal}};
+  simulate(setup);
+  return a.changes;
+}
+
+TEST(RobotsThatAreApart, GoATenthOfASecondAtAStretch) {
+  EXPECT_EQ(changes_of("10,24,E"), 10);
+  EXPECT_EQ(changes_of("12,7,E"), 1000) << "so near that they might meet";
+}
+
+}  // namespace
+}  // namespace robosim::run
