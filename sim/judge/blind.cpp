@@ -29,14 +29,12 @@ std::string mend_for(const std::string& call) {
 
 }  // namespace
 
-Blind::Blind(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
-    : executor_(&executor), most_m_(std::max(lever_m, 0.0) + line_m), floor_(robot, executor) {}
+Blind::Blind(exec::Executor& executor, double lever_m, double line_m)
+    : executor_(&executor), most_m_(std::max(lever_m, 0.0) + line_m) {}
 
 void Blind::look(const Steering& now) {
-  if (!floor_.are_known()) return;
-  const bool reads = floor_.last(before_.t + kTick) >= before_.t;
-  if (reads || !now.on_its_own) {
-    looks_ += reads;
+  if (now.asks_floor || !now.on_its_own) {
+    looks_ += now.asks_floor;
     if (now.on_its_own) end(now);
     stretch_ = {now.t, now.distance_m, now.sees_line, false, 0.0, 0.0, 0, false, {}};
   } else if (stretch_.ticks++; stretch_.ticks <= kTicksToSteer) {

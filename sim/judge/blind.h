@@ -28,7 +28,7 @@ namespace robosim::judge {
 class Blind {
  public:
   /// lever_m: how far its sensors are ahead of its axle.
-  Blind(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m);
+  Blind(exec::Executor& executor, double lever_m, double line_m);
 
   void look(const Steering& now);
   /// At the end of the run.
@@ -52,7 +52,6 @@ class Blind {
 
   exec::Executor* executor_;
   double most_m_;
-  FloorLooks floor_;
   int looks_ = 0;
   Steering before_;
   Stretch stretch_;

@@ -17,7 +17,8 @@ struct Steering {
   double travel_m = 0.0;    ///< of its wheels, so far
   double left = 0.0, right = 0.0;
   bool sees_line = false;
-  bool on_its_own = true;  ///< switched on, and in nobody's hand
+  bool on_its_own = true;   ///< switched on, and in nobody's hand
+  bool asks_floor = false;  ///< firmware has looked at a floor sensor in this tick
 };
 
 /// The call in which firmware waits; empty where it is in none, or in one that comes back at once.

@@ -17,9 +17,7 @@ constexpr int kHardlyEver = 2;
 }  // namespace
 
 void MotorsLeftOn::look(const Steering& now) {
-  const bool asks = floor_.last(now.t) >= before_;
-  before_ = now.t;
-  looks_ += asks;
+  looks_ += now.asks_floor;
   if (!now.on_its_own) {
     stretch_.counts = false;
     return;
@@ -32,15 +30,13 @@ void MotorsLeftOn::look(const Steering& now) {
   const bool same =
       std::abs(now.left - stretch_.left) <= kUnchanged && std::abs(now.right - stretch_.right) <= kUnchanged;
   const bool driven = now.left != 0.0 || now.right != 0.0;
-  if (asks || !same || !driven) stretch_.unchanged_from_m = now.travel_m;
+  if (now.asks_floor || !same || !driven) stretch_.unchanged_from_m = now.travel_m;
   stretch_.left = now.left;
   stretch_.right = now.right;
   if (now.travel_m - stretch_.from_m < kLostAfter) return;
   stretch_.counts = false;
   const double on_m = now.travel_m - stretch_.unchanged_from_m;
-  if (floor_.are_known() && looks_ >= kHardlyEver && on_m >= kLeftOn_m &&
-      waiting_call(executor_->activity()).empty())
-    tell(on_m);
+  if (looks_ >= kHardlyEver && on_m >= kLeftOn_m && waiting_call(executor_->activity()).empty()) tell(on_m);
 }
 
 void MotorsLeftOn::tell(double on_m) {

@@ -18,8 +18,7 @@ namespace robosim::judge {
 
 class MotorsLeftOn {
  public:
-  MotorsLeftOn(const robot::Robot& robot, exec::Executor& executor)
-      : executor_(&executor), floor_(robot, executor) {}
+  explicit MotorsLeftOn(exec::Executor& executor) : executor_(&executor) {}
 
   void look(const Steering& now);
   /// At the end of the run.
@@ -38,9 +37,7 @@ class MotorsLeftOn {
   void tell(double on_m);
 
   exec::Executor* executor_;
-  FloorLooks floor_;
   int looks_ = 0;
-  SimTime before_ = 0;
   Stretch stretch_;
   std::vector<exec::Detected> found_;
 };

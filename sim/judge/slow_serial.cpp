@@ -23,12 +23,10 @@ bool is_of_serial(const std::string& call) {
 }  // namespace
 
 void SlowSerial::look(const Steering& now) {
-  if (!floor_.are_known() || asked_ >= kMostAsked) return;
-  const bool asks = floor_.last(now.t) >= before_;
-  before_ = now.t;
+  if (asked_ >= kMostAsked) return;
   const bool drives = now.left != 0.0 || now.right != 0.0;
-  if (asks || !drives || !now.on_its_own) {
-    if (asks && now.on_its_own) end(now);
+  if (now.asks_floor || !drives || !now.on_its_own) {
+    if (now.asks_floor && now.on_its_own) end(now);
     began_ = now.t;
     from_m_ = now.distance_m;
     waits_ = false;

@@ -21,8 +21,7 @@ namespace robosim::judge {
 
 class SlowSerial {
  public:
-  SlowSerial(const robot::Robot& robot, exec::Executor& executor)
-      : executor_(&executor), floor_(robot, executor) {}
+  explicit SlowSerial(exec::Executor& executor) : executor_(&executor) {}
 
   void look(const Steering& now);
   /// At the end of the run.
@@ -32,8 +31,7 @@ class SlowSerial {
   void end(const Steering& now);
 
   exec::Executor* executor_;
-  FloorLooks floor_;
-  SimTime before_ = 0, began_ = 0;  ///< the last look at a floor sensor, as of the tick
+  SimTime began_ = 0;  ///< the last look at a floor sensor, as of the tick
   double from_m_ = 0.0;
   bool waits_ = false;               ///< in this stretch a call of Serial was seen waiting
   SimTime driven_ = 0, waited_ = 0;  ///< of all stretches

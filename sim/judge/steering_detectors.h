@@ -13,10 +13,13 @@ class SteeringDetectors {
  public:
   /// lever_m: how far its sensors are ahead of its axle.
   SteeringDetectors(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
-      : blind_(robot, executor, lever_m, line_m), left_on_(robot, executor), serial_(robot, executor) {}
+      : floor_(robot, executor), blind_(executor, lever_m, line_m), left_on_(executor), serial_(executor) {}
 
-  /// Once a tick.
-  void look(const Steering& now) {
+  /// Once a tick. Nothing is found where it cannot be told whether firmware looks at the floor.
+  void look(Steering now) {
+    if (!floor_.are_known()) return;
+    now.asks_floor = floor_.last(now.t) >= before_;
+    before_ = now.t;
     blind_.look(now);
     left_on_.look(now);
     serial_.look(now);
@@ -30,6 +33,8 @@ class SteeringDetectors {
   }
 
  private:
+  FloorLooks floor_;
+  SimTime before_ = 0;  ///< the last tick
   Blind blind_;
   MotorsLeftOn left_on_;
   SlowSerial serial_;
