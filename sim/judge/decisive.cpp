@@ -7,7 +7,7 @@ Decisive decisive_moment(const Evidence& e) {
   constexpr SimTime kJustNow = kSecond / 2, kPause = kSecond;
   const auto& seen = e.judge->line_last_seen();
   const auto left_line = [&](SimTime before) { return e.moved && seen && before - seen->at >= kJustNow; };
-  const Decisive leaves_line{seen ? seen->at : 0, "the robot left the line", true, false};
+  Decisive leaves_line{seen ? seen->at : 0, "the robot left the line", true, false};
   switch (e.verdict) {
     case Verdict::lost:
       return seen ? leaves_line
@@ -28,10 +28,12 @@ Decisive decisive_moment(const Evidence& e) {
     case Verdict::timeout:
       if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
         return {e.power.since, "the board lost its power", true, false};
+      if (e.moved && e.t - e.judge->last_driven() >= kPause) leaves_line.off_since = e.judge->last_driven();
       if (left_line(e.t)) return leaves_line;
-      if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", false, true};
+      if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
       if (e.t - e.judge->last_driven() >= kPause)
-        return {e.judge->last_driven(), "its motors stopped, and were off from here on", true, true};
+        return {e.judge->last_driven(), "its motors stopped, and were off from here on", true, true,
+                e.judge->last_driven()};
       return {e.judge->in_one_place_since(), "the robot drove in one place from here on", true, false};
     case Verdict::reached:
     case Verdict::over_budget:

@@ -44,9 +44,10 @@ struct NextStep {
 /// The moment at which it went wrong, for those who ask why.
 struct Decisive {
   SimTime t = 0;
-  std::string text;     ///< "the robot left the line near column 20, row 4"; empty = there is none
-  bool motors = false;  ///< it is to be asked why they were driven as they were
-  bool place = false;   ///< why the firmware is where it is
+  std::string text;            ///< "the robot left the line near column 20, row 4"; empty = there is none
+  bool motors = false;         ///< it is to be asked why they were driven as they were
+  bool place = false;          ///< why the firmware is where it is
+  SimTime off_since = kNever;  ///< its motors have been off ever since; kNever = they were driven at the end
 };
 
 struct Outcome {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "hal/board/board_spec.h"
@@ -21,7 +22,8 @@ constexpr SimTime kHistory = 30 * kMillisecond;  // the least that is noted befo
 constexpr SimTime kBlind = 20 * kMillisecond;    // without a look at a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
-constexpr std::size_t kMostLinks = 9, kMostLines = 10;
+constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
+constexpr SimTime kStillOff = 150 * kMillisecond;  // behind the moment the motors went off
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
 constexpr SimTime kOffForLong = 300 * kMillisecond;
@@ -217,11 +219,12 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
     const auto gap = blind_around(t);
     const SimTime last = gap.first, next = gap.second;
     const bool blind = next - last >= kBlind && looks_.size() > 1;
-    const SimTime until = std::min(end, whole_ticks(blind ? std::max(t, next) : t) + kTick);
+    const SimTime asked = decisive.off_since == t ? std::min(t + kStillOff, end - kTick) : t;
+    const SimTime until = std::min(end, whole_ticks(blind ? std::max(asked, next) : asked) + kTick);
     wire::SourceLine pause;
     exec::CauseFinder::Share handlers;
     const Steps steps = trace(t, until, [&] {
-      causes_.ask(motor_pins(wiring_), t + kTick);
+      causes_.ask(motor_pins(wiring_), asked + kTick);
       if (blind) pause = causes_.busiest(last, std::min(next, until));
       handlers = causes_.handlers(std::max<SimTime>(0, t - kHistory), until);
     });
@@ -236,17 +239,44 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
           {seconds(last),
            fmt::format("for {:.0f} ms it looked at no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
-    for (wire::Cause& link : links_of(steps, t, kMostLinks - chain.size() - decisive.place))
-      chain.push_back(std::move(link));
+    const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
+    // Much has a part in it that nothing drives: fewer lines of each file, and more files.
+    if (decisive.off_since == t)
+      add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
+    else
+      add_links(steps, t, kMostLinks, stops_later ? kFewLines : kMostLines, chain);
+    if (stops_later) tell_of_stopping(std::min(decisive.off_since, end), end, chain);
   } else {
     chain.push_back({seconds(t), decisive.text, {}});
   }
   tell_of_interrupts(decisive.place ? end : t, chain);
   if (!decisive.place) return chain;
   const Steps steps = trace(end, end, [&] { causes_.ask_place(end); });
-  for (wire::Cause& link : links_of(steps, end, kMostLinks - chain.size() + 1))
-    chain.push_back(std::move(link));
+  add_links(steps, end, std::max(kMostLinks + 1, chain.size()), kMostLines, chain);
   return chain;
+}
+
+/// Why it has not driven on: what switched the motors off, and what did not switch them on again.
+void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain) {
+  const SimTime asked = std::min(t + kStillOff, end - kTick);
+  const Steps steps =
+      trace(t, whole_ticks(asked) + kTick, [&] { causes_.ask(motor_pins(wiring_), asked + kTick); });
+  chain.push_back(motors_at(t, "its motors stopped, and were off from here on"));
+  add_links(steps, t, chain.size() + kMostOfStopping, kFewLines, chain);
+}
+
+void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
+                        std::vector<wire::Cause>& chain) const {
+  Steps news;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(news), [&](const CauseStep& step) {
+    return std::none_of(chain.begin(), chain.end(), [&](const wire::Cause& cause) {
+      return std::any_of(cause.lines.begin(), cause.lines.end(), [&](const wire::SourceLine& line) {
+        return line.file == step.where.file && line.line == step.where.line;
+      });
+    });
+  });
+  for (wire::Cause& link : links_of(news, t, most - std::min(most, chain.size()), lines))
+    chain.push_back(std::move(link));
 }
 
 /// Where they are off, and have been for long, who has done it.
@@ -302,7 +332,8 @@ std::string Inquiry::read_at(const CauseStep& step) const {
   return value ? name + " " + *value : name;
 }
 
-std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most) const {
+std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most,
+                                           std::size_t lines) const {
   std::vector<wire::Cause> links;
   wire::Cause read{0.0, "read", {}}, before{0.0, "set before, and kept", {}};
   SimTime read_at_t = 0, set_at = 0;
@@ -314,7 +345,7 @@ std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::s
     if (step.kind == Kind::reads) {
       read.text += (read.lines.empty() ? " " : ", ") + read_at(step);
       read_at_t = std::max(read_at_t, step.t);
-      add_line(read.lines, step.where, kMostLines);
+      add_line(read.lines, step.where, lines);
     } else if (is_before(step, t)) {
       set_at = std::max(set_at, step.t);
       add_line(is_of_library(step.where) ? of_libraries : before.lines, step.where, kMostLines);
@@ -328,11 +359,11 @@ std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::s
         functions.emplace_back();
       }
       const std::string& function = step.where.function;
-      if (links[number].lines.size() < kMostLines && function != "main" &&
+      if (links[number].lines.size() < lines && function != "main" &&
           functions[number].insert(function).second)
         links[number].text += (functions[number].size() > 1 ? ", " : " ") + function + "()";
       links[number].t_s = std::max(links[number].t_s, seconds(step.t));
-      add_line(links[number].lines, step.where, kMostLines);
+      add_line(links[number].lines, step.where, lines);
     }
   }
   for (const wire::SourceLine& line : of_libraries) add_line(before.lines, line, kMostLines);

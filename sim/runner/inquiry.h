@@ -50,8 +50,12 @@ class Inquiry final : run::Listener {
   std::pair<SimTime, SimTime> blind_around(SimTime t) const;
 
   std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
+  void tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain);
+  /// What the chain does not have yet; it has `most` links then, at most. `lines`: of each.
+  void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
+                 std::vector<wire::Cause>& chain) const;
   void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
-  std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most) const;
+  std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most, std::size_t lines) const;
   wire::Cause motors_at(SimTime t, const std::string& text) const;
   std::string name_of(Pin pin) const;
   std::string read_at(const exec::CauseStep& step) const;

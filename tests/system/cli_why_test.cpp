@@ -61,6 +61,46 @@ void loop() {
 }
 )";
 
+// It leaves the line, stops some time later, and never drives on.
+constexpr const char* kStops = R"(bool done = false;
+unsigned long began = 0;
+void stop() {
+  analogWrite(5, 0);
+  analogWrite(6, 0);
+}
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  digitalWrite(7, HIGH);
+  digitalWrite(9, HIGH);
+}
+void loop() {
+  if (done) return delay(2);                         // line 13
+  analogRead(A2);
+  if (began == 0) began = millis();
+  if (millis() - began > 700) {
+    done = true;                                     // line 17
+    return stop();
+  }
+  analogWrite(5, 200);
+  analogWrite(6, 150);
+  delay(2);
+}
+)";
+
+// Nobody presses its button.
+constexpr const char* kWaitsForAButton = R"(bool started = false;
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  pinMode(4, INPUT_PULLUP);
+}
+void loop() {
+  if (digitalRead(4) == LOW) started = true;         // line 7
+  if (!started) return;                              // line 8
+  digitalWrite(7, HIGH);
+  analogWrite(5, 90);
+}
+)";
+
 // The handler that would end its waiting never comes.
 constexpr const char* kSwitchesInterruptsOff = R"(volatile bool turning = false;
 void onEdge() { turning = true; }
@@ -112,6 +152,23 @@ TEST_F(CliWhy, NamesWhatLeftAValueAsItWas) {
   folder_.write("Leaves/Leaves.ino", kLeavesAsItWas);
   const Ended why = robosim_command({"why", "./Leaves", "--map", "oval"}, folder_.path());
   EXPECT_THAT(why.out, AllOf(StartsWith("lost: "), HasSubstr("Leaves.ino:11 "), HasSubstr("Leaves.ino:16 ")));
+}
+
+TEST_F(CliWhy, NamesWhatStoppedItAndWhyItDidNotDriveOn) {
+  folder_.write("Stops/Stops.ino", kStops);
+  const Ended why = robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s"}, folder_.path());
+  EXPECT_THAT(why.out, AllOf(StartsWith("timeout: "), HasSubstr("the robot left the line; "),
+                             HasSubstr("← its motors stopped, and were off from here on; "),
+                             HasSubstr("Stops.ino:13 "), HasSubstr("Stops.ino:17 ")));
+}
+
+TEST_F(CliWhy, NamesWhyItHasNotMoved) {
+  folder_.write("Button/Button.ino", kWaitsForAButton);
+  const Ended why = robosim_command({"why", "./Button", "--map", "oval", "--for", "2s"}, folder_.path());
+  EXPECT_THAT(
+      why.out,
+      AllOf(StartsWith("timeout: "), HasSubstr("the robot has not moved, and the sketch was here; "),
+            HasSubstr("Button.ino:8 "), HasSubstr("Button.ino:7 "), HasSubstr("read start (D4) HIGH")));
 }
 
 TEST_F(CliWhy, NamesWhoSwitchedInterruptsOffAndWhatWaitsForOne) {

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostNamed = 8, kMostWriters = 6, kMostWithoutValue = 4;
+constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -196,10 +196,11 @@ wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
     const wire::SourceLine where = chain.front();
     const std::vector<std::string> used = names_in(without_comment(line(where)));
     for (const std::string& name : used) {
-      const auto& declared = declarations_in(where.file);
+      const std::string file = file_that_declares(name, where.file);
+      const auto& declared = declarations_in(file);
       for (auto [at, end] = declared.equal_range(name); at != end; ++at) {
         const std::size_t before = named.lines.size();
-        add(named, {"", where.file, at->second}, kMostNamed);
+        add(named, {"", file, at->second}, kMostNamed);
         if (named.lines.size() > before) chain.push_back(named.lines.back());
       }
     }
@@ -207,13 +208,44 @@ wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
   return named;
 }
 
+/// `file`, or the only one beside it that does.
+std::string SourceText::file_that_declares(const std::string& name, const std::string& file) {
+  if (declarations_in(file).contains(name)) return file;
+  std::string found = file;
+  for (const std::string& other : beside(file))
+    if (declarations_in(other).contains(name)) {
+      if (found != file) return file;
+      found = other;
+    }
+  return found;
+}
+
+const std::vector<std::string>& SourceText::beside(const std::string& file) {
+  const std::string folder = fs::path(file).parent_path().string();
+  const auto [known, fresh] = beside_.try_emplace(folder);
+  if (!fresh) return known->second;
+  for (const fs::path& path : paths_of(file)) {
+    std::error_code none;
+    if (!fs::exists(path, none)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path.parent_path(), none))
+      if (const std::string end = entry.path().extension(); end == ".h" || end == ".hpp" || end == ".ino")
+        known->second.push_back((fs::path(folder) / entry.path().filename()).string());
+    break;
+  }
+  std::sort(known->second.begin(), known->second.end());
+  return known->second;
+}
+
 const std::multimap<std::string, int>& SourceText::declarations_in(const std::string& file) {
   const auto [known, fresh] = declarations_.try_emplace(file);
   if (!fresh) return known->second;
   const std::vector<std::string>& lines = lines_of(file);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].empty() || std::isspace(static_cast<unsigned char>(lines[i][0]))) continue;
     const std::string text = without_comment(lines[i]);
+    if (trimmed(text).starts_with("static const"))
+      for (const std::string& name : constants_of(trimmed(text)))
+        known->second.emplace(name, static_cast<int>(i) + 1);
+    if (text.empty() || std::isspace(static_cast<unsigned char>(text[0]))) continue;
     for (const std::string& name : constants_of(text)) known->second.emplace(name, static_cast<int>(i) + 1);
     if (const auto object = object_of(text)) known->second.emplace(*object, static_cast<int>(i) + 1);
   }

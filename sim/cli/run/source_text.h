@@ -24,12 +24,16 @@ class SourceText {
   /// Leaves out lines that say nothing, and adds what the instructions cannot tell, found in the same files:
   /// - who writes the `volatile` variables that are read, and who names those functions (attachInterrupt());
   /// - variables of functions that are declared without a value;
-  /// - constants and objects that the lines name, and those that their declarations name.
+  /// - constants and objects that the lines name, and those that their declarations name; they may be in the
+  ///   files beside.
   void explain(std::vector<wire::Cause>& chain);
 
  private:
   const std::vector<std::string>& lines_of(const std::string& file);
   std::vector<std::filesystem::path> paths_of(const std::filesystem::path& file) const;
+  std::string file_that_declares(const std::string& name, const std::string& file);
+  /// The headers, and tabs of the sketch, in the folder of a file.
+  const std::vector<std::string>& beside(const std::string& file);
   /// Constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
   /// A brace, or a function's head, where only registers are saved.
@@ -44,6 +48,7 @@ class SourceText {
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::vector<std::string>> files_;
   std::map<std::string, std::multimap<std::string, int>> declarations_;
+  std::map<std::string, std::vector<std::string>> beside_;  ///< by folder
   std::set<std::pair<std::string, int>> had_;
 };
 

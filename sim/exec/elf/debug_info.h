@@ -56,8 +56,9 @@ class DebugInfo {
 
   /// A variable, or constant, of the user's that has a place of its own.
   struct Variable {
-    std::string name;  ///< with that of the member: "motors.left"
-    SourceLine where;  ///< its declaration
+    std::string name;   ///< with that of the member: "motors.left"
+    SourceLine where;   ///< its declaration
+    SourceLine member;  ///< that of the member, where no constructor gives it what it begins with
   };
   /// That which holds this address; empty where none is known.
   Variable variable_at(std::uint32_t address) const;

@@ -3,6 +3,7 @@
 #include <elfutils/libdw.h>
 
 #include <optional>
+#include <string_view>
 
 #include "sim/exec/elf/debug_info.h"
 
@@ -27,10 +28,35 @@ Dwarf_Word size_of(Dwarf_Die type) {
   return dwarf_aggregate_size(&type, &size) == 0 ? size : 0;
 }
 
-/// ".left.pwm": of the member that lies so far behind the beginning; empty where there is none.
-std::string member_at(Dwarf_Die type, Dwarf_Word offset) {
+SourceLine declaration_of(Dwarf_Die variable) {
+  SourceLine where;
+  if (const char* const file = dwarf_decl_file(&variable)) where.file = file;
+  if (where.file.starts_with("./")) where.file.erase(0, 2);
+  dwarf_decl_line(&variable, &where.line);
+  return where;
+}
+
+bool has_constructor(Dwarf_Die type) {
+  const char* const name = dwarf_diename(&type);
+  Dwarf_Die child;
+  if (!name || dwarf_child(&type, &child) != 0) return false;
+  do {
+    const char* const of = dwarf_tag(&child) == DW_TAG_subprogram ? dwarf_diename(&child) : nullptr;
+    if (of && std::string_view(of) == name && !dwarf_hasattr(&child, DW_AT_artificial)) return true;
+  } while (dwarf_siblingof(&child, &child) == 0);
+  return false;
+}
+
+/// ".left.pwm": of the member that lies so far behind the beginning; empty where there is none. `where`: its
+/// declaration, if no class that it is in has a constructor.
+std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false) {
   Dwarf_Die child;
   const int tag = dwarf_tag(&type);
+  if (tag == DW_TAG_array_type) {
+    const auto element = type_of(type);
+    const Dwarf_Word size = element ? size_of(*element) : 0;
+    return size == 0 ? "" : member_at(*element, offset % size, where, constructed);
+  }
   if ((tag != DW_TAG_structure_type && tag != DW_TAG_class_type) || dwarf_child(&type, &child) != 0)
     return "";
   do {
@@ -43,19 +69,14 @@ std::string member_at(Dwarf_Die type, Dwarf_Word offset) {
     const auto of = type_of(child);
     if (!of || offset < begin || offset >= begin + size_of(*of)) continue;
     std::string path;
-    if (const char* const name = dwarf_diename(&child); name && dwarf_tag(&child) == DW_TAG_member)
+    const bool sets = constructed || has_constructor(type);
+    if (const char* const name = dwarf_diename(&child); name && dwarf_tag(&child) == DW_TAG_member) {
       path.append(1, '.').append(name);
-    return path.append(member_at(*of, offset - begin));
+      where = sets ? SourceLine{} : declaration_of(child);
+    }
+    return path.append(member_at(*of, offset - begin, where, sets));
   } while (dwarf_siblingof(&child, &child) == 0);
   return "";
-}
-
-SourceLine declaration_of(Dwarf_Die variable) {
-  SourceLine where;
-  if (const char* const file = dwarf_decl_file(&variable)) where.file = file;
-  if (where.file.starts_with("./")) where.file.erase(0, 2);
-  dwarf_decl_line(&variable, &where.line);
-  return where;
 }
 
 bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found) {
@@ -74,8 +95,8 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found) {
         // Its declaration may be another's, as of a static member.
         const char* const name =
             dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
-        found = {name ? name : "", declaration_of(child)};
-        found.name.append(member_at(*type, offset));
+        found = {name ? name : "", declaration_of(child), {}};
+        found.name.append(member_at(*type, offset, found.member));
         return true;
       }
     }

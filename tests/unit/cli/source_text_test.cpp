@@ -71,6 +71,23 @@ TEST_F(SourceTextTest, NamesConstantsAndObjectsAndWhatTheseName) {
   EXPECT_THAT(added_to({23}), ElementsAre(Link("named in these lines", {5, 2, 4, 3})));
 }
 
+TEST_F(SourceTextTest, NamesConstantsOfClassesAndOfTheFilesBeside) {
+  write_file(folder_.path() / "Robot.h", "struct Robot {\n  static constexpr int wheel = 32, LED = 9;\n};\n");
+  write_file(folder_.path() / "Pins.h", "const int SPEAKER = 11;\nconst int BOTH = 1;\n");
+  write_file(folder_.path() / "More.h", "const int BOTH = 2;\n");
+  write_file(
+      folder_.path() / "My.ino",
+      "#define LED 13\nint turns(int mm) {\n  tone(SPEAKER, BOTH);\n  return LED * mm / Robot::wheel;\n}\n");
+  SourceText source({folder_.path()});
+  std::vector<wire::Cause> chain = {{0.0, "in turns()", {{"turns", "My.ino", 3}, {"turns", "My.ino", 4}}}};
+  source.explain(chain);
+  ASSERT_EQ(chain.size(), 2u);
+  std::vector<std::string> named;
+  for (const wire::SourceLine& line : chain[1].lines)
+    named.push_back(line.file + ":" + std::to_string(line.line));
+  EXPECT_THAT(named, ElementsAre("Pins.h:1", "My.ino:1", "Robot.h:2")) << "not what two files beside declare";
+}
+
 TEST_F(SourceTextTest, TakesNoFunctionForAnObject) { EXPECT_THAT(added_to({14}), IsEmpty()); }
 
 TEST_F(SourceTextTest, NamesTheHandlersThatWriteAVariableAndWhereTheyAreAttached) {

@@ -128,6 +128,66 @@ void loop() {
   EXPECT_EQ(lines.at(4).pin, kA2);
 }
 
+// What a branch has left out may be far from it, and in what it would have called.
+TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
+  FixedSource sensor(3.0);
+  start(R"(int speed = 90, lost;
+volatile int dark;
+__attribute__((noinline)) void slow() { speed = 20; }
+__attribute__((noinline)) void lose() { lost = lost + 1; }
+void setup() {
+  pinMode(5, OUTPUT);
+}
+void loop() {
+  int seen = analogRead(A2);
+  if (seen > 1000) {
+    for (byte i = 0; i < 8; i++) dark = dark + i * seen;
+    slow();
+  }
+  if (seen > 1010)
+    lose();
+  analogWrite(5, speed + lost / 1024 * 0);
+  delay(1);
+})");
+  board().connect(kA2, sensor);
+  causes_->begin();
+  run(8 * kMillisecond);
+  const auto lines = lines_behind_pin_5();
+  ASSERT_TRUE(lines.contains(10));
+  EXPECT_EQ(lines.at(10).kind, CauseStep::Kind::decides);
+  EXPECT_FALSE(lines.contains(14)) << "it left out what the pin does not depend on";
+}
+
+TEST_F(CausesTest, LeadToTheBranchThatLeftAMemberAsItWas) {
+  FixedSource sensor(3.0);
+  start(R"(struct Motor {
+  volatile byte looked;
+  int power;
+  __attribute__((noinline)) void look(int seen) {
+    looked = 1;
+    if (seen > 1000)
+      power = seen / 8;
+  }
+} motors[2];
+volatile byte one = 1;
+void setup() {
+  pinMode(5, OUTPUT);
+}
+void loop() {
+  motors[one].look(analogRead(A2));
+  motors[0].look(analogRead(A2));
+  analogWrite(5, motors[one].power);
+  delay(1);
+})");
+  board().connect(kA2, sensor);
+  causes_->begin();
+  run(8 * kMillisecond);
+  const auto lines = lines_behind_pin_5();
+  EXPECT_TRUE(lines.contains(6));
+  ASSERT_TRUE(lines.contains(3)) << "nothing gives it a value";
+  EXPECT_EQ(lines.at(3).kind, CauseStep::Kind::keeps);
+}
+
 TEST_F(CausesTest, OfAPlaceAreTheBranchesThatLedThere) {
   start(R"(void setup() {
   pinMode(4, INPUT_PULLUP);

@@ -3,13 +3,13 @@
 #include <bit>
 #include <set>
 
+#include "sim/exec/avr/why/instruction_log.h"
+
 namespace robosim::exec::avr {
 namespace {
 
 using robosim::avr::Instruction;
 using robosim::avr::Op;
-
-constexpr std::size_t kMostLeftOut = 20;
 
 bool skips(Op op) {
   return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
@@ -19,18 +19,33 @@ bool branches(Op op) { return op == Op::brbs || op == Op::brbc; }
 
 }  // namespace
 
+Branches::Branches(const robosim::avr::Cpu& cpu) : cpu_(cpu), writes_(cpu.flash().size() / 2) {
+  for (std::uint32_t pc = 0; pc < writes_.size(); ++pc)
+    writes_[pc] = effects_of_logged(cpu.instruction(pc), cpu).writes;
+}
+
 bool Branches::is_branch(std::uint32_t pc) const {
   const Op op = cpu_.instruction(pc).op;
   return skips(op) || branches(op);
+}
+
+std::uint32_t Branches::led_to(std::uint32_t pc, std::int32_t by) const {
+  const auto words = static_cast<std::uint32_t>(cpu_.flash().size() / 2);
+  return (pc + 1 + static_cast<std::uint32_t>(by)) & (std::bit_ceil(words) - 1);
+}
+
+std::optional<std::uint32_t> Branches::called_at(std::uint32_t pc) const {
+  const Instruction& i = cpu_.instruction(pc);
+  if (i.op != Op::call && i.op != Op::rcall) return std::nullopt;
+  const std::uint32_t called = i.op == Op::call ? static_cast<std::uint32_t>(i.k) : led_to(pc, i.k);
+  return called < cpu_.flash().size() / 2 ? std::optional(called) : std::nullopt;
 }
 
 std::vector<std::uint32_t> Branches::ways_on(std::uint32_t pc) const {
   const auto words = static_cast<std::uint32_t>(cpu_.flash().size() / 2);
   const Instruction& i = cpu_.instruction(pc);
   const std::uint32_t behind = pc + i.words;
-  const auto relative = [&] {
-    return (pc + 1 + static_cast<std::uint32_t>(i.k)) & (std::bit_ceil(words) - 1);
-  };
+  const auto relative = [&] { return led_to(pc, i.k); };
   std::vector<std::uint32_t> ways;
   if (branches(i.op)) {
     ways = {behind, relative()};
@@ -70,20 +85,6 @@ bool Branches::decides(std::uint32_t branch, std::uint32_t next, std::uint32_t p
   for (const std::uint32_t way : ways_on(branch))
     if (way != next && avoids(way, branch, pc)) known->second = true;
   return known->second;
-}
-
-const std::vector<std::uint32_t>& Branches::left_out(std::uint32_t branch, std::uint32_t next) {
-  const auto [known, fresh] = left_out_.try_emplace({branch, next});
-  std::vector<std::uint32_t>& places = known->second;
-  if (!fresh) return places;
-  for (const std::uint32_t way : ways_on(branch)) {
-    if (way == next) continue;
-    for (std::vector<std::uint32_t> on{way}; on.size() == 1 && places.size() < kMostLeftOut;) {
-      places.push_back(on[0]);
-      on = ways_on(on[0]);
-    }
-  }
-  return places;
 }
 
 }  // namespace robosim::exec::avr

@@ -165,6 +165,9 @@ void Causes::follow(bool adjoins) {
     from_ = static_cast<Index>(frames_.size()) - 1;
     pending_.clear();
     if (!adjoins) registers_ = {}, flags_ = {};
+    for (std::optional<Want>& wanted : registers_)
+      if (wanted) wanted->by = kLater;
+    for (auto& [address, wanted] : bytes_) wanted.by = kLater;
   }
   for (Index index = from_; index >= 0; --index) visit(index);
   from_ = kNone;
@@ -238,15 +241,20 @@ void Causes::want_operands(Index index, Want want) {
   const auto& cpu = machine_->chip().chip().cpu();
   const Effects effects = effects_of_logged(cpu.instruction(e.pc), cpu);
   const auto also = [&](std::optional<Want>& wanted) {
+    const Index by = wanted ? wanted->by : index;
     if (!wanted || want.far < wanted->far) wanted = want;
+    wanted->by = by;
   };
   each(effects.reads, [&](unsigned reg) { also(registers_[reg]); });
   each(effects.flags_read, [&](unsigned flag) { also(flags_[flag]); });
   if (e.touch != Touch::load) return;
   for (unsigned at = e.address; at < e.address + e.bytes; ++at) {
     if (at < firmware_.chip->ram_address) continue;
-    const auto [known, fresh] = bytes_.try_emplace(static_cast<std::uint16_t>(at), want);
-    if (!fresh && want.far < known->second.far) known->second = want;
+    std::optional<Want> wanted;
+    const auto known = bytes_.find(static_cast<std::uint16_t>(at));
+    if (known != bytes_.end()) wanted = known->second;
+    also(wanted);
+    bytes_[static_cast<std::uint16_t>(at)] = *wanted;
   }
 }
 
@@ -282,7 +290,8 @@ void Causes::note(Line line, int far, CauseStep::Kind kind, SimTime t, Pin pin) 
 }
 
 void Causes::note_variable(std::uint32_t address, Want want) {
-  note(sketch_.declaration(address), want.far + 1, CauseStep::Kind::keeps, 0);
+  for (const Line declaration : sketch_.declarations(address))
+    note(declaration, want.far + 1, CauseStep::Kind::keeps, 0);
 }
 
 std::vector<std::uint16_t> Causes::open_bytes() const {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -54,10 +55,12 @@ class Causes final : public CauseFinder {
  private:
   using Index = std::int32_t;  ///< of an entry of the log
   static constexpr Index kNone = -1;
+  static constexpr Index kLater = std::numeric_limits<Index>::max();
   using Line = SketchLines::Line;  ///< null = none of the sketch's
   struct Want {
     int far = 0;
     Line line = nullptr;
+    Index by = kLater;  ///< of what reads it, the last; kLater = it is behind what is noted
   };
   /// An instruction whose branch is looked for.
   struct Pending {
@@ -76,6 +79,8 @@ class Causes final : public CauseFinder {
   void visit(Index index);
   void visit_branch(Index index);
   void visit_left_out(Index index);
+  Index meeting_behind(Index branch, std::uint32_t meets) const;
+  std::optional<std::uint16_t> pointer_at(Index index, unsigned pair) const;
   std::optional<Want> take_wanted(Index index);
   void take(Index index, Want want, CauseStep::Kind kind);
   void want_operands(Index index, Want want);

@@ -12,8 +12,15 @@ using robosim::avr::Instruction;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
-constexpr int kOfBranch = 2;           // how far a branch is from what it decides
-constexpr std::size_t kTogether = 40;  // instructions behind a branch; its ways mostly meet within them
+constexpr int kOfBranch = 2;             // how far a branch is from what it decides
+constexpr std::size_t kTogether = 4000;  // instructions behind a branch; its ways mostly meet within them
+constexpr std::int32_t kPointerBefore = 100;
+
+bool points_by(Op op, unsigned pair) {
+  return pair == 26   ? op == Op::ld_x || op == Op::st_x
+         : pair == 28 ? op == Op::ldd_y || op == Op::std_y
+                      : op == Op::ldd_z || op == Op::std_z;
+}
 
 }  // namespace
 
@@ -64,7 +71,8 @@ void Causes::visit_branch(Index index) {
   if (best) take(index, {best->far + far_of_branch(e.pc), best->line}, CauseStep::Kind::decides);
 }
 
-/// A branch whose other way would have written what is wanted, and which so left it as it was.
+/// A branch whose other way would have written what is wanted behind the place where both ways meet, and
+/// which so left it as it was.
 void Causes::visit_left_out(Index index) {
   const auto& entries = log_->entries();
   const auto at = static_cast<std::size_t>(index);
@@ -72,28 +80,70 @@ void Causes::visit_left_out(Index index) {
   if (!branches_->is_branch(branch) || sketch_.at(branch).is_pause || at + 1 >= entries.size() ||
       entries[at + 1].interrupts)
     return;
-  const auto& cpu = machine_->chip().chip().cpu();
-  const auto has_run = [&](std::uint32_t pc) {  // both ways have come together there
-    const auto from = entries.begin() + static_cast<std::ptrdiff_t>(at) + 1;
-    return std::any_of(
-        from, entries.begin() + static_cast<std::ptrdiff_t>(std::min(at + kTogether, entries.size())),
-        [&](const Entry& e) { return e.pc == pc; });
-  };
+  if (!sketch_.at(branch).is_described && frames_[at] == kNone) return;  // the start-up code
+  const Branches::LeftOut& left_out = branches_->left_out(branch, entries[at + 1].pc);
   std::optional<Want> best;
-  const auto kept = [&](const std::optional<Want>& wanted) {
-    if (wanted && (!best || wanted->far < best->far)) best = wanted;
+  std::optional<Index> meeting;
+  const auto kept = [&](const Want& wanted) {
+    if (best && best->far <= wanted.far) return;
+    if (!meeting) meeting = meeting_behind(index, left_out.meets);
+    if (wanted.by >= *meeting) best = wanted;
   };
-  for (const std::uint32_t pc : branches_->left_out(branch, entries[at + 1].pc)) {
-    if (has_run(pc)) {
-      if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
-      return;
-    }
-    const Instruction& i = cpu.instruction(pc);
-    each(effects_of_logged(i, cpu).writes, [&](unsigned reg) { kept(registers_[reg]); });
-    if (i.op != Op::sts) continue;
-    if (const auto byte = bytes_.find(static_cast<std::uint16_t>(i.k)); byte != bytes_.end())
-      kept(byte->second);
+  each(left_out.registers, [&](unsigned reg) {
+    if (registers_[reg]) kept(*registers_[reg]);
+  });
+  for (const auto& [address, wanted] : bytes_)
+    if (std::binary_search(left_out.bytes.begin(), left_out.bytes.end(), address)) kept(wanted);
+  for (const auto& [pair, offsets] : left_out.bytes_by_pointer)
+    if (const auto pointer = bytes_.empty() ? std::nullopt : pointer_at(index, pair))
+      for (const std::uint8_t offset : offsets)
+        if (const auto byte = bytes_.find(static_cast<std::uint16_t>(*pointer + offset));
+            byte != bytes_.end())
+          kept(byte->second);
+  if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
+}
+
+/// The first entry behind the branch that both ways would have come to.
+Causes::Index Causes::meeting_behind(Index branch, std::uint32_t meets) const {
+  const auto& entries = log_->entries();
+  const Index frame = frames_[static_cast<std::size_t>(branch)];
+  const auto end = static_cast<Index>(std::min(static_cast<std::size_t>(branch) + kTogether, entries.size()));
+  const auto has_left = [&](const Entry& e) {
+    if (frame == kNone) return false;
+    const Entry& call = entries[static_cast<std::size_t>(frame)];
+    return e.sp >= call.sp + (call.interrupts ? firmware_.chip->return_address_bytes : 0);
+  };
+  for (Index i = branch + 1; i < end; ++i) {
+    const Entry& e = entries[static_cast<std::size_t>(i)];
+    if (has_left(e) || (frames_[static_cast<std::size_t>(i)] == frame && e.pc == meets)) return i;
   }
+  return kLater;
+}
+
+/// What a pair of registers holds there, as far as that is told by what was read or written with it before,
+/// or with a copy of it.
+std::optional<std::uint16_t> Causes::pointer_at(Index index, unsigned pair) const {
+  const auto& entries = log_->entries();
+  const auto& cpu = machine_->chip().chip().cpu();
+  const Index frame = frames_[static_cast<std::size_t>(index)];
+  std::array<std::optional<std::uint16_t>, 3> used;  // X, Y and Z: where they point to, as used behind this
+  for (Index i = index; i >= 0 && index - i < kPointerBefore; --i) {
+    const Entry& e = entries[static_cast<std::size_t>(i)];
+    if (frames_[static_cast<std::size_t>(i)] != frame || e.interrupts) continue;
+    const Instruction& instruction = cpu.instruction(e.pc);
+    const std::uint32_t writes = branches_->writes_of(e.pc);
+    for (unsigned pointer = 26; pointer <= 30; pointer += 2) {
+      auto& there = used[(pointer - 26) / 2];
+      if (instruction.op == Op::movw && instruction.a == pointer && instruction.b == pair && there)
+        return there;
+      if ((writes & (3u << pointer)) != 0) there.reset();
+      if ((writes & (3u << pointer)) == 0 && points_by(instruction.op, pointer))
+        there = static_cast<std::uint16_t>(e.address - (pointer == 26 ? 0 : instruction.b));
+      if (pointer == pair && there) return there;
+    }
+    if ((writes & (3u << pair)) != 0) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace robosim::exec::avr

@@ -19,11 +19,12 @@ const SketchLines::Place& SketchLines::at(std::uint32_t pc) const {
   return known->second;
 }
 
-SketchLines::Line SketchLines::declaration(std::uint32_t address) const {
+const std::vector<SketchLines::Line>& SketchLines::declarations(std::uint32_t address) const {
   const auto [known, fresh] = declarations_.try_emplace(address);
   if (!fresh) return known->second;
   const DebugInfo::Variable variable = debug_.variable_at(address);
-  if (!variable.where.file.empty()) known->second = line(variable.where);
+  for (const SourceLine& where : {variable.where, variable.member})
+    if (!where.file.empty() && !is_core_file(where.file)) known->second.push_back(line(where));
   return known->second;
 }
 

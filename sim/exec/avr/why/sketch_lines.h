@@ -25,14 +25,14 @@ class SketchLines {
   /// `pc` in words.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// The line that declares the variable or constant at an address of the ELF file; null = none is known.
-  Line declaration(std::uint32_t address) const;
+  /// The lines that declare the variable or constant at an address of the ELF file, and the member of it.
+  const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:
   const DebugInfo& debug_;
   mutable std::map<std::pair<std::string, int>, SourceLine> lines_;
   mutable std::map<std::uint32_t, Place> places_;
-  mutable std::map<std::uint32_t, Line> declarations_;
+  mutable std::map<std::uint32_t, std::vector<Line>> declarations_;
 };
 
 }  // namespace robosim::exec::avr
