@@ -9,6 +9,7 @@
 #include "sim/exec/core/board_state.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::run {
 namespace {
@@ -84,12 +85,13 @@ struct Noting final : Listener {
 };
 
 // As uno5, with an eye that looks ahead in the bumper's place.
-std::string seeing_robot() {
-  const std::string file = testing::TempDir() + "seeing.toml";
+robot::Description seeing_robot() {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path() / "seeing.toml";
   std::ofstream(file)
       << "base = \"uno5\"\nremove = [\"bumper\"]\n[[part]]\nname = \"eye\"\ntype = \"ir-switch\"\n"
          "pin = 12\nat = [\"85 mm\", \"0 mm\"]\nrange = \"400 mm\"\n";
-  return file;
+  return robot::load_description(file);
 }
 
 class Turns : public testing::TestWithParam<unsigned> {};
@@ -99,7 +101,7 @@ std::string run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const grid::Map map = grid::read_map(grid::find_map("city"));
   const robot::Description plain = robot::load_description("uno5");
-  const robot::Description seeing = robot::load_description(seeing_robot());
+  const robot::Description seeing = seeing_robot();
   std::vector<std::string> scripts(6);
   if (random() % 2) scripts[1] = fmt::format("at {}ms lift for 300ms\n", random() % 3000);
   if (random() % 2) scripts[4] = fmt::format("at {}ms obstacle 14,11 for 1s\n", random() % 3000);
