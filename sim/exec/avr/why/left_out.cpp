@@ -12,7 +12,7 @@ using robosim::avr::Instruction;
 using robosim::avr::Op;
 
 constexpr std::size_t kMostReached = 400, kMostCalled = 3000;
-constexpr std::uint8_t kPairX = 26, kPairY = 28, kPairZ = 30;
+constexpr std::uint8_t kPointerX = 26, kPointerY = 28, kPointerZ = 30;
 constexpr std::uint32_t kScratch = 3;            // r0 and r1
 constexpr std::uint32_t kOfCalls = 0xFFu << 18;  // where a function leaves its value
 constexpr std::uint32_t kNowhere = ~0u;
@@ -83,7 +83,7 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, LeftOut& lef
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, LeftOut& left_out) {
   std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // pointers, and what from; nothing = moved
   for (const std::uint32_t at : places)
-    for (const std::uint8_t pair : {kPairX, kPairY, kPairZ}) {
+    for (const std::uint8_t pair : {kPointerX, kPointerY, kPointerZ}) {
       if ((writes_[at] & pair_of(pair)) == 0) continue;
       const Instruction& i = cpu_.instruction(at);
       const bool copies = i.op == Op::movw && i.a == pair && (left_out.registers & pair_of(i.b)) == 0;
@@ -93,7 +93,7 @@ void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, Le
   for (const std::uint32_t at : places) {
     const Instruction& i = cpu_.instruction(at);
     if (i.op != Op::std_y && i.op != Op::std_z && i.op != Op::st_x) continue;
-    const std::uint8_t pair = i.op == Op::std_y ? kPairY : i.op == Op::std_z ? kPairZ : kPairX;
+    const std::uint8_t pair = i.op == Op::std_y ? kPointerY : i.op == Op::std_z ? kPointerZ : kPointerX;
     const auto from = copied.contains(pair) ? copied[pair] : pair;
     if (from) left_out.bytes_by_pointer[*from].push_back(i.op == Op::st_x ? std::uint8_t{0} : i.b);
   }
