@@ -63,6 +63,7 @@ Stream::Stream(std::string name, const std::vector<ColumnSpec>& columns) : name_
 }
 
 std::vector<Column>& Stream::columns() {
+  if (waiting_ == 0) return columns_;
   for (std::size_t i = 0; i < columns_.size(); ++i)
     columns_[i].add(rows_.data() + i, columns_.size(), waiting_ / columns_.size());
   waiting_ = 0;
