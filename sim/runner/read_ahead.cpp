@@ -37,17 +37,19 @@ bool is_as_read(const robot::Description& robot) {
 
 void add_robot(const std::string& name, const Robots& last, Robots& robots) {
   if (robots.contains(name)) return;
-  if (const auto known = last.find(name); known != last.end() && is_as_read(*known->second)) {
-    robots.insert(*known);
-    return;
-  }
   try {
-    robots.emplace(name, std::make_shared<const robot::Description>(robot::load_description(name)));
+    robots.emplace(name, known_robot(name, last));
   } catch (const InputError&) {
   }
 }
 
 }  // namespace
+
+std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last) {
+  if (const auto known = last.find(name); known != last.end() && is_as_read(*known->second))
+    return known->second;
+  return std::make_shared<const robot::Description>(robot::load_description(name));
+}
 
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
                      ReadAhead last) {

@@ -17,6 +17,10 @@ struct ReadAhead {
   std::map<std::string, std::shared_ptr<const std::string>> images;
 };
 
+/// The robot of that name: the one that `last` has, if its files still hold the same, else read now. Throws
+/// InputError.
+std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
+
 /// All robots, and the images of those whose numbers are `confined`. What `last` has and the files still hold
 /// is not read again. A robot that cannot be read is left out: the run will say why. Throws InputError where
 /// an image cannot be read.

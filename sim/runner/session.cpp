@@ -340,10 +340,9 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
 
 // Nothing where the fork has answered.
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
-                                      const wire::Id& id) {
+                                      const wire::Id& id, ReadAhead& ahead) {
   for (const wire::AgentRequest& agent : agents_of(request)) known_sha256(agent.image);
   const std::vector<std::size_t> confined = to_confine(factory, request);
-  static ReadAhead ahead;
   ahead = read_ahead(request, confined, std::move(ahead));
   const pid_t self = ::getpid();
   if (!confined.empty()) return serve_confined_run(factory, request, id, self, ahead);
@@ -353,16 +352,22 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   return result_of_death(request, cause_of_death(ending), "", 0, 0);
 }
 
-void serve_line(const ExecutorFactory& factory, const std::string& line) {
+// Whose robot is described asks for a run of it next.
+wire::RobotInfo describe_robot(const wire::DescribeRobot& asked, Robots& known) {
+  const auto robot = known_robot(asked.robot, known);
+  known[asked.robot] = robot;
+  wire::RobotInfo info = to_wire(robot::describe(*robot));
+  if (asked.full) info.text = robot::full_text(asked.robot);
+  return info;
+}
+
+void serve_line(const ExecutorFactory& factory, const std::string& line, ReadAhead& ahead) {
   const auto asked = wire::parse_request(line);
   const auto answer = answer_of([&]() -> std::optional<wire::Answer> {
     if (!asked.request) throw InputError(asked.fault);
     if (const auto* run = std::get_if<wire::RunRequest>(&*asked.request))
-      return serve_run(factory, *run, asked.id);
-    const auto& [robot, full] = std::get<wire::DescribeRobot>(*asked.request);
-    wire::RobotInfo info = to_wire(robot::describe(robot::load_description(robot)));
-    if (full) info.text = robot::full_text(robot);
-    return info;
+      return serve_run(factory, *run, asked.id, ahead);
+    return describe_robot(std::get<wire::DescribeRobot>(*asked.request), ahead.robots);
   });
   if (answer) write_line(wire::to_line(asked.id, *answer));
 }
@@ -386,8 +391,9 @@ int serve(const ExecutorFactory& factory) {
   std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
   write_line(wire::to_line({}, hello_of(factory)));
+  ReadAhead ahead;
   while (const auto line = read_line())
-    if (!line->empty()) serve_line(factory, *line);
+    if (!line->empty()) serve_line(factory, *line, ahead);
   return static_cast<int>(ExitStatus::ok);
 }
 

@@ -41,6 +41,15 @@ TEST_F(ReadingAhead, WhatFilesStillHoldIsNotReadAgain) {
   EXPECT_EQ(ahead_.images.at(request_.image).get(), image);
 }
 
+TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
+  const std::shared_ptr<const robot::Description> robot = known_robot(request_.robot, {});
+  EXPECT_EQ(known_robot(request_.robot, {{request_.robot, robot}}), robot);
+  write_file(base_, read_file(base_) + "# changed\n");
+  EXPECT_NE(known_robot(request_.robot, {{request_.robot, robot}})->sha256, robot->sha256);
+  std::filesystem::remove(base_);
+  EXPECT_THROW(known_robot(request_.robot, {{request_.robot, robot}}), InputError);
+}
+
 // However soon after: nothing but its bytes says whether a file is the same.
 TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
