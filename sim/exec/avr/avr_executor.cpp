@@ -52,7 +52,8 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(
         std::make_unique<avr::Losses>(machine_, image_.firmware, image_.debug, where, counted));
     detectors_.push_back(std::make_unique<avr::Heap>(machine_, image_.firmware, where));
-    detectors_.push_back(std::make_unique<avr::WatchdogMargin>(machine_, where));
+    detectors_.push_back(
+        std::make_unique<avr::WatchdogMargin>(machine_, [this] { return diagnosis().sketch_line(); }));
     const avr::Program program{image_.firmware, image_.debug, board_};
     detectors_.push_back(std::make_unique<avr::FloatEquality>(machine_, program));
     detectors_.push_back(std::make_unique<avr::LostPwm>(machine_, program));

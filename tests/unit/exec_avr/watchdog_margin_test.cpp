@@ -36,5 +36,20 @@ TEST_F(WatchdogMarginTest, IsEnoughWithAFifthToSpareOrWhileItIsOff) {
   EXPECT_THAT(seen("wdt_disable(); delay(235); wdt_enable(WDTO_250MS);"), IsEmpty());
 }
 
+TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
+  const auto found = seen("static int pass; delay(++pass == 15 ? 300 : 20);");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "watchdog_bite");
+  EXPECT_THAT(found[0].what, HasSubstr("which waits 256 ms, was not fed for so long, and reset the chip"));
+  EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 3);
+  EXPECT_EQ(found[0].times, 1);
+}
+
+TEST_F(WatchdogMarginTest, IsNoneWhereTheSketchResetsItselfByIt) {
+  EXPECT_THAT(seen("delay(700); wdt_enable(WDTO_15MS); while (true) {}"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace robosim::exec

@@ -8,7 +8,8 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint8_t kWdie = 0x40, kWdp3 = 0x20, kWde = 0x08;
+constexpr std::uint8_t kWdie = 0x40, kWdp3 = 0x20, kWde = 0x08, kWdrf = 0x08;
+constexpr std::uint16_t kRjmpToItself = 0xCFFF;
 constexpr double kShare = 0.8;
 constexpr double kShortest_s = 2048 / 128e3;
 constexpr const char* kNames[] = {"WDTO_15MS",  "WDTO_30MS", "WDTO_60MS", "WDTO_120MS", "WDTO_250MS",
@@ -17,15 +18,61 @@ constexpr std::uint32_t kLongestPower = std::size(kNames) - 1;
 
 double seconds_of(std::uint32_t power) { return kShortest_s * static_cast<double>(1u << power); }
 
+std::uint32_t power_of(std::uint8_t control) {
+  return std::min<std::uint32_t>((control & kWdp3 ? 8 : 0) | (control & 7), kLongestPower);
+}
+
+std::string mended(std::uint32_t power) {
+  return power < kLongestPower ? fmt::format(
+                                     "Take the next longer time, wdt_enable({}), or call wdt_reset() within "
+                                     "what takes so long.",
+                                     kNames[power + 1])
+                               : "Call wdt_reset() within what takes so long.";
+}
+
 }  // namespace
 
 WatchdogMargin::WatchdogMargin(Machine& machine, WhereNow where)
     : machine_(machine),
       where_(std::move(where)),
       cpu_(machine.chip().chip().cpu()),
-      watchdog_(std::exchange(cpu_.on_wdr, robosim::avr::Cpu::call<&WatchdogMargin::fed>(this))) {}
+      watchdog_(std::exchange(cpu_.on_wdr, robosim::avr::Cpu::call<&WatchdogMargin::fed>(this))),
+      reset_(std::exchange(
+          machine.chip().chip().core().reset,
+          [](void* self, std::uint8_t flags) { static_cast<WatchdogMargin*>(self)->bites(flags); })),
+      reset_self_(std::exchange(machine.chip().chip().core().reset_self, this)) {}
 
-WatchdogMargin::~WatchdogMargin() { cpu_.on_wdr = watchdog_; }
+WatchdogMargin::~WatchdogMargin() {
+  cpu_.on_wdr = watchdog_;
+  machine_.chip().chip().core().reset = reset_;
+  machine_.chip().chip().core().reset_self = reset_self_;
+}
+
+bool WatchdogMargin::waits() const {
+  const auto flash = cpu_.flash();
+  const std::uint32_t pc =
+      machine_.chip().in_handler() ? machine_.chip().interrupted_pc() : machine_.chip().pc();
+  return pc + 1 < flash.size() && (flash[pc] | flash[pc + 1] << 8) == kRjmpToItself;
+}
+
+void WatchdogMargin::bites(std::uint8_t flags) {
+  if (flags & kWdrf && !waits()) {
+    if (bite_.empty()) {
+      const std::uint32_t power = power_of(cpu_.data[cpu_.chip().at.watchdog]);
+      Detected& seen = bite_.emplace_back();
+      seen.detector = "watchdog_bite";
+      seen.what =
+          fmt::format("the watchdog, which waits {:.0f} ms, was not fed for so long, and reset the chip",
+                      1e3 * seconds_of(power));
+      seen.mend = mended(power);
+      seen.where = where_();
+      seen.first_s = now_s();
+    } else {
+      ++bite_.front().times;
+    }
+  }
+  reset_(reset_self_, flags);
+}
 
 void WatchdogMargin::fed() {
   const std::uint8_t control = cpu_.data[cpu_.chip().at.watchdog];
@@ -33,19 +80,21 @@ void WatchdogMargin::fed() {
   last_ = now;
   watchdog_();
   if (!(control & kWde) || control & kWdie) return;
-  const std::uint32_t power =
-      std::min<std::uint32_t>((control & kWdp3 ? 8 : 0) | (control & 7), kLongestPower);
+  const std::uint32_t power = power_of(control);
   const double passed_s = static_cast<double>(passed) / machine_.chip().clock_hz();
   if (passed_s < kShare * seconds_of(power) || passed_s > seconds_of(power) || passed <= longest_) return;
   longest_ = passed;
   longest_power_ = power;
   seen_.where = where_();
-  seen_.first_s = 1e-9 * static_cast<double>(machine_.now());
+  seen_.first_s = now_s();
 }
 
 std::vector<Detected> WatchdogMargin::found() const {
-  if (longest_ == 0) return {};
-  Detected seen = seen_;
+  // One that has bitten again and again is the run's verdict.
+  std::vector<Detected> all;
+  if (!machine_.chip().fault()) all = bite_;
+  if (longest_ == 0) return all;
+  Detected& seen = all.emplace_back(seen_);
   const double passed_s = static_cast<double>(longest_) / machine_.chip().clock_hz();
   const double waits_s = seconds_of(longest_power_);
   seen.detector = "watchdog_margin";
@@ -54,13 +103,8 @@ std::vector<Detected> WatchdogMargin::found() const {
       "own "
       "clock is some 10 % off, so that another chip, or a warm one, resets there",
       1e3 * waits_s, 1e3 * passed_s, 100.0 * passed_s / waits_s);
-  seen.mend = longest_power_ < kLongestPower
-                  ? fmt::format(
-                        "Take the next longer time, wdt_enable({}), or call wdt_reset() within what takes "
-                        "so long.",
-                        kNames[longest_power_ + 1])
-                  : "Call wdt_reset() within what takes so long.";
-  return {seen};
+  seen.mend = mended(longest_power_);
+  return all;
 }
 
 }  // namespace robosim::exec::avr
