@@ -20,6 +20,7 @@ void BoardDetectors::booted(std::uint64_t times) {
   state_.boots = times;
   state_.wear.powered_on();
   state_.records.powered_on();
+  state_.overwritten.powered_on();
 }
 
 void BoardDetectors::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
@@ -31,6 +32,7 @@ void BoardDetectors::eeprom_written(std::uint16_t address, std::uint8_t before, 
                                     SimTime t) {
   state_.wear.written(address, before, value, t, executor_);
   state_.records.written(address, before, value, t, executor_);
+  state_.overwritten.written(address, before, value, t, executor_);
 }
 
 void BoardDetectors::converted(Pin pin, double volts, SimTime t) {
@@ -39,8 +41,8 @@ void BoardDetectors::converted(Pin pin, double volts, SimTime t) {
 
 std::vector<exec::Detected> BoardDetectors::found(SimTime now) const {
   std::vector<exec::Detected> all = state_.outputs.found(now);
-  for (auto&& some :
-       {state_.pwm.found(), state_.sources.found(), state_.wear.found(), state_.records.found()})
+  for (auto&& some : {state_.pwm.found(), state_.sources.found(), state_.wear.found(), state_.records.found(),
+                      state_.overwritten.found()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

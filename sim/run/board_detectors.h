@@ -7,6 +7,7 @@
 #include "sim/judge/eeprom_wear.h"
 #include "sim/judge/forgotten_output.h"
 #include "sim/judge/lost_pwm.h"
+#include "sim/judge/overwritten_record.h"
 #include "sim/judge/slow_source.h"
 #include "sim/judge/torn_record.h"
 
@@ -29,6 +30,7 @@ class BoardDetectors final : PinWatcher, EepromWatcher, AdcWatcher {
     std::uint64_t boots = 1;
     judge::EepromWear wear;
     judge::TornRecord records;
+    judge::OverwrittenRecord overwritten;
     judge::ForgottenOutput outputs;
     judge::LostPwm pwm;
     judge::SlowSource sources;

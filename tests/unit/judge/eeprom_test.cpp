@@ -1,4 +1,5 @@
-// What is found of a sketch's EEPROM: wear, and records that a power cut tears.
+// What is found of a sketch's EEPROM: wear, records that a power cut tears, and those that were never
+// stored.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 
 #include "sim/exec/core/board_state.h"
 #include "sim/judge/eeprom_wear.h"
+#include "sim/judge/overwritten_record.h"
 #include "sim/judge/torn_record.h"
 
 namespace robosim::judge {
@@ -42,6 +44,7 @@ class EepromTest : public testing::Test {
     now = std::max(now, ready_);
     wear.written(address, cell, value, now, sketch);
     record.written(address, cell, value, now, sketch);
+    overwritten.written(address, cell, value, now, sketch);
     cell = value;
     ready_ = now + kEepromWriteTime;
   }
@@ -60,6 +63,7 @@ class EepromTest : public testing::Test {
   Told sketch;
   EepromWear wear;
   TornRecord record;
+  OverwrittenRecord overwritten;
   SimTime now = 0;
 
  private:
@@ -95,6 +99,25 @@ TEST_F(EepromTest, SavingOnceSeldomOrByTurnsWearsNothing) {
   for (std::uint16_t i = 0; i < 300; ++i, now += kSecond / 10) write(100 + i % 100, 1);      // by turns
   for (int i = 0; i < 30; ++i) write(500, static_cast<std::uint8_t>(i));                     // a burst
   EXPECT_THAT(wear.found(), IsEmpty());
+}
+
+TEST_F(EepromTest, ARecordWhoseBytesAllGoToOneAddressIsLost) {
+  sketch.line = 40;
+  for (int i = 0; i < 30; ++i) write(0, static_cast<std::uint8_t>(3 * i));
+  for (int i = 0; i < 3; ++i) write(1, static_cast<std::uint8_t>(i));
+  const auto found = overwritten.found();
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].where.line, 40);
+  EXPECT_THAT(found[0].what,
+              HasSubstr("byte 0 of the EEPROM was written 30 times, one right after the other"));
+}
+
+TEST_F(EepromTest, ARecordIsStoredWhereItsAddressIsCountedOnOrTheSameByteIsKeptUpToDate) {
+  for (std::uint16_t i = 0; i < 64; ++i) write(i, static_cast<std::uint8_t>(i));              // counted on
+  for (int i = 0; i < 30; ++i) write(i % 2, static_cast<std::uint8_t>(i));                    // two by turns
+  for (int i = 0; i < 30; ++i, now += kSecond / 100) write(7, static_cast<std::uint8_t>(i));  // a log
+  for (int i = 0; i < 2000; ++i) write(9, static_cast<std::uint8_t>(i));                      // wear
+  EXPECT_THAT(overwritten.found(), IsEmpty());
 }
 
 TEST_F(EepromTest, OfEachPowerCycleItIsCountedAnew) {
