@@ -68,6 +68,8 @@ BoardFault read_flip(const Words& words, std::size_t eeprom_bytes) {
   return EepromFlip{static_cast<std::uint16_t>(*address), static_cast<int>(*bit)};
 }
 
+BoardFault read_used(const Words&, std::size_t) { return EepromUsed{}; }
+
 BoardFault read_drift(const Words& words, std::size_t) {
   const std::string& text = words[1];
   const bool in_ppm = text.ends_with("ppm");
@@ -100,6 +102,7 @@ constexpr Kind kKinds[] = {
     {"serial", "doubled", Argument::bytes, false, read_bytes<SerialFault::Kind::doubled>},
     {"serial", "corrupted", Argument::bytes, false, read_bytes<SerialFault::Kind::corrupted>},
     {"eeprom", "flip", Argument::bit, true, read_flip},
+    {"eeprom", "used", Argument::none, true, read_used},
     {"clock", "ok", Argument::none, true, read_whole<ClockDrift>},
     {"clock", "drift", Argument::ppm, false, read_drift},
 };
@@ -122,7 +125,10 @@ bool repairs(const BoardFault& fault) {
 
 BoardFaults::BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed,
                          std::uint32_t number)
-    : executor_(executor), robot_(robot), noise_(seed, number, "serial", "fault") {
+    : executor_(executor),
+      robot_(robot),
+      noise_(seed, number, "serial", "fault"),
+      left_there_(seed, number, "eeprom", "used") {
   state_.chip_volts = executor.board().spec().supply_volts;
   executor.board().watch_eeprom(*this);
 }
@@ -148,7 +154,7 @@ BoardFault BoardFaults::read(const std::string& name, const std::vector<std::str
     throw InputError(fmt::format("fault {} {} takes {}", name, kind.name, kWanted[argument]));
   if (ends && kind.stays)
     throw InputError(fmt::format("fault {} {} is no state that could end after a time", name, kind.name));
-  if (kind.argument == Argument::bit) check_eeprom();
+  if (name == "eeprom") check_eeprom();
   return kind.read(arguments, executor_.probe().memory().size());
 }
 
@@ -188,6 +194,12 @@ void BoardFaults::begin(const SerialFault& fault, SimTime) {
 void BoardFaults::begin(const EepromFlip& fault, SimTime) {
   std::uint8_t& byte = executor_.probe().memory()[fault.address];
   byte = static_cast<std::uint8_t>(byte ^ 1 << fault.bit);
+}
+
+void BoardFaults::begin(const EepromUsed&, SimTime) {
+  std::uint64_t address = 0;
+  for (std::uint8_t& byte : executor_.probe().memory())
+    byte = static_cast<std::uint8_t>(left_there_.bits(address++));
 }
 
 void BoardFaults::begin(const ClockDrift& fault, SimTime t) {

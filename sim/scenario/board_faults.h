@@ -7,7 +7,8 @@
 // board, and no sag resets it.
 // Serial. Bytes on their way to the firmware, each by itself and by a hash of (seed, its number).
 // EEPROM. A byte whose writing began is being written for kEepromWriteTime. If the power fails meanwhile, it
-// may hold anything: a script says what.
+// may hold anything: a script says what. A used chip's holds what another sketch has left there: each byte by
+// a hash of (seed, its address).
 #pragma once
 
 #include <cstdint>
@@ -53,11 +54,15 @@ struct EepromFlip {
   int bit = 0;
   bool repairs() const { return false; }
 };
+/// Its bytes are those of another sketch. Has no "ok".
+struct EepromUsed {
+  bool repairs() const { return false; }
+};
 struct ClockDrift {
   std::optional<int> ppm = {};  ///< too fast
   bool repairs() const { return !ppm; }
 };
-using BoardFault = std::variant<PowerFault, SerialFault, EepromFlip, ClockDrift>;
+using BoardFault = std::variant<PowerFault, SerialFault, EepromFlip, EepromUsed, ClockDrift>;
 bool repairs(const BoardFault& fault);
 
 class BoardFaults final : EepromWatcher {
@@ -129,11 +134,13 @@ class BoardFaults final : EepromWatcher {
   void begin(const PowerFault& fault, SimTime t);
   void begin(const SerialFault& fault, SimTime t);
   void begin(const EepromFlip& fault, SimTime t);
+  void begin(const EepromUsed& fault, SimTime t);
   void begin(const ClockDrift& fault, SimTime t);
 
   exec::Executor& executor_;
   robot::Robot& robot_;
   const NoiseStream noise_;
+  const NoiseStream left_there_;  ///< by another sketch, in the EEPROM
   State state_;
 };
 

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "sim/exec/core/board_state.h"
 #include "sim/grid/map.h"
 #include "sim/robot/describe.h"
@@ -162,6 +165,20 @@ TEST_F(BoardFaultsTest, AFlippedBitIsTheOtherOneFromThenOn) {
   EXPECT_EQ(probe.state.eeprom()[0x3FF], 0b0010'0001);
 }
 
+TEST_F(BoardFaultsTest, AUsedEepromHoldsSomethingElseEverywhereByTheSeed) {
+  std::uint8_t* const bytes = probe.state.eeprom();
+  const auto used = [&](std::uint64_t seed) {
+    std::fill_n(bytes, 1024, std::uint8_t{0xFF});
+    BoardFaults others(probe, robot, seed);
+    others.fail(others.read("eeprom", {"used"}), 0);
+    return std::vector<std::uint8_t>(bytes, bytes + 1024);
+  };
+  const std::vector<std::uint8_t> first = used(1);
+  EXPECT_EQ(used(1), first);
+  EXPECT_NE(used(2), first);
+  EXPECT_GT(std::set<std::uint8_t>(first.begin(), first.end()).size(), 200u);
+}
+
 TEST_F(BoardFaultsTest, BytesToTheFirmwareAreLostDoubledOrCorrupted) {
   faults.send("ab", 0);
   fail({"serial", "lost", "2nd"});
@@ -212,6 +229,7 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
               HasSubstr("an address from 0 to 1023 and a bit from 0 to 7"));
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "8"}), HasSubstr("a bit from 0 to 7"));
   EXPECT_EQ(refusal({"eeprom", "flip", "3"}), "fault eeprom flip takes an address and a bit");
+  EXPECT_EQ(refusal({"eeprom", "used", "3"}), "fault eeprom used takes nothing more");
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true), HasSubstr("no state that could end"));
   EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
   EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("allowed is how much too fast it runs"));
