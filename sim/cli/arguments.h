@@ -229,7 +229,7 @@ struct HuntArguments {
   std::vector<std::string> targets;  ///< empty = the chip's, and the host
   RunArguments each;                 ///< as of SweepArguments
   std::uint64_t seed = 1;            ///< of what is drawn
-  std::uint64_t runs = 200;
+  std::uint64_t runs = 400;
   double minutes = 0.0;  ///< wall time after which no further run begins; 0 = as many as there are runs
   std::size_t jobs = 1;  ///< runs at a time
   std::string out;       ///< a folder; empty = hunt-SKETCH

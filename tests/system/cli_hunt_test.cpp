@@ -127,6 +127,20 @@ TEST_F(CliHunt, SaysNothingOfASketchThatDoesNothingWrong) {
   EXPECT_THAT(ended.out, HasSubstr("24 runs, 48 s of simulated time: nothing was found\n"));
 }
 
+TEST_F(CliHunt, TellsOfARobotThatDoesNotDriveWhateverIsDoneToIt) {
+  const auto drives_if = [&](const char* level) {
+    sketch(
+        "  pinMode(5, OUTPUT), pinMode(7, OUTPUT), pinMode(6, OUTPUT), pinMode(9, OUTPUT);\n"
+        "  digitalWrite(7, HIGH), digitalWrite(9, HIGH);\n"
+        "  const bool goes = digitalRead(4) == " +
+        std::string(level) + ";\n  analogWrite(5, goes ? 90 : 0), analogWrite(6, goes ? 90 : 0);");
+    return hunt({}, "12").out;
+  };
+  EXPECT_THAT(drives_if("2"), HasSubstr("finding 1: In none of 12 runs the robot drove, whatever was done to "
+                                        "it. The 2.00 s of simulated time are up"));
+  EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("In none of 12 runs the robot drove")));
+}
+
 TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
   sketch(kCrashesWhenPressed);
   const Ended whole = hunt({"--out", "found"}, "40");

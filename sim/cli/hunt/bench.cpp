@@ -44,7 +44,18 @@ bool may_be_sent(const std::string& word) {
   });
 }
 
-/// What stands between quotes.
+/// Whether what begins behind `text` is printed: print("…"), println(F("…")).
+bool is_printed(std::string_view text) {
+  const auto drop = [&](std::string_view end) {
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    const bool is_there = text.ends_with(end);
+    if (is_there) text.remove_suffix(end.size());
+    return is_there;
+  };
+  return drop("F(") || drop("print(") || drop("println(");
+}
+
+/// What stands between quotes, and is not printed.
 void add_literals(const std::string& source, std::vector<std::string>& words) {
   const auto add = [&](const std::string& literal) {
     // Several words may be put together, with a 0 behind each; other escapes part words, too.
@@ -64,9 +75,14 @@ void add_literals(const std::string& source, std::vector<std::string>& words) {
     if (quote != '"' && quote != '\'') continue;
     const std::size_t end = source.find_first_of(std::string{quote, '\n'}, i + 1);
     if (end == std::string::npos) return;
-    if (source[end] == quote) add(source.substr(i + 1, end - i - 1));
+    if (source[end] == quote && !is_printed(std::string_view(source).substr(0, i)))
+      add(source.substr(i + 1, end - i - 1));
     i = end;
   }
+}
+
+bool keeps(const std::string& source) {
+  return source.find("EEPROM.") != std::string::npos || source.find("eeprom_") != std::string::npos;
 }
 
 bool listens(const std::string& source) {
@@ -196,6 +212,7 @@ void HuntBench::look_at_sketch() {
       for (const std::string& file : *files) {
         const std::string text = read_file(sketch.folder / file);
         hears = hears || listens(text);
+        space_.keeps = space_.keeps || (keeps(text) && prepared_.front().target != "stm32");
         add_literals(text, words);
       }
   }

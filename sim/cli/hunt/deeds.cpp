@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "sim/base/escaped.h"
 
@@ -14,6 +15,7 @@ using worlds::Die;
 constexpr int kMostDeeds = 4;
 constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages
 constexpr std::size_t kLongMessage = 80;
+constexpr std::size_t kMostBeginnings = 12, kShortestBeginning = 4;
 
 void in_order(std::vector<Deed>& deeds) {
   std::stable_sort(deeds.begin(), deeds.end(),
@@ -27,7 +29,7 @@ std::string some_words(const HuntSpace& space, const Die& die) {
     text =
         space
             .words[space.words.size() - 1 - static_cast<std::size_t>(die(static_cast<int>(space.own_words)))];
-  if (chance(die, 4))
+  if (chance(die, 8))
     while (text.size() < kLongMessage) text += " " + pick(die, space.words);
   else if (chance(die, 50))
     text += (chance(die, 80) ? " " : "") + pick(die, space.words);
@@ -69,7 +71,8 @@ Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
   if (space.feels) kinds.insert(kinds.end(), 3, 'o');
   kinds.insert(kinds.end(), {'u', 'p'});
   if (!space.parts.motors.empty()) kinds.insert(kinds.end(), 2, 'h');
-  const int at_ms = (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : space.for_ms * 3 / 4);
+  const int at_ms =
+      (chance(die, 50) ? 200 : 10) + die(chance(die, 50) ? 3'000 : span_ms(world, space) * 3 / 4);
   Deed deed;
   switch (pick(die, kinds)) {
     case 'b':
@@ -101,19 +104,51 @@ Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
 
 }  // namespace
 
+std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
+  std::vector<std::vector<Deed>> all{{}};
+  for (const std::string& button : space.buttons) {
+    const std::string press = "press " + button;
+    const Deed first{1000, press + " 100ms", press};
+    all.push_back({first});
+    all.push_back({first, {6000, press + " 100ms", press}});
+  }
+  return all;
+}
+
+std::vector<std::string> beginnings_of(const std::string& serial) {
+  std::vector<std::string> all;
+  std::istringstream stream(serial);
+  for (std::string line; std::getline(stream, line) && all.size() < kMostBeginnings;) {
+    line = line.substr(0, line.find_first_of("0123456789\r"));
+    if (line.size() >= kShortestBeginning && std::find(all.begin(), all.end(), line) == all.end())
+      all.push_back(line);
+  }
+  if (const std::size_t end = serial.rfind('\n'); end != std::string::npos && !all.empty()) {
+    const std::size_t begin = end == 0 ? std::string::npos : serial.rfind('\n', end - 1);
+    std::string last = serial.substr(begin == std::string::npos ? 0 : begin + 1, end);
+    last = last.substr(0, last.find_first_of("0123456789\r\n"));
+    if (last.size() >= kShortestBeginning) {
+      std::erase(all, last);
+      all.push_back(last);
+    }
+  }
+  return all;
+}
+
 bool hears(const HuntSpace& space) { return !space.words.empty() || !space.listeners.empty(); }
 
 void draw_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
-  world.deeds = space.opening;
+  world.deeds = opening_of(world, space);
   for (int left = 1 + die(kMostDeeds); left > 0; --left) world.deeds.push_back(draw_deed(world, space, die));
   in_order(world.deeds);
 }
 
 void draw_talk(HuntWorld& world, const HuntSpace& space, const Die& die) {
-  world.deeds = space.opening;
-  const int from_ms = space.opening.empty() ? 500 : space.opening.back().at_ms + 500;
+  world.deeds = opening_of(world, space);
+  const int from_ms = world.deeds.empty() ? 500 : world.deeds.back().at_ms + 500;
   std::string after;
-  if (!space.said.empty() && chance(die, 60)) after = pick(die, space.said);
+  if (!space.said.empty() && chance(die, 60))
+    after = chance(die, 50) ? space.said.back() : pick(die, space.said);
   int at_ms = after.empty() ? from_ms : 200;
   Deed next;
   int again = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/cli/hunt/world.h"
 #include "sim/worlds/die.h"
@@ -15,11 +16,17 @@ const T& pick(const worlds::Die& die, const std::vector<T>& from) {
   return from[static_cast<std::size_t>(die(static_cast<int>(from.size())))];
 }
 
+/// What may make a sketch go: nothing, a button, the same again.
+std::vector<std::vector<Deed>> openings(const HuntSpace& space);
+/// How the lines that a sketch has sent begin, up to their first number; the last line last.
+std::vector<std::string> beginnings_of(const std::string& serial);
+
 /// The opening, and at most four more at any time.
 void draw_deeds(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// Whether anybody can talk to the sketch.
 bool hears(const HuntSpace& space);
-/// The opening, and many messages one after the other; often from where the sketch has sent something.
+/// The opening, and many messages one after the other; often from where the sketch has sent something, most
+/// of all the last thing, behind which it may wait for them.
 void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// Something stands on the line from the beginning, for longer than most runs.
 void block(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "sim/base/wall_clock.h"
 #include "sim/cli/hunt/deeds.h"
@@ -20,36 +19,11 @@ constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried togethe
 constexpr std::size_t kMostTries = 80;  // of smaller worlds
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
 constexpr double kLongest_s = 300.0, kBehind_s = 1.0;
-constexpr double kMoved_m = 0.1;
 constexpr double kAfter_s = 20.0;
+constexpr double kFar = 1.5, kOn_s = 15.0;  // most runs take so many times as long as the way, and this
 constexpr double kSlower = 5.0;
-constexpr std::size_t kMostBeginnings = 12, kShortestBeginning = 4;
 
 bool reached(const std::optional<wire::RunResult>& result) { return result && result->verdict == "reached"; }
-
-/// What may make a sketch go: nothing, a button, the same again.
-std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
-  std::vector<std::vector<Deed>> all{{}};
-  for (const std::string& button : space.buttons) {
-    const std::string press = "press " + button;
-    const Deed first{1000, press + " 100ms", press};
-    all.push_back({first});
-    all.push_back({first, {6000, press + " 100ms", press}});
-  }
-  return all;
-}
-
-/// Lines up to their first number.
-std::vector<std::string> beginnings_of(const std::string& serial) {
-  std::vector<std::string> all;
-  std::istringstream stream(serial);
-  for (std::string line; std::getline(stream, line) && all.size() < kMostBeginnings;) {
-    line = line.substr(0, line.find_first_of("0123456789\r"));
-    if (line.size() >= kShortestBeginning && std::find(all.begin(), all.end(), line) == all.end())
-      all.push_back(line);
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -62,7 +36,7 @@ Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::pa
 std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
 double Hunt::time_of(const HuntWorld& world) const {
-  double usual = bench_.space().for_ms / 1000.0;
+  double usual = (span_ms(world, bench_.space()) + world.later_ms) / 1000.0;
   const bool waits = std::any_of(world.deeds.begin(), world.deeds.end(),
                                  [](const Deed& deed) { return !deed.after.empty(); });
   if (waits && plain_.reached()) usual = std::min(kLongest_s, usual + plain_.result.time_s);
@@ -114,6 +88,10 @@ bool Hunt::find_plain() {
         kept.push_back(worlds[i].map);
     bench_.keep_maps(kept);
   }
+  HuntSpace& space = bench_.space();
+  space.usual_ms = space.for_ms;
+  if (plain_.reached())
+    space.usual_ms = std::min(space.for_ms, static_cast<int>(1000.0 * (kFar * plain_.result.time_s + kOn_s)));
   plain_world_.map = 0;
   bench_.space().opening = plain_world_.deeds;
   plain_world_.for_s = time_of(plain_world_);
@@ -223,6 +201,21 @@ bool Hunt::shrink(HuntFinding& finding) {
       }
     }
   }
+  // The board is a chip's: if it happens there, too, it is told of that.
+  if (finding.world.build == space.host_twin) {
+    HuntWorld on_chip = finding.world;
+    on_chip.build = 0;
+    std::vector<std::optional<wire::RunResult>> results;
+    std::vector<std::vector<Symptom>> found;
+    if (!look({on_chip}, results, found)) return false;
+    for (const Symptom& one : found.front())
+      if (one.group == finding.symptom.group) {
+        finding.world = on_chip;
+        finding.symptom = one;
+        finding.time_s = results.front()->time_s;
+        break;
+      }
+  }
   finding.needs = needs_of(finding.world, space);
   if (finding.symptom.kind != "late" && finding.symptom.kind != kUnlike) {
     finding.world.to_goal = false;
@@ -323,6 +316,11 @@ void Hunt::look_back() {
                  false});
   const wire::RunResult& result = plain_.result;
   // Who neither looks at the line nor was told of a goal has another.
+  if (findings_.empty() && !traits_.contains(kDrives) && has_motors(result, plain_.robot))
+    return add_plain(
+        {"stands", "stands",
+         fmt::format("In none of {} runs the robot drove, whatever was done to it. {}", runs_, result.why),
+         true});
   const bool has_goal = reads_the_floor(result, plain_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)

@@ -36,7 +36,7 @@ Command parse_hunt(const std::vector<std::string>& words) {
                "file, or name of a stock robot; others within its spreads are drawn");
   options.lists("--target", hunt.targets, "TARGET...",
                 "host, avr, stm32; default: the board's, and the host");
-  options.text("--runs", runs, "N", "how many; default 200, or with --minutes as many as that gives");
+  options.text("--runs", runs, "N", "how many; default 400, or with --minutes as many as that gives");
   options.text("--minutes", minutes, "N", "of wall time, after which no further run begins");
   options.text("--seed", seed, "N", "of what is drawn; default 1");
   options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");

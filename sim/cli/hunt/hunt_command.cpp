@@ -71,7 +71,8 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   if (bench.refused() > 0)
-    text += fmt::format("{} worlds could not be run; the first: {}\n", bench.refused(), bench.refusal());
+    text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),
+                        bench.refused() == 1 ? "" : "s", bench.refusal());
   if (found > 0)
     text += fmt::format("checks that fail until it is mended: {}\n", (out / "checks.toml").string());
   return text;

@@ -41,10 +41,19 @@ Symptom crashed(const wire::RunResult& result) {
 }
 
 bool is_undisturbed(const HuntWorld& world, const HuntSpace& space) {
-  return world.faults.faults.empty() && world.deeds == space.opening;
+  std::vector<Deed> deeds = world.deeds;
+  std::erase_if(deeds, [](const Deed& deed) { return deed.kind == kUsedEeprom; });
+  return world.faults.faults.empty() && deeds == opening_of(world, space);
 }
 
 }  // namespace
+
+bool has_motors(const wire::RunResult& result, const wire::RobotInfo& robot) {
+  const auto& unused = result.usage.unused;
+  return std::any_of(robot.parts.begin(), robot.parts.end(), [&](const auto& part) {
+    return part.type == "motor" && std::find(unused.begin(), unused.end(), part.name) == unused.end();
+  });
+}
 
 bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot) {
   const auto& unused = result.usage.unused;
@@ -54,9 +63,10 @@ bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot
 }
 
 double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& plain) {
-  if (!world.drawn()) return world.map == 0 ? kPause_s + kPatience * plain.result.time_s : 0.0;
+  const double pause_s = kPause_s + world.later_ms / 1000.0;
+  if (!world.drawn()) return world.map == 0 ? pause_s + kPatience * plain.result.time_s : 0.0;
   const double way_m = line_length_m(world, space) * (world.track ? 1.0 : 2.0);
-  return plain.speed_m_s() > 0.0 ? kPause_s + kPatience * way_m / plain.speed_m_s() : 0.0;
+  return plain.speed_m_s() > 0.0 ? pause_s + kPatience * way_m / plain.speed_m_s() : 0.0;
 }
 
 bool tells_behaviour(const HuntWorld& world, const HuntSpace& space) {
@@ -133,6 +143,7 @@ std::vector<std::string> traits_of(const wire::RunResult& result) {
                   result.eeprom_writes == 0 ? 0 : static_cast<int>(std::log2(result.eeprom_writes)) + 1)};
   for (const wire::RunResult::Entry& event : result.events)
     traits.push_back("event " + without_numbers(event.text));
+  if (result.metrics.distance_m > kMoved_m) traits.push_back(kDrives);
   std::size_t lines = 0;
   for (const auto& [name, text] : {std::pair{"serial ", &result.serial}, {"shown ", &result.shown}}) {
     std::istringstream stream(*text);

@@ -18,11 +18,17 @@ struct Plain {
   /// On the way to the goal.
   double speed_m_s() const { return result.time_s > 0.0 ? result.metrics.distance_m / result.time_s : 0.0; }
 };
-/// Whether the sketch looks at the line at all.
+/// Whether the sketch has set the pins of a motor.
+bool has_motors(const wire::RunResult& result, const wire::RobotInfo& robot);
+/// Whether it looks at the line at all.
 bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot);
 
 /// The kind of what a detector has seen.
 inline constexpr const char* kDetected = "detected";
+/// Further than a robot comes that only twitches.
+inline constexpr double kMoved_m = 0.1;
+/// The trait of a run in which it did.
+inline constexpr const char* kDrives = "drives";
 /// The kind of what two runs do that should be alike.
 inline constexpr const char* kUnlike = "unlike";
 

@@ -127,9 +127,9 @@ HuntWorld twin_of(const HuntWorld& world, const HuntSpace& space) {
 HuntWorld tried_again(const HuntWorld& world, const HuntSpace& space, int time) {
   HuntWorld again = world;
   again.seed += kOtherSeed * static_cast<std::uint64_t>(time);
+  const std::vector<Deed> opening = opening_of(world, space);
   for (Deed& deed : again.deeds)
-    if (std::find(space.opening.begin(), space.opening.end(), deed) == space.opening.end())
-      deed.at_ms += kLater_ms * time;
+    if (std::find(opening.begin(), opening.end(), deed) == opening.end()) deed.at_ms += kLater_ms * time;
   again.for_s = std::ceil(kLonger * world.for_s);
   return again;
 }

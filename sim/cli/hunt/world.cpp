@@ -17,7 +17,9 @@ using worlds::Fault;
 
 constexpr int kMostSquares = 4, kMostPieces = 10, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
-constexpr std::uint64_t kPairEvery = 5;
+constexpr int kHeldFor_ms = 300, kAfterHeld_ms = 4'000;  // a button at power-on
+constexpr int kLongBefore_ms = 40'000, kSoon_ms = 4'000;
+constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
@@ -38,17 +40,32 @@ void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most
   if (like.networks) world.network = worlds::grow({1 + die(most_pieces), 3, 4, like.cycles, 0}, die);
 }
 
+/// Many sketches look at their buttons when they are switched on; it is long over when the robot is to go.
+void hold_a_button_at_power_on(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  const std::string kind = "press " + pick(die, space.buttons);
+  const int first_ms = space.opening.empty() ? kAfterHeld_ms : space.opening.front().at_ms;
+  world.later_ms = std::max(world.later_ms, kAfterHeld_ms - first_ms);
+  world.deeds = opening_of(world, space);
+  world.deeds.insert(world.deeds.begin(), {0, kind + fmt::format(" {}ms", kHeldFor_ms), kind});
+}
+
 /// A little before a number of milliseconds, or of microseconds, does not fit any more.
 void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
   const std::int64_t wrap =
       pick<std::int64_t>(die, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,
                                kPast_ms + kInt_ms, kPast_ms + 2 * kInt_ms});
-  world.clock_ms = wrap - 1 - die(std::min<int>(space.for_ms / 2, static_cast<int>(kInt_ms)));
+  int runs_ms = die(std::min<int>(span_ms(world, space) / 2, static_cast<int>(kInt_ms)));
+  // As often as not a little behind what is done to it.
+  if (!world.deeds.empty() && chance(die, 50))
+    if (const Deed& deed = pick(die, world.deeds); deed.after.empty())
+      runs_ms = std::min(deed.at_ms + die(kSoon_ms), static_cast<int>(kInt_ms));
+  world.clock_ms = wrap - 1 - runs_ms;
 }
 
 /// Its clock goes back to 0 while something stands in its way.
 void draw_wrap_while_blocked(HuntWorld& world, const HuntSpace& space, const Die& die) {
   block(world, space, die);
+  world.is_long = true;
   world.clock_ms = kMillisWrap_ms - std::min(space.for_ms / 2, kBlockedAfter_ms + die(kBlockedFor_ms));
 }
 
@@ -59,6 +76,7 @@ HuntWorld pair(const HuntSpace& space, const Die& die) {
   world.deeds = space.opening;
   draw_map(world, space, die, kFewPieces);
   world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
+  world.is_long = chance(die, 20);
   if (world.twin == Twin::clock && space.feels && chance(die, 60)) {
     draw_wrap_while_blocked(world, space, die);
   } else {
@@ -71,7 +89,9 @@ HuntWorld pair(const HuntSpace& space, const Die& die) {
 
 HuntWorld fresh(const HuntSpace& space, const Die& die) {
   HuntWorld world;
-  world.deeds = space.opening;
+  world.is_long = chance(die, 20);
+  if (!space.opening.empty() && chance(die, 15)) world.later_ms = 1'000 + die(kLongBefore_ms);
+  world.deeds = opening_of(world, space);
   draw_map(world, space, die);
   if (chance(die, 50)) world.robot = worlds::assemble(space.figures, die);
   world.seed = 1 + static_cast<std::uint64_t>(die(kMostSeeds));
@@ -81,13 +101,18 @@ HuntWorld fresh(const HuntSpace& space, const Die& die) {
     draw_talk(world, space, die);
   } else if (chance(die, 45)) {
     draw_deeds(world, space, die);
+  } else if (!space.buttons.empty() && chance(die, 15)) {
+    hold_a_button_at_power_on(world, space, die);
   }
+  if (space.keeps && chance(die, 25))
+    world.deeds.insert(world.deeds.begin(), {0, "fault eeprom used", kUsedEeprom});
   if (chance(die, 12)) draw_clock(world, space, die);
   world.to_goal = chance(die, 60);
   return world;
 }
 
 HuntWorld like(HuntWorld world, const HuntSpace& space, const Die& die) {
+  world.twin = Twin::none;
   switch (die(6)) {
     case 0:
       draw_map(world, space, die);
@@ -108,7 +133,24 @@ HuntWorld like(HuntWorld world, const HuntSpace& space, const Die& die) {
   return world;
 }
 
+/// Most worlds are gone through on the host, which is many times as fast as a chip. How the robot behaves
+/// is seen without checks alone.
+std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const Die& die) {
+  if (!space.host_twin) return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
+  if (chance(die, 55)) return *space.host_twin;
+  std::vector<std::size_t> builds{0, 0};
+  for (std::size_t i = 0; i < drawn_builds(space); ++i)
+    builds.insert(builds.end(), space.builds[i].target == "host" ? 3 : 1, i);
+  return pick(die, builds);
+}
+
 }  // namespace
+
+std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space) {
+  std::vector<Deed> opening = space.opening;
+  for (Deed& deed : opening) deed.at_ms += world.later_ms;
+  return opening;
+}
 
 HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted, std::uint64_t seed,
                      std::uint64_t run) {
@@ -120,8 +162,7 @@ HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted
   if (run % kPairEvery == kPairEvery - 1 && space.builds.front().target != "host") return pair(space, die);
   HuntWorld world =
       !noted.empty() && chance(die, 50) ? like(pick(die, noted), space, die) : fresh(space, die);
-  // Every other one without checks: there alone it is seen how the robot behaves.
-  world.build = static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
+  world.build = draw_build(space, run, die);
   if (space.builds[world.build].target == "host") world.clock_ms = 0;
   return world;
 }
@@ -137,8 +178,15 @@ std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
   if (!world.robot.levels.empty()) with([](HuntWorld& w) { w.robot.levels.clear(); });
   if (!world.faults.faults.empty()) with([](HuntWorld& w) { w.faults.faults.clear(); });
   if (world.deeds.size() > 1) with([](HuntWorld& w) { w.deeds.clear(); });
-  if (world.deeds != space.opening && world.deeds.size() > space.opening.size())
-    with([&](HuntWorld& w) { w.deeds = space.opening; });
+  const std::vector<Deed> opening = opening_of(world, space);
+  if (world.deeds != opening && world.deeds.size() > opening.size())
+    with([&](HuntWorld& w) { w.deeds = opening; });
+  if (world.later_ms != 0)
+    with([&](HuntWorld& w) {
+      for (Deed& deed : w.deeds)
+        if (std::find(opening.begin(), opening.end(), deed) != opening.end()) deed.at_ms -= w.later_ms;
+      w.later_ms = 0;
+    });
   if (const std::size_t half = world.deeds.size() / 2; half > 1) {
     const auto middle = static_cast<std::ptrdiff_t>(half);
     with([&](HuntWorld& w) { w.deeds.erase(w.deeds.begin(), w.deeds.begin() + middle); });
@@ -178,9 +226,10 @@ std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space) {
     constexpr const char* kNames[] = {"offset", "noisy", "cover", "weak", "drift"};
     needs.insert(fmt::format("fault {}", kNames[static_cast<std::size_t>(fault.kind)]));
   }
+  const std::vector<Deed> opening = opening_of(world, space);
   for (const Deed& deed : world.deeds)
-    if (std::find(space.opening.begin(), space.opening.end(), deed) == space.opening.end())
-      needs.insert(deed.kind);
+    if (std::find(opening.begin(), opening.end(), deed) == opening.end()) needs.insert(deed.kind);
+  if (world.later_ms != 0) needs.insert("a longer wait before it goes");
   if (world.clock_ms != 0) needs.insert("another clock");
   return needs;
 }

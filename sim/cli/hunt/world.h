@@ -28,6 +28,7 @@ struct Deed {
 };
 
 inline constexpr const char* kPowerOff = "power off";
+inline constexpr const char* kUsedEeprom = "an EEPROM that another sketch has filled";
 inline constexpr const char* kObstacle = "an obstacle";
 inline constexpr const char* kHeld = "a wheel that is held";
 inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
@@ -49,8 +50,10 @@ struct HuntWorld {
   std::uint64_t seed = 1;
   worlds::FaultPlan faults;
   std::vector<Deed> deeds;
+  int later_ms = 0;  ///< than in the plain world is what makes it go: it stands for so long before
   std::int64_t clock_ms = 0;
-  bool to_goal = true;  ///< ends there; else it runs on until its time is up
+  bool to_goal = true;   ///< ends there; else it runs on until its time is up
+  bool is_long = false;  ///< takes all the time that there is for a run
   double for_s = 60.0;
 
   bool drawn() const { return track || network; }
@@ -85,11 +88,21 @@ struct HuntSpace {
   std::vector<std::string> words;  ///< what may be sent; empty = nothing is
   std::size_t own_words = 0;       ///< the last of them, so many, are the sketch's own
   std::vector<Deed> opening;       ///< what makes it go
-  std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin
+  std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin, the
+                                   ///< last one last
+  bool keeps = false;              ///< it uses the EEPROM
   bool feels = false;              ///< it looks at a bumper, so that something may stand in its way
   std::vector<Promise> promises;
-  int for_ms = 60'000;
+  int for_ms = 60'000;    ///< of a run, at most
+  int usual_ms = 60'000;  ///< of most runs
 };
+
+/// How long it runs, roughly.
+inline int span_ms(const HuntWorld& world, const HuntSpace& space) {
+  return world.is_long ? space.for_ms : space.usual_ms;
+}
+/// What makes it go there.
+std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space);
 
 /// Those that are drawn.
 inline std::size_t drawn_builds(const HuntSpace& space) {

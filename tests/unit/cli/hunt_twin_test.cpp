@@ -90,6 +90,63 @@ TEST(HuntTwin, SpeaksTheSketchsOwnWordsAsOftenAsAllOthers) {
   EXPECT_LT(10 * own, 7 * all);
 }
 
+TEST(HuntWorld, HoldsAButtonAtPowerOnWaitsAndTakesUsedBoards) {
+  HuntSpace space = space_of_a_talker();
+  space.buttons = {"start"};
+  space.opening = {{1000, "press start 100ms", "press start"}};
+  space.keeps = true;
+  int held = 0, later = 0, used = 0;
+  for (std::uint64_t run = 0; run < 400; ++run) {
+    const HuntWorld world = draw_world(space, {}, 1, run);
+    const std::string script = script_text(world, space);
+    const bool holds = script.find("at 0ms press start ") != std::string::npos;
+    if (holds) {
+      EXPECT_GE(opening_of(world, space).front().at_ms, 4000);
+    }
+    held += holds;
+    later += world.later_ms > 0;
+    used += script.starts_with("at 0ms fault eeprom used\n");
+    EXPECT_EQ(needs_of(world, space).contains("a longer wait before it goes"), world.later_ms > 0);
+  }
+  EXPECT_GT(held, 8);
+  EXPECT_GT(later, held);
+  EXPECT_GT(used, 40);
+}
+
+TEST(HuntWorld, GoesAtOnceInASmallerWorld) {
+  HuntSpace space = space_of_a_talker();
+  space.opening = {{1000, "press start 100ms", "press start"}};
+  HuntWorld world;
+  world.later_ms = 5000;
+  world.deeds = {{2000, "lift for 300ms", "lift"}, {6000, "press start 100ms", "press start"}};
+  bool found = false;
+  for (const HuntWorld& next : smaller(world, space))
+    found |=
+        next.later_ms == 0 && next.deeds == std::vector<Deed>{{2000, "lift for 300ms", "lift"},
+                                                              {1000, "press start 100ms", "press start"}};
+  EXPECT_TRUE(found);
+}
+
+TEST(HuntWorld, IsTheHostsAsOftenAsAllOthers) {
+  HuntSpace space = space_of_a_talker();
+  int host = 0, chip = 0, checked = 0;
+  for (std::uint64_t run = 0; run < 400; ++run) {
+    const HuntWorld world = draw_world(space, {}, 1, run);
+    if (world.twin != Twin::none) continue;
+    host += world.build == 3, chip += world.build == 0, checked += space.builds[world.build].checked;
+  }
+  EXPECT_NEAR(host, 183, 30);
+  EXPECT_GT(chip, 60);
+  EXPECT_GT(checked, 30);
+}
+
+TEST(HuntDeeds, BeginBehindLinesOfTheSketchTheLastOfThemLast) {
+  EXPECT_EQ(beginnings_of("destination?\r\nfound station 2\r\nfound station 3\r\ndestination?\r\n"),
+            (std::vector<std::string>{"found station ", "destination?"}));
+  EXPECT_TRUE(beginnings_of("").empty());
+  EXPECT_EQ(beginnings_of("ready"), std::vector<std::string>{"ready"});
+}
+
 TEST(HuntSymptom, IsNotHowARobotBehavesWhoseWheelWasHeld) {
   const HuntSpace space = space_of_a_talker();
   HuntWorld world;
@@ -118,8 +175,8 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
   bool host = false, clock = false, talks = false;
   for (std::uint64_t run = 0; run < 200; ++run) {
     const HuntWorld world = draw_world(space, {}, 1, run);
-    EXPECT_NE(world.build, *space.host_twin) << run;
     if (world.twin == Twin::none) continue;
+    EXPECT_NE(world.build, *space.host_twin) << run;
     const HuntWorld twin = twin_of(world, space);
     if (world.twin == Twin::clock) {
       // Later than a sketch's own times, and without a wrap of 32 bits within an hour's tenth.
