@@ -70,7 +70,7 @@ TEST_P(AiNavigator, KnowsStationsByTheirNames) {
 
 TEST_P(AiNavigator, RefusesWhatIsNoStation) {
   scan();
-  for (const char* wrong : {"65538", "-1", "docks", "shelter", "2 ", "doc"}) {
+  for (const char* wrong : {"65538", "-1", "12", "docks", "shelter", "2 ", "doc"}) {
     robot().send(wrong + std::string("\n"));
     ASSERT_TRUE(robot().run_until(serial_says("refused. Stations: 1 home, 2 dock, 3 shelf\r\n"), within(1_s)))
         << wrong;

@@ -82,6 +82,14 @@ TEST(PidController, SmoothsItsDerivative) {
   EXPECT_NEAR(pid.update(1.0f, 0.01f), 25.0f, 1e-3f);  // a quarter of 100: dt / (dt + smoothing)
 }
 
+TEST(PidController, DoesNotSmoothAnyMoreWhenToldSo) {
+  PidController pid(0, 0, 1);
+  pid.setDerivativeSmoothing(0.03f);
+  pid.setDerivativeSmoothing(0);
+  pid.update(0.0f, 0.01f);
+  EXPECT_NEAR(pid.update(1.0f, 0.01f), 100.0f, 1e-3f);
+}
+
 TEST(PidController, IgnoresIntegralAndDerivativeWhenNoTimeHasPassed) {
   PidController pid(1, 1, 1);
   pid.update(1.0f, 0.01f);

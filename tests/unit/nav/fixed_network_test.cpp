@@ -145,6 +145,9 @@ TEST(FixedNetwork, Holds64JunctionsWithFourArmsAllJoined) {
   EXPECT_EQ((explore<SeeingWalker>(floor, {{0, 1}}, map)), nav::ScanState::complete);
   EXPECT_EQ(map.size(), 64);
   EXPECT_LE(saved(map).size(), 1024u);
+  Map loaded;
+  ASSERT_TRUE(load(loaded, saved(map)));
+  expectSame(map, loaded);
 }
 
 TEST(FixedNetwork, RefusesAPlaceThatItCannotKeep) {
