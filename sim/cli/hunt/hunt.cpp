@@ -172,6 +172,7 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
 
 bool Hunt::shrink(HuntFinding& finding) {
   const HuntSpace& space = bench_.space();
+  if (finding.symptom.kind != kUnlike) finding.world.twin = Twin::none;
   std::size_t tries = 0;
   for (bool smaller_found = true; smaller_found && tries < kMostTries;) {
     smaller_found = false;
