@@ -240,6 +240,8 @@ std::string HuntBench::fingerprint() const {
 void HuntBench::keep_maps(const std::vector<std::size_t>& maps) {
   std::vector<HuntSpace::Map> kept;
   std::vector<std::string> files;
+  for (std::size_t map = 0; map < space_.maps.size(); ++map)
+    if (std::find(maps.begin(), maps.end(), map) == maps.end()) left_maps_.push_back(space_.maps[map].name);
   for (const std::size_t map : maps) {
     kept.push_back(space_.maps[map]);
     files.push_back(map_files_[map]);

@@ -33,6 +33,8 @@ class HuntBench {
   /// Whether the user has said where to drive; else the first map is a guess, and others may do.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
+  /// The names of the others, on which the sketch is taken not to be meant to drive.
+  const std::vector<std::string>& left_maps() const { return left_maps_; }
 
   /// What happens meanwhile: the user's script, then the world's.
   std::string script_of(const HuntWorld& world) const { return script_ + script_text(world, space_); }
@@ -60,6 +62,7 @@ class HuntBench {
   std::string script_;                      ///< of the user
   std::vector<launch::Prepared> prepared_;  ///< of each build
   std::vector<std::string> map_files_;      ///< of each map
+  std::vector<std::string> left_maps_;
   std::vector<std::string> left_out_;
   std::string version_;
   std::string options_;  ///< all that was asked for, one thing a line
