@@ -12,6 +12,7 @@
 #include "sim/build/source.h"
 #include "sim/cli/check/checks_file.h"
 #include "sim/cli/launching.h"
+#include "sim/cli/run/chip_lines.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/launch/trust.h"
@@ -24,6 +25,7 @@ namespace {
 /// Where no map is given: a loop, and for sketches that find their way, a tree.
 constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60, kLongestWord = 24;
+constexpr std::string_view kInclude = "#include";
 
 /// How many pieces of line more there are than a tree has.
 int cycles_of(const grid::Map& map) {
@@ -72,6 +74,10 @@ void add_literals(const std::string& source, std::vector<std::string>& words) {
   };
   for (std::size_t i = 0; i < source.size(); ++i) {
     const char quote = source[i];
+    if (source.compare(i, kInclude.size(), kInclude) == 0) {
+      i = std::min(source.find('\n', i), source.size() - 1);
+      continue;
+    }
     if (quote != '"' && quote != '\'') continue;
     const std::size_t end = source.find_first_of(std::string{quote, '\n'}, i + 1);
     if (end == std::string::npos) return;
@@ -276,17 +282,27 @@ wire::RunRequest HuntBench::request_of(const HuntWorld& world, const std::string
 }
 
 bool HuntBench::run(const std::vector<HuntWorld>& worlds,
-                    std::vector<std::optional<wire::RunResult>>& results) {
+                    std::vector<std::optional<wire::RunResult>>& results,
+                    std::vector<std::vector<std::string>>* ran) {
   results.assign(worlds.size(), std::nullopt);
+  if (ran) ran->assign(worlds.size(), {});
+  const auto counters = [&](std::size_t i) { return work_.path() / std::to_string(i) / "lines"; };
   return pool_.run({worlds.size(),
                     [&](std::size_t i) {
                       const std::string folder = (work_.path() / std::to_string(i)).string();
-                      const std::string& target = space_.builds[worlds[i].build].target;
-                      return client::Task{target, request_of(worlds[i], folder)};
+                      const HuntSpace::Build& build = space_.builds[worlds[i].build];
+                      client::Task task{build.target, request_of(worlds[i], folder)};
+                      if (ran && build.target != "host" && !build.checked)
+                        task.request.counters = counters(i).string();
+                      return task;
                     },
                     [&](std::size_t i, client::Answer&& answer) {
                       if (auto* result = std::get_if<wire::RunResult>(&answer)) {
                         results[i] = std::move(*result);
+                        if (!ran) return;
+                        for (const auto& [place, count] : take_chip_lines(counters(i)))
+                          if (count > 0.0)
+                            (*ran)[i].push_back(fmt::format("ran {}:{}", place.first, place.second));
                         return;
                       }
                       const auto& failure = std::get<client::Failure>(answer);

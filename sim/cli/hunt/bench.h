@@ -41,8 +41,10 @@ class HuntBench {
   /// `folder` gets the files of the world that are not there yet: world.map, robot.toml.
   wire::RunRequest request_of(const HuntWorld& world, const std::string& folder) const;
 
-  /// The results, in the order of the worlds; none of a world that cannot be. False if it was interrupted.
-  bool run(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results);
+  /// The results, in the order of the worlds; none of a world that cannot be. `ran`: the sketch's lines that
+  /// ran, of worlds on a chip without checks. False if it was interrupted.
+  bool run(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
+           std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }
   /// Worlds that could not be, and why the first could not.
   std::size_t refused() const { return refused_; }

@@ -15,6 +15,7 @@ using worlds::Die;
 constexpr int kMostDeeds = 4;
 constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages
 constexpr std::size_t kLongMessage = 80;
+constexpr int kSoon_ms = 2'000;
 constexpr std::size_t kMostBeginnings = 12, kShortestBeginning = 4;
 
 void in_order(std::vector<Deed>& deeds) {
@@ -173,6 +174,14 @@ void block(HuntWorld& world, const HuntSpace& space, const Die& die) {
   if (cells.empty()) return;
   const grid::CellAt cell = pick(die, cells);
   world.deeds.push_back({200, fmt::format("obstacle {},{} for 60s", cell.x, cell.y), kObstacle});
+  in_order(world.deeds);
+}
+
+void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const Die& die) {
+  Deed deed = draw_deed(world, space, die);
+  deed.at_ms = std::max(0, moment.at_ms) + 10 + die(kSoon_ms);
+  deed.after = moment.after;
+  world.deeds.push_back(deed);
   in_order(world.deeds);
 }
 

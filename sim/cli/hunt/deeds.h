@@ -30,6 +30,8 @@ bool hears(const HuntSpace& space);
 void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// Something stands on the line from the beginning, for longer than most runs.
 void block(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+/// One more, within two seconds of the moment.
+void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const worlds::Die& die);
 /// One more.
 void add_deed(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 

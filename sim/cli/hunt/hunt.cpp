@@ -127,8 +127,8 @@ std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWor
 }
 
 bool Hunt::look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
-                std::vector<std::vector<Symptom>>& found) {
-  if (!bench_.run(worlds, results)) return false;
+                std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran) {
+  if (!bench_.run(worlds, results, ran)) return false;
   found.assign(worlds.size(), {});
   for (std::size_t i = 0; i < worlds.size(); ++i)
     if (results[i]) found[i] = symptoms(*results[i], worlds[i]);
@@ -232,13 +232,17 @@ void Hunt::tell(const HuntFinding& finding) {
 
 /// What it is, and, if it is a finding, its smallest world. None if that was interrupted.
 std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result,
-                                  const std::vector<Symptom>& found) {
+                                  const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
   HuntRow row;
   row.run = runs_;
   row.time_s = result.time_s;
   row.reached = result.verdict == "reached" && world.to_goal;
-  for (const std::string& trait : traits_of(result))
-    if (!traits_.contains(trait)) row.traits.push_back(trait);
+  for (const auto& traits : {traits_of(result), ran})
+    for (const std::string& trait : traits)
+      if (!traits_.contains(trait) &&
+          std::find(row.traits.begin(), row.traits.end(), trait) == row.traits.end())
+        row.traits.push_back(trait);
+  row.moment = moment_of(row.traits, result);
   for (const std::string& heard : kept_promises(result, bench_.space().promises))
     if (!heard_.contains(heard)) row.heard.push_back(heard);
   const std::set<std::string> needs = needs_of(world, bench_.space());
@@ -255,7 +259,7 @@ void Hunt::count(const HuntWorld& world, const HuntRow& row) {
   if (row.reached) ++reached_;
   traits_.insert(row.traits.begin(), row.traits.end());
   heard_.insert(row.heard.begin(), row.heard.end());
-  if (!row.traits.empty()) noted_.push_back(world);
+  if (!row.traits.empty()) noted_.push_back({world, row.moment});
   if (row.fresh)
     tell(*row.fresh);
   else if (row.finding > 0 && row.finding <= findings_.size())
@@ -280,7 +284,8 @@ bool Hunt::make_round() {
     if (!log_.row(runs_ + i)) to_make.push_back(worlds[i]);
   std::vector<std::optional<wire::RunResult>> results;
   std::vector<std::vector<Symptom>> found;
-  if (!look(to_make, results, found)) return false;
+  std::vector<std::vector<std::string>> ran;
+  if (!look(to_make, results, found, &ran)) return false;
   std::size_t made = 0;
   for (const HuntWorld& world : worlds) {
     const HuntRow* const known = log_.row(runs_);
@@ -288,8 +293,8 @@ bool Hunt::make_round() {
       count(world, *known);
       continue;
     }
-    std::optional<HuntRow> row =
-        results[made] ? take(world, *results[made], found[made]) : HuntRow{runs_, 0.0, false, {}, {}, 0, {}};
+    std::optional<HuntRow> row = results[made] ? take(world, *results[made], found[made], ran[made])
+                                               : HuntRow{runs_, 0.0, false, {}, {}, {}, 0, {}};
     ++made;
     if (!row) return false;
     log_.add(*row);

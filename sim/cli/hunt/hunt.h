@@ -43,14 +43,14 @@ class Hunt {
   bool make_round();
   bool hear();
   std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result,
-                              const std::vector<Symptom>& found);
+                              const std::vector<Symptom>& found, const std::vector<std::string>& ran);
   void count(const HuntWorld& world, const HuntRow& row);
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
   /// What goes wrong in the worlds; nothing in those that cannot be. False if it was interrupted.
   bool look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
-            std::vector<std::vector<Symptom>>& found);
+            std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
   std::vector<Symptom> symptoms(const wire::RunResult& result, const HuntWorld& world) const;
   bool has_enough_of(const Symptom& symptom) const;
   bool is_news(const Symptom& symptom, const std::set<std::string>& needs) const;
@@ -68,7 +68,7 @@ class Hunt {
   Plain plain_;
   HuntWorld plain_world_;
   std::vector<HuntFinding> findings_;
-  std::vector<HuntWorld> noted_;
+  std::vector<Noted> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
   std::uint64_t reached_ = 0;    ///< of those that were to reach a goal

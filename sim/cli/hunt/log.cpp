@@ -21,6 +21,8 @@ std::string line_of(const HuntRow& row) {
             {"reached", row.reached},
             {"traits", row.traits},
             {"heard", row.heard}};
+  if (row.moment.at_ms >= 0) json["at_ms"] = row.moment.at_ms;
+  if (!row.moment.after.empty()) json["after"] = row.moment.after;
   if (row.finding > 0) json["finding"] = row.finding;
   if (row.fresh) {
     const HuntFinding& f = *row.fresh;
@@ -45,7 +47,8 @@ std::string line_of(const HuntRow& row) {
 
 HuntRow row_of(const Json& json) {
   HuntRow row{
-      json.at("run"), json.at("time_s"), json.at("reached"), json.at("traits"), json.at("heard"), 0, {}};
+      json.at("run"), json.at("time_s"), json.at("reached"), json.at("traits"), {}, json.at("heard"), 0, {}};
+  row.moment = {json.value("at_ms", -1), json.value("after", "")};
   if (json.contains("finding")) row.finding = json.at("finding");
   if (json.contains("fresh")) {
     const Json& f = json.at("fresh");

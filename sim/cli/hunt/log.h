@@ -21,6 +21,7 @@ struct HuntRow {
   double time_s = 0.0;
   bool reached = false;
   std::vector<std::string> traits;   ///< that no run before it had
+  Moment moment = {};                ///< of the first of these, where that is known
   std::vector<std::string> heard;    ///< that must come sometimes, likewise
   std::size_t finding = 0;           ///< whose number it is, from 1; 0 = none
   std::optional<HuntFinding> fresh;  ///< that it is the first of

@@ -28,6 +28,21 @@ std::string without_numbers(const std::string& text) {
   return plain;
 }
 
+constexpr const char* kSerial = "serial ";
+constexpr std::size_t kLineBegins = 60;
+
+std::string line_trait(const char* way, const std::string& line) {
+  return way + without_numbers(line).substr(0, kLineBegins);
+}
+
+/// What came of what the robot did, and not what was done to it.
+bool is_robots(const std::string& event) {
+  for (const char* const begin : {"station ", "lap ", "collision "})
+    if (event.starts_with(begin)) return true;
+  const bool was_done = event.starts_with("fault") || event.starts_with("\"");
+  return !was_done && event.find(": ") != std::string::npos;  // a part or the rules tell it
+}
+
 std::string place_of(const wire::Crash& crash) {
   if (crash.where.file.empty()) return "";
   return fmt::format("{}:{}", crash.where.file, crash.where.line);
@@ -134,6 +149,21 @@ std::vector<std::string> kept_promises(const wire::RunResult& result, const std:
   return kept;
 }
 
+Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result) {
+  const auto is_new = [&](const std::string& trait) {
+    return std::find(traits.begin(), traits.end(), trait) != traits.end();
+  };
+  for (const wire::RunResult::Entry& event : result.events)
+    if (is_robots(event.text) && is_new("event " + without_numbers(event.text)))
+      return {static_cast<int>(std::lround(1000.0 * event.t_s)), {}};
+  std::istringstream stream(result.serial);
+  for (std::string line; std::getline(stream, line);) {
+    const std::string begins = line.substr(0, line.find_first_of("0123456789\r"));
+    if (!begins.empty() && is_new(line_trait(kSerial, line))) return {-1, begins};
+  }
+  return {};
+}
+
 std::vector<std::string> traits_of(const wire::RunResult& result) {
   std::vector<std::string> traits{
       "verdict " + result.verdict, fmt::format("stations {}", result.metrics.stations.size()),
@@ -142,13 +172,13 @@ std::vector<std::string> traits_of(const wire::RunResult& result) {
       fmt::format("writes {}",
                   result.eeprom_writes == 0 ? 0 : static_cast<int>(std::log2(result.eeprom_writes)) + 1)};
   for (const wire::RunResult::Entry& event : result.events)
-    traits.push_back("event " + without_numbers(event.text));
+    if (is_robots(event.text)) traits.push_back("event " + without_numbers(event.text));
   if (result.metrics.distance_m > kMoved_m) traits.push_back(kDrives);
   std::size_t lines = 0;
-  for (const auto& [name, text] : {std::pair{"serial ", &result.serial}, {"shown ", &result.shown}}) {
+  for (const auto& [name, text] : {std::pair{kSerial, &result.serial}, {"shown ", &result.shown}}) {
     std::istringstream stream(*text);
     for (std::string line; lines < kMostSent && std::getline(stream, line); ++lines)
-      traits.push_back(name + without_numbers(line).substr(0, 60));
+      traits.push_back(line_trait(name, line));
   }
   return traits;
 }

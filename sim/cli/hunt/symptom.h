@@ -61,5 +61,7 @@ std::vector<std::string> kept_promises(const wire::RunResult& result, const std:
 /// What a run has come to, in words that come again in a run like it: places it came to, what was sent
 /// (without its numbers). A run with a new one is worth to be followed by others like it.
 std::vector<std::string> traits_of(const wire::RunResult& result);
+/// When the first of these traits, of an event or of a line that was sent, was seen.
+Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result);
 
 }  // namespace robosim::cli

@@ -111,8 +111,13 @@ HuntWorld fresh(const HuntSpace& space, const Die& die) {
   return world;
 }
 
-HuntWorld like(HuntWorld world, const HuntSpace& space, const Die& die) {
+HuntWorld like(const Noted& noted, const HuntSpace& space, const Die& die) {
+  HuntWorld world = noted.world;
   world.twin = Twin::none;
+  if (noted.moment.is_known() && chance(die, 33)) {
+    add_deed_behind(world, noted.moment, space, die);
+    return world;
+  }
   switch (die(6)) {
     case 0:
       draw_map(world, space, die);
@@ -152,7 +157,7 @@ std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space) {
   return opening;
 }
 
-HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted, std::uint64_t seed,
+HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                      std::uint64_t run) {
   const NoiseStream stream(seed, 0, "hunt", "world");
   std::uint64_t n = run << 16;

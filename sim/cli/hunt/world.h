@@ -109,9 +109,23 @@ inline std::size_t drawn_builds(const HuntSpace& space) {
   return space.builds.size() - (space.host_twin ? 1 : 0);
 }
 
-/// A number from 0 on that counts the runs decides, with the hunt's seed. `noted` are worlds in which
-/// something new was seen: half of the worlds are like one of them.
-HuntWorld draw_world(const HuntSpace& space, const std::vector<HuntWorld>& noted, std::uint64_t seed,
+/// When something new was seen in a run: at a time, or behind what the sketch has sent. Nothing where nobody
+/// knows.
+struct Moment {
+  int at_ms = -1;
+  std::string after = {};
+  bool is_known() const { return at_ms >= 0 || !after.empty(); }
+};
+/// A world in which something new was seen.
+struct Noted {
+  HuntWorld world;
+  Moment moment = {};
+};
+
+/// A number from 0 on that counts the runs decides, with the hunt's seed. Half of the worlds are like one of
+/// those in which something new was seen; a third of these branch from it: the same up to the moment, and
+/// then something is done to the robot.
+HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                      std::uint64_t run);
 
 /// Simpler by a step; those that are simpler by far come first. Ends after finitely many steps.

@@ -14,8 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/bundle.h"
-#include "sim/base/file.h"
+#include "sim/cli/run/chip_lines.h"
 #include "sim/client/interrupts.h"
 
 namespace robosim::cli {
@@ -141,20 +140,8 @@ std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire
   request.clock_ns = clock;
   request.for_ns = std::min(request.for_ns, moment + kCounted);
   request.counters = file.string();
-  std::map<std::pair<std::string, int>, double> counts;
   runner.run(request);
-  std::error_code none;
-  if (!fs::exists(file, none)) return counts;
-  const std::string bundle = read_file(file);
-  fs::remove(file, none);
-  for (const BundledFile& part : unpack(bundle)) {
-    std::istringstream text(part.content);
-    int line = 0;
-    double count = 0.0;
-    for (std::string name; text >> line >> count && std::getline(text >> std::ws, name);)
-      counts[{name, line}] = count;
-  }
-  return counts;
+  return take_chip_lines(file);
 }
 
 /// The line that differs most in how often it ran.

@@ -140,6 +140,41 @@ TEST(HuntWorld, IsTheHostsAsOftenAsAllOthers) {
   EXPECT_GT(checked, 30);
 }
 
+TEST(HuntWorld, BranchesOffWhereSomethingNewWasSeen) {
+  HuntSpace space = space_of_a_talker();
+  space.buttons = {"start"};
+  Noted at, behind;
+  at.world.seed = 4711;
+  at.moment.at_ms = 30000;
+  behind.world.seed = 4712;
+  behind.moment.after = "found ";
+  int branches = 0, talks = 0;
+  for (std::uint64_t run = 0; run < 400; ++run) {
+    const HuntWorld world = draw_world(space, {at, behind}, 1, run);
+    if (world.seed != 4711 && world.seed != 4712) continue;
+    ASSERT_EQ(world.deeds.size(), 1U);
+    const Deed& deed = world.deeds.front();
+    ++(world.seed == 4711 ? branches : talks);
+    EXPECT_EQ(deed.after, world.seed == 4711 ? "" : "found ");
+    const int from_ms = world.seed == 4711 ? 30000 : 0;
+    EXPECT_GE(deed.at_ms, from_ms + 10);
+    EXPECT_LT(deed.at_ms, from_ms + 2010);
+  }
+  EXPECT_GT(branches, 10);
+  EXPECT_GT(talks, 10);
+}
+
+TEST(HuntSymptom, HasTheMomentOfTheFirstNewEventOrLine) {
+  wire::RunResult result = sent("ready\r\nfound station 2\r\n");
+  result.events = {
+      {0.5, "\"go: 1\\n\" sent to the sketch"}, {1.0, "start pressed"}, {2.5, "station 2 visited"}};
+  EXPECT_THAT(traits_of(result), testing::Not(testing::Contains(HasSubstr("start pressed"))));
+  EXPECT_THAT(traits_of(result), testing::Not(testing::Contains(HasSubstr("go"))));
+  EXPECT_EQ(moment_of({"serial found station #\r", "event station # visited"}, result).at_ms, 2500);
+  EXPECT_EQ(moment_of({"serial found station #\r"}, result).after, "found station ");
+  EXPECT_FALSE(moment_of({"verdict lost", "ran Line.ino:3"}, result).is_known());
+}
+
 TEST(HuntDeeds, BeginBehindLinesOfTheSketchTheLastOfThemLast) {
   EXPECT_EQ(beginnings_of("destination?\r\nfound station 2\r\nfound station 3\r\ndestination?\r\n"),
             (std::vector<std::string>{"found station ", "destination?"}));

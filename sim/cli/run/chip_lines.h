@@ -1,0 +1,14 @@
+// How often the lines of a sketch ran on a chip: the file that a runner writes (wire::RunRequest::counters).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace robosim::cli {
+
+/// By file and line. The file is removed; without one there are no lines.
+std::map<std::pair<std::string, int>, double> take_chip_lines(const std::filesystem::path& file);
+
+}  // namespace robosim::cli
