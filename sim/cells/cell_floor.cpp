@@ -61,7 +61,7 @@ void CellFloor::pack_neighbours(int y, std::uint8_t* bits) {
 }
 
 Sense CellFloor::sense_alone(std::size_t index, Direction d) const {
-  const std::size_t front = index + static_cast<std::size_t>(step(d));
+  const std::size_t front = next(index, d);
   if (is_open(front)) return Sense::straight;
   // v1 drives on for ever at the map's edge; here a line that ends there has a dead end like any other.
   if ((cells_[front] & kWall) == 0) return Sense::no_path;
@@ -71,9 +71,8 @@ Sense CellFloor::sense_alone(std::size_t index, Direction d) const {
 Sense CellFloor::sense_without(std::size_t index, Direction d, unsigned cell) const {
   constexpr unsigned kOwn = 2;
   const unsigned side = 1u << ((static_cast<unsigned>(d) + cell) & 3);
-  const unsigned bits = cells_[index] & (kOpen | kNeighbours) & ~(cell == kOwn ? kOpen : side);
-  const Table::Entry entry = kTable.of[bits * 4u + static_cast<std::size_t>(d)];
-  if (entry != Table::kAlone) return static_cast<Sense>(entry);
+  const SenseTable::Entry entry = kSenseTable.of(cells_[index] & ~(cell == kOwn ? kOpen : side), d);
+  if (entry != SenseTable::kAlone) return static_cast<Sense>(entry);
   return cell == 0 ? Sense::no_path : sense_alone(index, d);
 }
 

@@ -16,6 +16,63 @@ enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junc
 /// "no_path", "straight", …
 const char* name_of(Sense sense);
 
+// Bits of a cell's byte: whether the next one east, south, west, north is open line, and what it is itself.
+inline constexpr std::uint8_t kNeighbours = 0x0F;
+inline constexpr std::uint8_t kOpen = 0x10;
+inline constexpr std::uint8_t kNearObstacle = 0x20;
+inline constexpr std::uint8_t kShut = 0x40;
+inline constexpr std::uint8_t kWall = 0x80;
+
+/// What is sensed by the byte of the robot's cell alone.
+class SenseTable {
+ public:
+  using Entry = std::uint8_t;
+  static constexpr Entry kAlone = 255;  ///< one of the four cells is line: what lies ahead decides
+
+  constexpr SenseTable();
+  /// A Sense, or kAlone.
+  constexpr Entry of(unsigned byte, grid::Direction d) const {
+    return entries_[(byte & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
+  }
+
+ private:
+  std::array<Entry, 128> entries_{};
+};
+
+constexpr SenseTable::SenseTable() {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const unsigned byte = static_cast<unsigned>(i / 4);
+    const auto d = static_cast<grid::Direction>(i % 4);
+    const bool own = (byte & kOpen) != 0;
+    const bool front = grid::has(byte, d);
+    const bool right = grid::has(byte, grid::turned_right(d));
+    const bool left = grid::has(byte, grid::turned_left(d));
+    const int lines = own + front + right + left;
+    Sense sense = Sense::straight;
+    if (lines >= 3) {
+      sense = Sense::junction;
+    } else if (lines == 0) {
+      sense = Sense::no_path;
+    } else if (right && left) {  // the own cell is no line
+      const bool vertical = d == grid::Direction::north || d == grid::Direction::west;
+      sense = vertical ? Sense::right_turn : Sense::left_turn;
+    } else if (lines == 2 && right) {
+      sense = Sense::right_turn;
+    } else if (lines == 2 && left) {
+      sense = Sense::left_turn;
+    }
+    entries_[i] = lines == 1 ? kAlone : static_cast<Entry>(sense);
+  }
+}
+inline constexpr SenseTable kSenseTable;
+
+/// Where a robot is: the number of a cell, and how it faces.
+struct Spot {
+  std::size_t at = 0;
+  grid::Direction facing = grid::Direction::east;
+  bool operator==(const Spot&) const = default;
+};
+
 class CellFloor {
  public:
   /// The map must outlive this. Takes about 1 ns per cell.
@@ -33,7 +90,14 @@ class CellFloor {
   }
   /// Added to a cell's number, this gives the next cell in a direction.
   std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
+  std::size_t next(std::size_t index, grid::Direction d) const {
+    return index + static_cast<std::size_t>(step(d));
+  }
 
+  /// All bits of a cell.
+  std::uint8_t byte(std::size_t index) const { return cells_[index]; }
+  /// The bytes of all cells, by their numbers.
+  const std::uint8_t* bytes() const { return cells_.data(); }
   /// Line without an obstacle on it.
   bool is_open(std::size_t index) const { return (cells_[index] & kOpen) != 0; }
   /// Off the map, or an obstacle stands there.
@@ -45,29 +109,13 @@ class CellFloor {
   bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
 
   Sense sense(std::size_t index, grid::Direction d) const {
-    const Table::Entry entry =
-        kTable.of[(cells_[index] & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
-    return entry != Table::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
+    const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
+    return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
   /// The same if the line is missed on one of the four cells: 0 front, 1 right, 2 its own, 3 left.
   Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
 
  private:
-  // Bits of a cell: whether the next one east, south, west, north is open line, and what it is itself.
-  static constexpr std::uint8_t kNeighbours = 0x0F;
-  static constexpr std::uint8_t kOpen = 0x10;
-  static constexpr std::uint8_t kNearObstacle = 0x20;
-  static constexpr std::uint8_t kShut = 0x40;
-  static constexpr std::uint8_t kWall = 0x80;
-
-  struct Table {
-    using Entry = std::uint8_t;
-    static constexpr Entry kAlone = 255;  // one of the four cells is line: what lies ahead decides
-    std::array<Entry, 128> of{};
-    constexpr Table();
-  };
-  static const Table kTable;
-
   void pack_own(int y);
   void pack_neighbours(int y, std::uint8_t* bits);
   Sense sense_alone(std::size_t index, grid::Direction d) const;
@@ -77,32 +125,5 @@ class CellFloor {
   std::array<std::ptrdiff_t, 4> step_;
   std::vector<std::uint8_t> cells_;
 };
-
-constexpr CellFloor::Table::Table() {
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const unsigned bits = static_cast<unsigned>(i / 4);
-    const auto d = static_cast<grid::Direction>(i % 4);
-    const bool own = (bits & kOpen) != 0;
-    const bool front = grid::has(bits, d);
-    const bool right = grid::has(bits, grid::turned_right(d));
-    const bool left = grid::has(bits, grid::turned_left(d));
-    const int lines = own + front + right + left;
-    Sense sense = Sense::straight;
-    if (lines >= 3) {
-      sense = Sense::junction;
-    } else if (lines == 0) {
-      sense = Sense::no_path;
-    } else if (right && left) {  // the own cell is no line
-      const bool vertical = d == grid::Direction::north || d == grid::Direction::west;
-      sense = vertical ? Sense::right_turn : Sense::left_turn;
-    } else if (lines == 2 && right) {
-      sense = Sense::right_turn;
-    } else if (lines == 2 && left) {
-      sense = Sense::left_turn;
-    }
-    of[i] = lines == 1 ? kAlone : static_cast<Entry>(sense);
-  }
-}
-inline constexpr CellFloor::Table CellFloor::kTable{};
 
 }  // namespace robosim::cells

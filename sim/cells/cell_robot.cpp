@@ -14,6 +14,14 @@ void CellRobot::set_noise(const CellNoise& noise) {
   misses_ = NoiseStream(noise.seed, 0, "cells", "miss");
   slips_ = NoiseStream(noise.seed, 0, "wheels", "slip");
   noisy_ = noise.miss > 0.0 || noise.slip > 0.0;
+  set_free();
+}
+
+bool CellRobot::begin_asking(Move move) {
+  if (moves_ >= limit_) throw OutOfMoves();
+  ++moves_;
+  if (watcher_) watcher_->moved(pose(), sense(), move, clock());
+  return !noisy_ || !slips();
 }
 
 Sense CellRobot::sense_with_noise() const {

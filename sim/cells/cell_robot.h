@@ -94,28 +94,45 @@ class CellRobot {
     facing_ = pose.facing;
   }
   /// From now on so many moves in all are allowed; the next one throws OutOfMoves.
-  void limit_moves(std::uint64_t moves) { limit_ = moves; }
+  void limit_moves(std::uint64_t moves) {
+    limit_ = moves;
+    set_free();
+  }
   /// One watcher at a time; null = none.
-  void watch(MoveWatcher* watcher) { watcher_ = watcher; }
+  void watch(MoveWatcher* watcher) {
+    watcher_ = watcher;
+    set_free();
+  }
   void set_noise(const CellNoise& noise);
+
+  Spot spot() const { return {at_, facing_}; }
+  /// How many moves nobody has to be asked about: those up to the limit, none with a watcher or noise.
+  std::uint64_t free_moves() const { return free_until_ > moves_ ? free_until_ - moves_ : 0; }
+  /// It has made so many free moves, which took it there.
+  void made(std::uint64_t moves, const Spot& there) {
+    moves_ += moves;
+    at_ = there.at;
+    facing_ = there.facing;
+  }
 
  private:
   /// Counts a move. False if the robot slips.
   bool begin(Move move) {
-    if (moves_ >= limit_) throw OutOfMoves();
+    if (moves_ >= free_until_) return begin_asking(move);
     ++moves_;
-    if (watcher_) watcher_->moved(pose(), sense(), move, clock());
-    return !noisy_ || !slips();
+    return true;
   }
   void go(Move move, grid::Direction d) {
     if (!begin(move)) return;
-    const std::size_t next = at_ + static_cast<std::size_t>(floor_.step(d));
+    const std::size_t next = floor_.next(at_, d);
     if (!floor_.is_shut(next)) at_ = next;
     facing_ = d;
   }
   void choose(Move move, grid::Direction side) {
-    go(move, floor_.is_open(at_ + static_cast<std::size_t>(floor_.step(side))) ? side : facing_);
+    go(move, floor_.is_open(floor_.next(at_, side)) ? side : facing_);
   }
+  bool begin_asking(Move move);
+  void set_free() { free_until_ = watcher_ || noisy_ ? 0 : limit_; }
   Sense sense_with_noise() const;
   bool slips() const;
 
@@ -125,6 +142,7 @@ class CellRobot {
   bool noisy_ = false;
   std::uint64_t moves_ = 0;
   std::uint64_t limit_ = kEndless;
+  std::uint64_t free_until_ = kEndless;  ///< free_moves() end there
   double speed_;
   MoveWatcher* watcher_ = nullptr;
   double miss_ = 0.0, slip_ = 0.0;

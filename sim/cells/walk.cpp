@@ -1,5 +1,7 @@
 #include "sim/cells/walk.h"
 
+#include <algorithm>
+
 namespace robosim::cells {
 
 void DeadEnds::look(const CellRobot& robot) {
@@ -11,22 +13,38 @@ void DeadEnds::look(const CellRobot& robot) {
   if (grid::is_dead_end(floor.map(), cell) && seen_.insert(at_).second) cells_.push_back(cell);
 }
 
+void walk_on(CellRobot& robot, Side side, std::uint64_t moves) {
+  while (moves > 0) {
+    Spot spot = robot.spot();
+    const std::uint64_t made = keep_to(side, robot.floor(), spot, std::min(moves, robot.free_moves()));
+    robot.made(made, spot);
+    moves -= made;
+    if (moves == 0) break;
+    walk_on(robot, side);
+    --moves;
+  }
+}
+
 Walk walk(CellRobot& robot, Side side) {
   Walk walk;
   DeadEnds visited;
-  // Brent's way of noticing a round: the pose to come back to is moved on to ever later moves.
-  CellPose mark = robot.pose();
+  // Brent's way of noticing a round: the spot to come back to is moved on to ever later moves.
+  Spot mark = robot.spot();
   std::uint64_t next_mark = robot.moves() + 1;
-  const CellPose start = mark;
+  const Spot start = mark;
   try {
     do {
       visited.look(robot);
       if (robot.moves() >= next_mark) {
-        mark = robot.pose();
+        mark = robot.spot();
         next_mark *= 2;
       }
-      walk_on(robot, side);
-    } while (robot.pose() != mark && robot.pose() != start);
+      Spot spot = robot.spot();
+      const std::uint64_t most = std::min(next_mark - robot.moves(), robot.free_moves());
+      const std::uint64_t made = keep_to(side, robot.floor(), spot, most, mark, start);
+      robot.made(made, spot);
+      if (made == 0) walk_on(robot, side);
+    } while (robot.spot() != mark && robot.spot() != start);
     walk.ending = Walk::Ending::closed;
   } catch (const OutOfMoves&) {
   }

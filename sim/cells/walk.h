@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "sim/cells/cell_robot.h"
+#include "sim/cells/quick.h"
 
 namespace robosim::cells {
-
-enum class Side { left, right };
 
 /// One move of the walk.
 inline void walk_on(CellRobot& robot, Side side) {
@@ -26,6 +25,8 @@ inline void walk_on(CellRobot& robot, Side side) {
       return side == Side::left ? robot.choose_left() : robot.choose_right();
   }
 }
+/// So many of them.
+void walk_on(CellRobot& robot, Side side, std::uint64_t moves);
 
 struct Walk {
   enum class Ending {

@@ -94,6 +94,7 @@ workload() {  # the table's first column
     'robots without firmware, one by one') work_of robots-5ms 200 700 ;;
     'robots without firmware, a batch') work_of batch-5ms 200 700 ;;
     'a move on cells') work_of moves 1000 101000 ;;
+    'a move on cells, many at once') work_of many-moves 1000 101000 ;;
     'a scan on cells') work_of scans 1 3 ;;
     'a map'\''s row') work_of map-rows 1000 3000 ;;
     *) echo "docs/performance.md: there is no workload '$1'" >&2; return 1 ;;

@@ -100,11 +100,12 @@ void batch_of_robots(int looks_every, int count) {
   }
 }
 
-void moves(int count) {
+void moves(int count, bool one_by_one) {
   const grid::Map map = grid::read_map(grid::find_map("d"));
   const grid::Start start = grid::default_start(map);
   const cells::CellFloor floor(map);
   cells::CellRobot robot(floor, {start.cell, start.facing});
+  if (!one_by_one) return cells::walk_on(robot, cells::Side::left, static_cast<std::uint64_t>(count));
   for (int i = 0; i < count; ++i) cells::walk_on(robot, cells::Side::left);
 }
 
@@ -146,7 +147,8 @@ const std::map<std::string, std::function<void(int)>> kWorkloads = {
     {"robots-5ms", [](int count) { single_robots(5, count); }},
     {"batch-1ms", [](int count) { batch_of_robots(1, count); }},
     {"batch-5ms", [](int count) { batch_of_robots(5, count); }},
-    {"moves", moves},
+    {"moves", [](int count) { moves(count, true); }},
+    {"many-moves", [](int count) { moves(count, false); }},
     {"scans", scans},
     {"map-rows", read_rows},
 };
