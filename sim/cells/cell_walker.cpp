@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "sim/cells/quick.h"
+
 namespace robosim::cells {
 
 using grid::CellAt;
@@ -18,19 +20,28 @@ unsigned lines_at(const CellRobot& robot) {
   return grid::line_neighbours(floor.map(), robot.pose().cell);
 }
 
+unsigned count(unsigned lines) {
+  constexpr std::uint8_t kCounts[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+  return kCounts[lines];
+}
+
 nav::Heading heading_of(Direction d) { return static_cast<nav::Heading>(d); }
 
 }  // namespace
 
-Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading) {
+inline Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading, unsigned arms) {
   on_junction_ = kind == LandmarkKind::junction;
   heading_ = heading;
   cell_ = cell;
+  node_ = robot_.floor().index_of(cell);
   cost_ = static_cast<std::uint32_t>(robot_.moves() - counted_);
   counted_ = robot_.moves();
-  const unsigned arms =
-      kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading)) : lines_at(robot_);
   return {kind, static_cast<std::uint8_t>(arms), heading_of(heading), {cell.x, cell.y}, cost_};
+}
+
+Landmark CellWalker::landmark(LandmarkKind kind, CellAt cell, Direction heading) {
+  return landmark(kind, cell, heading,
+                  kind == LandmarkKind::end ? 1u << static_cast<int>(reversed(heading)) : lines_at(robot_));
 }
 
 Landmark CellWalker::begin() {
@@ -38,9 +49,10 @@ Landmark CellWalker::begin() {
   const CellPose pose = robot_.pose();
   counted_ = robot_.moves();
   pending_ = Pending::nothing;
+  ways_.clear();
   if (!robot_.floor().is_open(robot_.at())) return landmark(LandmarkKind::lost, pose.cell, pose.facing);
   const unsigned lines = lines_at(robot_);
-  if (std::popcount(lines) >= 3) return landmark(LandmarkKind::junction, pose.cell, pose.facing);
+  if (count(lines) >= 3) return landmark(LandmarkKind::junction, pose.cell, pose.facing);
   if (!grid::is_dead_end(map, pose.cell)) {
     pending_ = Pending::first;
     return landmark(LandmarkKind::line, pose.cell, pose.facing);
@@ -51,6 +63,7 @@ Landmark CellWalker::begin() {
   const auto along = static_cast<Direction>(std::countr_zero(lines));
   if (pose.facing == reversed(along)) turn_around();
   at.heading = heading_of(along);
+  out_ = along;
   return at;
 }
 
@@ -59,7 +72,7 @@ bool CellWalker::faces_obstacle() const {
 }
 
 bool CellWalker::is_junction() const {
-  return robot_.floor().is_near_obstacle(robot_.at()) && std::popcount(lines_at(robot_)) >= 3;
+  return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
 // It has sensed no_path: a line's end, a wall into which it has stepped there, or an obstacle.
@@ -72,8 +85,8 @@ Landmark CellWalker::end_of_line() {
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
   // Only an obstacle makes it something else, and that may be a wall.
-  const bool may_be_blocked = floor.is_near_obstacle(robot_.at()) ||
-                              floor.is_wall(robot_.at() + static_cast<std::size_t>(floor.step(pose.facing)));
+  const bool may_be_blocked =
+      floor.is_near_obstacle(robot_.at()) || floor.is_wall(floor.next(robot_.at(), pose.facing));
   const bool ends = !may_be_blocked || grid::is_dead_end(floor.map(), pose.cell);
   return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
 }
@@ -96,8 +109,22 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// What stopped it.
+// On to what stops it. The usual ends of a line are known by their cell's byte: no obstacle near, and line on
+// three sides or more, or behind only.
 Landmark CellWalker::met() {
+  const CellFloor& floor = robot_.floor();
+  const Spot spot = robot_.spot();
+  const std::uint8_t byte = floor.byte(spot.at);
+  if (robot_.free_moves() > 0 && (byte & ~kNeighbours) == kOpen) {
+    const unsigned sides = byte & kNeighbours;
+    if (count(sides) >= 3)
+      return landmark(LandmarkKind::junction, floor.cell_at(spot.at), spot.facing, sides);
+    const unsigned behind = 1u << static_cast<int>(reversed(spot.facing));
+    if (sides == behind && !floor.is_wall(floor.next(spot.at, spot.facing)))
+      return landmark(LandmarkKind::end, floor.cell_at(spot.at), spot.facing, behind);
+  }
+  while (goes_on()) {
+  }
   const bool junction = is_junction() || robot_.sense() == Sense::junction;
   return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
 }
@@ -107,7 +134,7 @@ Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
   const unsigned lines = lines_at(robot_);
   const auto is_open = [&](Direction d) {
-    return robot_.floor().is_open(robot_.at() + static_cast<std::size_t>(robot_.floor().step(d)));
+    return robot_.floor().is_open(robot_.floor().next(robot_.at(), d));
   };
   const Direction facing = robot_.facing();
   if (has(lines, facing)) {
@@ -143,12 +170,41 @@ Landmark CellWalker::follow() {
     case Pending::nothing:
       break;
   }
-  while (goes_on()) {
-  }
-  return met();
+  if (goes_back()) return met();
+  const CellFloor& floor = robot_.floor();
+  const std::size_t from = node_;
+  const Direction out = out_;
+  const Spot begun = robot_.spot();
+  Spot spot = begun;
+  const std::uint64_t plain = run_along(floor, spot, robot_.free_moves());
+  robot_.made(plain, spot);
+  const std::uint64_t moves = robot_.moves();
+  const Landmark at = met();
+  const bool is_same_back =
+      floor.is_open(from) && begun == Spot{floor.next(from, out), out} && robot_.moves() == moves;
+  if (ways_.size() == kMostWays) ways_.erase(ways_.begin(), ways_.begin() + kMostWays / 2);
+  ways_.push_back({static_cast<std::uint32_t>(node_), static_cast<std::uint32_t>(from),
+                   is_same_back ? static_cast<std::uint32_t>(plain + 1) : 0, reversed(heading_),
+                   reversed(out)});
+  return at;
+}
+
+// True if it goes back over the last line; then it is already at its other end, if the moves were known.
+bool CellWalker::goes_back() {
+  if (ways_.empty()) return false;
+  const Way way = ways_.back();
+  if (way.node != node_ || way.out != out_) return false;
+  ways_.pop_back();
+  const Spot spot = robot_.spot();
+  const bool has_left = spot.at == robot_.floor().next(node_, out_);  // a junction
+  const std::uint64_t moves = way.moves - (has_left ? 1 : 0);
+  if (way.moves > 0 && spot.facing == out_ && (has_left || spot.at == node_) && moves <= robot_.free_moves())
+    robot_.made(moves, {way.to, way.arriving});
+  return true;
 }
 
 void CellWalker::reset() {
+  ways_.clear();
   pending_ = Pending::nothing;
   on_junction_ = false;
   counted_ = robot_.moves();
@@ -174,11 +230,12 @@ void CellWalker::leave(nav::Turn turn) {
     return;
   }
   if (!on_junction_) {
+    out_ = reversed(heading_);
     turn_around();
     return;
   }
   const auto is_open = [&](Direction d) {
-    return robot_.floor().is_open(robot_.at() + static_cast<std::size_t>(robot_.floor().step(d)));
+    return robot_.floor().is_open(robot_.floor().next(robot_.at(), d));
   };
   const auto out = static_cast<Direction>(turned(heading_of(heading_), turn));
   if (!is_open(out)) {
@@ -186,7 +243,12 @@ void CellWalker::leave(nav::Turn turn) {
     arm_ = out;
     return;
   }
+  out_ = out;
   const Direction facing = robot_.facing();
+  if (robot_.free_moves() >= 2) {
+    if (out == reversed(facing)) turn_around();
+    return robot_.made(1, {robot_.floor().next(robot_.at(), out), out});
+  }
   const Direction right = turned_right(facing), left = turned_left(facing);
   if (out == reversed(facing)) {
     turn_around();

@@ -5,9 +5,18 @@
 // step_forward. Places are the map's cells. A grid has a compass: heading 0 is east, whichever way the robot
 // faces when it begins.
 //
+// A line is the same from both ends. So while nobody asks after each move, the way along a line is walked
+// once: the walker notes what it ran along, and if it goes back over the last line that it has not come back
+// over yet, it is at its other end at once, with as many moves counted. An explorer does so with every line
+// of a tree.
+//
 // If an obstacle is right beside a junction, the robot sees it before it moves: it does not have to leave the
 // junction to find it, and finding it costs no move.
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "firmware/src/nav/Landmark.h"
 #include "sim/cells/cell_robot.h"
@@ -35,7 +44,19 @@ class CellWalker {
   grid::CellAt obstacle() const;
 
  private:
+  // A line that was run along, as it leads back.
+  struct Way {
+    std::uint32_t node;        ///< the cell where it ended
+    std::uint32_t to;          ///< the cell where it began
+    std::uint32_t moves;       ///< from one to the other; 0 = not known
+    grid::Direction out;       ///< leaving `node`
+    grid::Direction arriving;  ///< at `to`
+  };
+  static constexpr std::size_t kMostWays = 65'536;  // 1 MB; the oldest are forgotten
+
+  bool goes_back();
   nav::Landmark landmark(nav::LandmarkKind kind, grid::CellAt cell, grid::Direction heading);
+  nav::Landmark landmark(nav::LandmarkKind kind, grid::CellAt cell, grid::Direction heading, unsigned arms);
   nav::Landmark end_of_line();
   bool goes_on();
   nav::Landmark met();
@@ -46,6 +67,9 @@ class CellWalker {
 
   CellRobot& robot_;
   grid::CellAt cell_;
+  std::size_t node_ = 0;                         ///< the number of that cell
+  grid::Direction out_ = grid::Direction::east;  ///< in which the robot leaves it
+  std::vector<Way> ways_;                        ///< that it has not come back over, the last one last
   std::uint32_t cost_ = 0;
   std::uint64_t counted_ = 0;                        ///< moves before the last landmark
   grid::Direction heading_ = grid::Direction::east;  ///< of the last landmark

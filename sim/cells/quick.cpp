@@ -114,6 +114,29 @@ const WalkTable& table_of(Side side) { return side == Side::left ? kKeepsLeft : 
 
 }  // namespace
 
+std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most) {
+  const std::uint8_t* const bytes = floor.bytes();
+  std::size_t at = spot.at;
+  auto d = static_cast<unsigned>(spot.facing);
+  std::uint64_t left = most;
+  while (left > 0) {
+    const auto ahead = static_cast<std::size_t>(floor.step(static_cast<Direction>(d)));
+    while (bytes[at] == straight(d) && left > 0) {
+      at += ahead;
+      --left;
+    }
+    // A bend: open, nothing else but two sides, of which one is behind.
+    const unsigned behind = 1u << (d ^ 2);
+    const unsigned side = bytes[at] ^ (kOpen | behind);
+    if (left == 0 || side == 0 || side == behind || side > kNeighbours || (side & (side - 1)) != 0) break;
+    d = static_cast<unsigned>(std::countr_zero(side));
+    at += static_cast<std::size_t>(floor.step(static_cast<Direction>(d)));
+    --left;
+  }
+  spot = {at, static_cast<Direction>(d)};
+  return most - left;
+}
+
 std::uint64_t keep_to(Side side, const CellFloor& floor, Spot& spot, std::uint64_t most) {
   return walk(table_of(side), floor, spot, most, NoStops{});
 }

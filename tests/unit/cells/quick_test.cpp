@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/noise.h"
+#include "sim/cells/survey.h"
 #include "sim/cells/walk.h"
 #include "sim/grid/generator.h"
 #include "tests/support/effort.h"
@@ -76,6 +77,28 @@ std::string text(const Walk& walk) {
   return all;
 }
 
+std::string text(const Scan& scan) {
+  std::string all = std::to_string(static_cast<int>(scan.ending)) + " " + std::to_string(scan.moves) + " " +
+                    text(scan.end) + "\n";
+  const auto add = [&](const grid::Arm& arm) {
+    all += " " + std::to_string(static_cast<int>(arm.out)) + ":" +
+           std::to_string(static_cast<int>(arm.behind)) + ":" + std::to_string(arm.id) + ":" +
+           std::to_string(arm.slot) + ":" + std::to_string(arm.length) + ":" +
+           text({arm.obstacle, Direction::east});
+  };
+  for (const grid::GraphStation& station : scan.graph.stations) {
+    all += text({station.cell, Direction::north});
+    add(station.arm);
+    all += "\n";
+  }
+  for (const grid::GraphJunction& junction : scan.graph.junctions) {
+    all += text({junction.cell, Direction::south});
+    for (const grid::Arm& arm : junction.arms) add(arm);
+    all += "\n";
+  }
+  return all;
+}
+
 TEST(Quick, ManyMovesOfAWalkLeadWhereTheyLeadOneByOne) {
   for (std::uint64_t n = 0; n < test::rounds(6000u); ++n) {
     Dice dice(n);
@@ -122,6 +145,69 @@ TEST(Quick, AWalkEndsAsOneThatIsWatched) {
     ASSERT_EQ(text(walk(quick, side)), text(slow)) << n << " from " << text(*start);
   }
   EXPECT_GT(closed, test::rounds(1000));
+}
+
+TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
+  int complete = 0, arrived = 0;
+  for (std::uint64_t n = 0; n < test::rounds(2000u); ++n) {
+    Dice dice(n + 200'000);
+    const grid::Map map = n % 4 == 0 ? jumble(dice) : damaged(dice);
+    const std::optional<CellPose> start = somewhere(map, dice);
+    if (!start) continue;
+    const CellFloor floor(map);
+    CellRobot watched(floor, *start), quick(floor, *start);
+    Asks asks;
+    watched.watch(&asks);
+    const std::uint64_t limit = n % 5 == 0 ? dice.below(400) : 100'000;
+    watched.limit_moves(limit);
+    quick.limit_moves(limit);
+    Survey slow(watched), fast(quick);
+    const Scan expected = slow.scan();
+    complete += expected.ending == Ending::complete;
+    ASSERT_EQ(text(fast.scan()), text(expected)) << n << " from " << text(*start);
+    for (int drive = 0; drive < 4 && slow.here() != 0 && slow.stations() > 0; ++drive) {
+      const int to = 1 + static_cast<int>(dice.below(static_cast<std::size_t>(slow.stations())));
+      const Route way = slow.drive(to, slow.default_planner()), same = fast.drive(to, fast.default_planner());
+      arrived += way.ending == Ending::complete;
+      ASSERT_EQ(same.ending, way.ending) << n;
+      ASSERT_EQ(same.turns, way.turns) << n;
+      ASSERT_EQ(same.time, way.time) << n;
+      ASSERT_EQ(text(same.end), text(way.end)) << n;
+      ASSERT_EQ(fast.here(), slow.here()) << n;
+    }
+  }
+  EXPECT_GT(complete, test::rounds(500));
+  EXPECT_GT(arrived, test::rounds(500));
+}
+
+// One line, as long as can be, with a dead end on every second cell: the way back goes over more lines than a
+// walker keeps in mind.
+TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
+  constexpr int kWidth = 1001, kRows = test::rounds(150);
+  grid::Map map;
+  map.width = kWidth;
+  map.height = 4 * kRows;
+  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), Cell::floor);
+  const auto draw = [&](int x, int y) { map.cells[map.index_of({x, y})] = Cell::line; };
+  for (int row = 0; row < kRows; ++row) {
+    const int y = 4 * row;
+    for (int x = 0; x < kWidth; ++x) draw(x, y);
+    for (int x = 2; x + 2 < kWidth; x += 2) draw(x, y + 1);
+    for (int i = 1; i < 4 && row + 1 < kRows; ++i) draw(row % 2 == 0 ? kWidth - 1 : 0, y + i);
+  }
+  const CellFloor floor(map);
+  const CellPose start{{0, 0}, Direction::east};
+  CellRobot watched(floor, start), quick(floor, start);
+  Asks asks;
+  watched.watch(&asks);
+  Survey slow(watched), fast(quick);
+  const Scan& expected = slow.scan();
+  EXPECT_EQ(expected.ending, Ending::complete);
+  EXPECT_GT(expected.graph.junctions.size(), test::rounds(70'000u));
+  const Scan& scan = fast.scan();
+  EXPECT_EQ(grid::difference(expected.graph, scan.graph), "");
+  EXPECT_EQ(scan.moves, expected.moves);
+  EXPECT_EQ(text(scan.end), text(expected.end));
 }
 
 }  // namespace
