@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/cells/large_pages.h"
 #include "sim/grid/map.h"
 
 namespace robosim::cells {
@@ -123,7 +124,7 @@ class CellFloor {
   const grid::Map& map_;
   std::uint32_t columns_;
   std::array<std::ptrdiff_t, 4> step_;
-  std::vector<std::uint8_t> cells_;
+  std::vector<std::uint8_t, LargePages<std::uint8_t>> cells_;
 };
 
 }  // namespace robosim::cells
