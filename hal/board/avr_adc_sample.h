@@ -8,13 +8,12 @@
 namespace robosim {
 namespace avr {
 
-/// Samples the channel that ADMUX selects, and has selected since `from`; `wired(pin)` is the number of a pin
-/// that its wires are on, `held` what is on the converter's capacitor, before and after. The pin is looked at
-/// at `t`, `late` before the sample.
+/// Samples on a board the channel that ADMUX selects, and has selected since `from`; `wired(pin)` is the
+/// number of a pin that its wires are on, `held` what is on the converter's capacitor, before and after. The
+/// pin is looked at at `t`, `late` before the sample.
 template <typename Wired>
-uint16_t adc_sample(FirmwarePort& board, const AdcSpec& adc, uint8_t multiplexer, double& held, SimTime from,
-                    SimTime t, SimTime late, Wired wired) {
-  const BoardSpec& spec = board.spec();
+uint16_t adc_sample(FirmwarePort& board, const BoardSpec& spec, const AdcSpec& adc, uint8_t multiplexer,
+                    double& held, SimTime from, SimTime t, SimTime late, Wired wired) {
   const auto volts = [&](int channel) {
     const int pin = spec.analog_pin_0 + channel;
     return pin < spec.pin_count ? board.convert(wired(static_cast<Pin>(pin)), held, from - late, t) : 0.0;

@@ -1,7 +1,6 @@
 #include "hal/host/adc.h"
 
 #include "hal/board/avr_adc_sample.h"
-#include "hal/host/clock.h"
 #include "hal/host/other_registers.h"
 #include "hal/host/ports.h"
 
@@ -14,16 +13,7 @@ namespace {
 constexpr uint8_t kEnable = 0x80, kStart = 0x40, kAuto = 0x20, kFlag = 0x10;
 }  // namespace
 
-SimTime Adc::clock() const { return cycles(avr::adc_prescaler(control_)); }
-
-SimTime Adc::next_start() const {
-  const SimTime past = state.now - clock_began_;
-  return clock_began_ + (past + clock() - 1) / clock() * clock();
-}
-
 uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
-
-void Adc::charge() { charges_since_ = state.now; }
 
 void Adc::set_multiplexer(uint8_t value) {
   const int before = avr::adc_selection(kChip.adc, multiplexer_, 0);
@@ -32,12 +22,12 @@ void Adc::set_multiplexer(uint8_t value) {
 }
 
 uint16_t Adc::sample(SimTime late) {
-  return avr::adc_sample(*board, kChip.adc, multiplexer_, held_, charges_since_, state.now, late,
+  return avr::adc_sample(*board, *board_spec, kChip.adc, multiplexer_, held_, charges_since_, state.now, late,
                          [](Pin pin) { return places[pin].wired; });
 }
 
 uint16_t Adc::code_of(double volts) const {
-  const double reference = avr::adc_reference_volts(kChip.adc, multiplexer_, board->spec().supply_volts);
+  const double reference = avr::adc_reference_volts(kChip.adc, multiplexer_, board_spec->supply_volts);
   const bool by_supply = kChip.adc.references[avr::adc_reference(kChip.adc, multiplexer_)] == 0.0;
   return avr::adc_code(by_supply ? volts : volts * board->supply_share(), reference);
 }
@@ -78,14 +68,8 @@ void Adc::set_control(uint8_t value) {
   }
 }
 
-uint16_t Adc::end_with(uint16_t code) {
-  if (!locked_) code_ = code;
-  locked_ = false;
-  return code_;
-}
-
-void Adc::sync() {
-  if (!converting_ || state.now < ready_) return;
+void Adc::sync_conversion() {
+  if (state.now < ready_) return;
   converting_ = false;
   charges_since_ = ready_;
   if (!locked_) code_ = result_;

@@ -3,7 +3,9 @@
 
 #include <stdint.h>
 
+#include "hal/board/avr_adc.h"
 #include "hal/board/sim_time.h"
+#include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
@@ -23,13 +25,17 @@ class Adc {
   uint16_t sample(SimTime late);
   /// The converter's capacitor is led to what is selected from now on: another channel, or the same after a
   /// conversion.
-  void charge();
+  void charge() { charges_since_ = state.now; }
   /// The code of a voltage at the selected reference.
   uint16_t code_of(double volts) const;
   /// One ADC clock.
-  SimTime clock() const;
+  SimTime clock() const { return cycles(avr::adc_prescaler(control_)); }
   /// When a conversion begins that is asked for now: with the next ADC clock.
-  SimTime next_start() const;
+  SimTime next_start() const { return next_start(clock()); }
+  SimTime next_start(SimTime clock) const {
+    const SimTime past = state.now - clock_began_;
+    return clock_began_ + (past + clock - 1) / clock * clock;
+  }
   bool on() const { return control_ & 0x80; }
   /// A conversion begins: whether it is the first one behind ADEN, which takes longer (24.4). For an
   /// analogRead() init()'s ADEN does not count: it takes as long as any other, which the traces of all
@@ -41,13 +47,19 @@ class Adc {
   }
   void enabled_by_init() { first_ = First::by_init; }
   /// A conversion has ended with this code: what reading ADCL and then ADCH gives.
-  uint16_t end_with(uint16_t code);
+  uint16_t end_with(uint16_t code) {
+    if (!locked_) code_ = code;
+    locked_ = false;
+    return code_;
+  }
   /// ADCL has been read: ADCL and ADCH stay as they are until ADCH is read (24.9.3).
   void lock() { locked_ = true; }
   void unlock() { locked_ = false; }
 
   /// Ends the conversion that is due; restarts it when free running.
-  void sync();
+  void sync() {
+    if (converting_) sync_conversion();
+  }
   bool pending() const { return (control_ & 0x18) == 0x18; }
   bool may_interrupt() const { return control_ & 0x08 && (converting_ || control_ & 0x20); }
   SimTime next() const { return converting_ && control_ & 0x08 ? ready_ : kNever; }
@@ -55,6 +67,7 @@ class Adc {
 
  private:
   void start();
+  ROBOSIM_RARE void sync_conversion();
   void look_for_trigger() const;
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;

@@ -4,6 +4,7 @@
 // A core is compiled for one board (sim/build/compile.cpp):
 //   ROBOSIM_CLOCK_HZ   the chip's clock
 //   ROBOSIM_PINS       how many numbers Arduino's pins have, analog inputs included
+//   ROBOSIM_ANALOG_INPUTS  how many of them are analog inputs, from A0 on
 #pragma once
 
 #include "hal/board/atmega168.h"

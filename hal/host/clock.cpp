@@ -14,6 +14,7 @@ namespace host {
 
 ROBOSIM_CLOCKWORK FirmwareState state;
 FirmwarePort* board;
+const BoardSpec* board_spec;
 Host* executor;
 ROBOSIM_CLOCKWORK SimTime deadline, watched_deadline;
 SimTime sooner;
@@ -155,10 +156,12 @@ void be_late() {
 
 void idle_until(SimTime time) {
   settle_registers();
+  // While it waits nothing raises a flag but what is done here.
+  bool pending = interrupts_enabled() && pending_interrupts();
   while (state.now < time) {
     SimTime next = time < next_event() ? time : next_event();
     if (interrupts_enabled()) {
-      const SimTime due = pending_interrupts() ? state.now : next_interrupt(false);
+      const SimTime due = pending ? state.now : next_interrupt(false);
       if (due < next) next = due;
     }
     if (next >= state.limit) {
@@ -168,16 +171,17 @@ void idle_until(SimTime time) {
     if (next > state.now) state.now = next;
     timer0_catch_up();
     sync_peripherals();
-    while (serve_interrupt() && state.now < time) sync_peripherals();
+    bool served = serve_interrupt();
+    while (served && state.now < time) {
+      sync_peripherals();
+      served = serve_interrupt();
+    }
+    pending = served && interrupts_enabled() && pending_interrupts();
   }
-  refresh_deadline();
+  set_deadline(next_due(pending));
 }
 
-void wait_until(SimTime time) {
-  if (time < deadline) {
-    if (time > state.now) state.now = time;
-    return;
-  }
+void wait_long(SimTime time) {
   const bool outer = state.waiting;
   state.waiting = !in_handler();
   idle_until(time);

@@ -16,6 +16,8 @@ namespace host {
 
 extern FirmwareState state;
 extern FirmwarePort* board;
+/// What it says of itself.
+extern const BoardSpec* board_spec;
 extern Host* executor;
 /// When something has to be done: the limit, or an interrupt that is due before it.
 extern SimTime deadline;
@@ -59,7 +61,11 @@ inline void be_late_if_due() {
 
 /// Waits for `time` while interrupts are served at their exact moment; ends later only if a handler takes
 /// longer. Costs nothing however long it is.
-void wait_until(SimTime time);
+void wait_long(SimTime time);
+inline void wait_until(SimTime time) {
+  if (time >= deadline) return wait_long(time);
+  if (time > state.now) state.now = time;
+}
 
 /// The same for firmware that is not in a call of the API: it hangs.
 void idle_until(SimTime time);

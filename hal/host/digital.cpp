@@ -19,14 +19,6 @@ uint8_t reference = DEFAULT;
 constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
 constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
-/// Analog pins that the chip's channels from A0 on do not reach: the Blue Pill's 11 and 12, a Mega's A8 to
-/// A15.
-bool has_no_channel(uint8_t pin) {
-  const robosim::BoardSpec& spec = host::board->spec();
-  return pin < spec.pin_count && spec.pins[pin].analog_channel >= 0 &&
-         (pin < spec.analog_pin_0 ? pin >= NUM_ANALOG_INPUTS : pin > spec.analog_pin_0 + kLastChannel);
-}
-
 /// Whether anything has changed.
 bool set_mode(uint8_t pin, uint8_t mode) {
   const host::Port port = host::port_of(pin);
@@ -112,7 +104,7 @@ int analogRead(uint8_t pin) {
   // Both ways of the core: 8 is A8, and so is its number as a pin.
   const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
   const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
-  const bool elsewhere = has_no_channel(number);
+  const bool elsewhere = host::places[number].no_channel;
   if (pin >= PIN_A0) pin -= PIN_A0;
   const int channel = pin & kLastChannel;
   host::note_call("analogRead", static_cast<robosim::Pin>(elsewhere ? number : PIN_A0 + channel), 1, pin);
@@ -122,8 +114,8 @@ int analogRead(uint8_t pin) {
   // The core sets ADMUX last.
   if (host::adc.multiplexer() != before) host::adc.charge();
   if (!host::adc.on()) return 0;
-  const robosim::SimTime start = host::adc.next_start();
   const robosim::SimTime clock = host::adc.clock();
+  const robosim::SimTime start = host::adc.next_start(clock);
   const bool first = host::adc.take_first(true);
   host::wait_until(start + robosim::avr::adc_half_clocks_to_sample(first) * clock / 2);
   const uint16_t code =

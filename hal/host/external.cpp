@@ -15,7 +15,6 @@ PinSet heard;
 
 namespace {
 
-bool low[kExternals];                       // the level of a pin whose low level interrupts
 ROBOSIM_CLOCKWORK bool heard_level[kPins];  // of pins in `heard`
 
 /// Whether an edge to this level is one that `sense` asks for.
@@ -31,11 +30,16 @@ bool is_captured(Pin pin) {
 
 int sense_of(int number) { return external.sense >> 2 * number & 3; }
 
+void set_low(int number, bool low) {
+  const auto bit = static_cast<uint8_t>(1 << number);
+  external.low = static_cast<uint8_t>(low ? external.low | bit : external.low & ~bit);
+}
+
 }  // namespace
 
 bool has_line(Pin pin) {
   // The lowest numbers are those of INTn.
-  const BoardSpec& spec = board->spec();
+  const BoardSpec& spec = *board_spec;
   return places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
          spec.pins[pin].interrupt >= kExternals;
 }
@@ -68,7 +72,8 @@ void refresh_external() {
   }
   for (int number = 0; number < kExternals; ++number) {
     if (sense_of(number) == 0) external.flags &= static_cast<uint8_t>(~(1 << number));
-    low[number] = external.mask >> number & 1 && sense_of(number) == 0 && !read_pin(pin_of_external(number));
+    set_low(number,
+            external.mask >> number & 1 && sense_of(number) == 0 && !read_pin(pin_of_external(number)));
   }
 }
 
@@ -94,7 +99,7 @@ void hear_level(Pin pin, bool level, SimTime at) {
   const int number = place.external;
   if (number >= 0) {
     const int sense = sense_of(number);
-    low[number] = sense == 0 && !level;
+    set_low(number, sense == 0 && !level);
     if (is_edge(sense, level)) external.flags |= static_cast<uint8_t>(1 << number);
   }
   if (place.counted_by >= 0) timer(place.counted_by).count_edge(level);
@@ -102,16 +107,6 @@ void hear_level(Pin pin, bool level, SimTime at) {
   if (lines.enabled.has(pin) && is_edge(lines.sense[pin], level)) lines.flags.add(pin);
   if (place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask)
     external.change_flags |= static_cast<uint8_t>(1 << place.change_group);
-}
-
-uint32_t pending_external() {
-  constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
-  uint32_t levels = 0;
-  for (int number = 0; number < kExternals; ++number) levels |= static_cast<uint32_t>(low[number]) << number;
-  const uint32_t edges = (external.flags | levels) & external.mask & kAllExternal;
-  const uint32_t changes = external.change_flags & external.change_control & kAllChanges;
-  const bool by_line = lines.flags.first_common(lines.enabled) != kNoPin;
-  return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
 }
 
 bool external_may_interrupt() {

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "hal/board/board.h"
+#include "hal/host/interrupts.h"
 #include "hal/host/ports.h"
 
 namespace robosim {
@@ -17,6 +18,7 @@ struct ExternalRegisters {
   uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
   uint8_t change_flags = 0;    ///< PCIFR
   uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
+  uint8_t low = 0;  ///< no register: those of INTn whose low level interrupts, and lasts
 };
 extern ExternalRegisters external;
 
@@ -74,7 +76,13 @@ void external_edge(Pin pin, bool level, SimTime at);
 void hear_level(Pin pin, bool level, SimTime at);
 /// The vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low level
 /// raises its flag for as long as it lasts.
-uint32_t pending_external();
+inline uint32_t pending_external() {
+  constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
+  const uint32_t edges = (external.flags | external.low) & external.mask & kAllExternal;
+  const uint32_t changes = external.change_flags & external.change_control & kAllChanges;
+  const bool by_line = lines.flags.first_common(lines.enabled) != kNoPin;
+  return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
+}
 /// The handler of `vector` starts: edges clear their flag.
 void acknowledge_external(int vector);
 /// Whether one of them is enabled.

@@ -52,9 +52,9 @@ uint8_t status_register;
 ROBOSIM_CLOCKWORK uint32_t handlers_run;
 bool rare_used;
 
-namespace {
+int handler_depth;
 
-int depth;
+namespace {
 
 // What the handlers are called goes by number, as what they say.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
@@ -153,7 +153,6 @@ Handler handler_of(int vector) {
 
 uint32_t pending_timer(const Timer& timer, int first_vector) {
   const uint32_t raised = timer.pending();
-  if (!raised) return 0;
   return ((raised & Timer::compare_a) >> 1 | (raised & Timer::compare_b) >> 1 |
           (raised & Timer::overflow) << 2)
              << first_vector |
@@ -208,8 +207,6 @@ __attribute__((noinline)) SimTime next_rare() {
 
 }  // namespace
 
-bool in_handler() { return depth > 0; }
-
 void take_inputs() {
   Input input;
   while (state.next_input <= state.now && executor->take_input(state.now, input)) {
@@ -234,10 +231,13 @@ void sync_peripherals() {
 }
 
 uint32_t pending_interrupts() {
-  const uint32_t pending = pending_external() | pending_timer(timer0, kTimer0) |
-                           pending_timer(timer1, kTimer1) | pending_timer(timer2, kTimer2) | uart.pending() |
-                           (adc.pending() ? 1u << kAdcComplete : 0u) |
-                           (watchdog.pending() ? 1u << kWatchdog : 0u);
+  uint32_t pending = pending_external() | uart.pending();
+  // Most of the time nothing is raised.
+  if (timer0.pending() | timer1.pending() | timer2.pending())
+    pending |=
+        pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) | pending_timer(timer2, kTimer2);
+  if (adc.pending()) pending |= 1u << kAdcComplete;
+  if (watchdog.pending()) pending |= 1u << kWatchdog;
   return __builtin_expect(rare_used, 0) ? pending | pending_rare() : pending;
 }
 
@@ -270,14 +270,14 @@ bool serve_interrupt() {
   }
   acknowledge(vector);
   status_register &= 0x7F;
-  ++depth;
+  ++handler_depth;
   ++handlers_run;
   if (vector != kTimer0Overflow) leave_round();
   if (vector != kTimer0Overflow) state.now += cycles(cost::kInterrupt);
   refresh_deadline();
   handler();
   settle_registers();
-  --depth;
+  --handler_depth;
   status_register |= 0x80;
   return true;
 }

@@ -35,8 +35,9 @@ static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 
 inline bool interrupts_enabled() { return status_register & 0x80; }
-/// Whether a handler runs.
-bool in_handler();
+/// How many handlers run, one within another; and whether one does.
+extern int handler_depth;
+inline bool in_handler() { return handler_depth > 0; }
 /// Whether the sketch has ever switched on SPI, two-wire interface, comparator or the EEPROM's interrupt: few
 /// do, and until then nothing comes of these.
 extern bool rare_used;

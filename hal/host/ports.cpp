@@ -110,9 +110,15 @@ void place_pins() {
     for (Pin& pin : pins) pin = kNoPin;
   for (Pin& pin : external_pins) pin = kNoPin;
   for (Pin& pin : comparator_pins) pin = kNoPin;
-  const BoardSpec& spec = board->spec();
+  const BoardSpec& spec = *board_spec;
   const BoardSpec& model = host_model(spec);
-  for (Pin pin = 0; pin < spec.pin_count; ++pin) places[pin].wired = first_number(spec, pin);
+  for (Pin pin = 0; pin < spec.pin_count; ++pin) {
+    const bool as_pin = pin >= spec.analog_pin_0;
+    places[pin].wired = first_number(spec, pin);
+    places[pin].no_channel =
+        spec.pins[pin].analog_channel >= 0 &&
+        (as_pin ? pin >= spec.analog_pin_0 + kChip.adc.pins : pin >= ROBOSIM_ANALOG_INPUTS);
+  }
   for (Pin pin = 0; pin < kPins && pin < spec.pin_count; ++pin) {
     if (pin < model.pin_count) {
       place_on_chip(pin, model.pins[pin].chip_pin);

@@ -35,6 +35,8 @@ struct Place {
   uint8_t change_mask = 0;   ///< the bit of PCMSKn
   int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
   int8_t captured_by = -1;   ///< the timer that captures its edges; -1 = none
+  bool no_channel = false;   ///< an analog pin that the chip's channels from A0 on do not reach: the Blue
+                             ///< Pill's 11 and 12, a Mega's A8 to A15
   Pin wired = 0;             ///< first_number() of it
   uint16_t off_bits = 0;     ///< of inputs_off
 };
@@ -81,7 +83,7 @@ bool output_level(Pin pin);
 
 /// Whether the board has PWM on a pin of which its stand-in has no timer: it is driven without one.
 inline bool has_pwm_without_timer(Pin pin) {
-  return pin < kPins && places[pin].timer.timer < 0 && board->spec().pins[pin].pwm;
+  return pin < kPins && places[pin].timer.timer < 0 && board_spec->pins[pin].pwm;
 }
 /// Such a pin has PWM of `value` of 255 from now on; 0 = none.
 void set_pwm(Pin pin, uint8_t value);

@@ -87,7 +87,7 @@ void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
   // An AVR's core counts turns of four cycles in 16 bits: at 16 MHz, what is longer than 16383 us wraps.
   constexpr unsigned kTurns = kCyclesPerMicro / 4;
-  if (strcmp(host::board->spec().chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
+  if (strcmp(host::board_spec->chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
   host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);
 }
 

@@ -84,9 +84,7 @@ uint8_t Uart::take() {
   return taken_;
 }
 
-uint32_t Uart::pending() const {
-  if (!(control_ & (kTxcie | kUdrie)))
-    return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
+uint32_t Uart::pending_to_send() const {
   const uint8_t raised = status() & control_;  // the enable bits stand where the flags do
   return static_cast<uint32_t>((raised & kRxc) != 0) << kUartReceived |
          static_cast<uint32_t>((raised & kUdre) != 0) << kUartEmpty |
@@ -98,7 +96,7 @@ bool Uart::may_interrupt() const {
   return control_ & (kTxcie | kUdrie) || (receives && !serial_receives());
 }
 
-SimTime Uart::next() const {
+SimTime Uart::next_to_send() const {
   if (control_ & kUdrie) return sending() <= 1 ? state.now : sent_ - byte_time_;
   if (control_ & kTxcie && !sent_seen_) return sent_;
   return kNever;

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "hal/board/sim_time.h"
+#include "hal/host/interrupts.h"
 
 namespace robosim {
 namespace host {
@@ -41,14 +42,19 @@ class Uart {
   bool has_byte() const { return waiting_ > 0; }
 
   /// Vectors 18..20 that are raised and enabled, one bit each.
-  uint32_t pending() const;
-  SimTime next() const;
+  uint32_t pending() const {
+    if (control_ & (kTxcie | kUdrie)) return pending_to_send();
+    return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
+  }
+  SimTime next() const { return control_ & (kTxcie | kUdrie) ? next_to_send() : kNever; }
   /// Whether there may be one whose handler is not Serial's.
   bool may_interrupt() const;
   void acknowledge_sent() { sent_seen_ = true; }
 
  private:
   void refresh();
+  uint32_t pending_to_send() const;
+  SimTime next_to_send() const;
 
   uint8_t control_ = 0, format_ = 0x06;
   bool double_speed_ = false, overrun_ = false;

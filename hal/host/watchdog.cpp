@@ -49,7 +49,7 @@ void Watchdog::restart() {
   schedule();
 }
 
-void Watchdog::sync() {
+void Watchdog::sync_due() {
   while (due_ <= state.now) {
     const bool answered = control_ & kWdie && !(control_ & kWdif);
     if (control_ & kWde && !answered) executor->bite();
@@ -57,8 +57,6 @@ void Watchdog::sync() {
     due_ += period();
   }
 }
-
-bool Watchdog::pending() const { return control_ & kWdif && control_ & kWdie; }
 
 void Watchdog::acknowledge() { control_ &= static_cast<uint8_t>(~(control_ & kWde ? kWdif | kWdie : kWdif)); }
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "hal/board/sim_time.h"
+#include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
@@ -19,8 +20,10 @@ class Watchdog {
   void restart();
 
   /// Brings it up to the present moment; does not return if it bites.
-  void sync();
-  bool pending() const;
+  void sync() {
+    if (due_ <= state.now) sync_due();
+  }
+  bool pending() const { return (control_ & kRaised) == kRaised; }
   void acknowledge();
   /// When its time is over; kNever if it stands.
   SimTime due() const { return due_; }
@@ -29,8 +32,11 @@ class Watchdog {
   bool may_interrupt() const;
 
  private:
+  static constexpr uint8_t kRaised = 0xC0;  ///< WDIF and WDIE
+
   SimTime period() const;
   void schedule();
+  ROBOSIM_RARE void sync_due();
 
   uint8_t control_ = 0;
   SimTime origin_ = 0;  ///< when it began to count
