@@ -177,7 +177,7 @@ void Agent::observe(SimTime end) {
   const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
   if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
     state_.midpoint = midpoint;
-    state_.cross_track = world_.floor().distance_to_line(midpoint);
+    state_.cross_track = world_.floor().distance_to_line(midpoint, state_.line);
   }
   if (state_.cross_track > state_.shown.worst_cross_track) {
     state_.shown.worst_cross_track = state_.cross_track;

@@ -113,6 +113,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::string exceeded;                                             ///< the budget that was, as a sentence
     Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the sensors, where they were
     double cross_track = 0.0;                                         ///< there
+    world::NearStripe line;                                           ///< near to it
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;

@@ -231,6 +231,45 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
+// The distance to the nearest stripe of those that are looked up in the point's cell; what is found holds in
+// that cell alone.
+double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
+  constexpr double kRounding = 1e-9, kFar = 1e9;  // m: more than what distances are rounded by; and than any
+  found = {p};
+  int column, row;
+  double x, y;
+  if (!locate(p, column, row, x, y)) return stripes_reach_;
+  double nearest = kFar, next = kFar;
+  for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
+    const grid::Stripe& stripe = stripes_->all()[i];
+    if (painted_only && !stripe.painted) continue;
+    const double away = grid::distance(stripe, p);
+    next = std::min(next, std::max(nearest, away));
+    if (!(away < nearest)) continue;
+    nearest = away;
+    found.number = i;
+  }
+  double room = 0.5 * (next - nearest);
+  if (!painted_only) room = std::min(room, stripes_reach_ - nearest);  // beyond, other cells are looked at
+  found.none = nearest - reach > room;
+  room = std::min(found.none ? nearest - reach : room, 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y)));
+  room = std::max(room - kRounding, 0.0);
+  found.room = room * room;
+  return nearest;
+}
+
+double Floor::sought_coverage(Vec2 p, double footprint_m, NearStripe& found) const {
+  const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
+  if (reach > stripes_reach_) return drawn_coverage(p, footprint_m);
+  return ramp(std::min(reach, seek(p, true, reach, found)), reach, footprint);
+}
+
+double Floor::sought_distance(Vec2 p, NearStripe& found) const {
+  if (!stripes_) return distance_to_line(p);
+  const double nearest = seek(p, false, std::numeric_limits<double>::infinity(), found);
+  return nearest < stripes_reach_ ? std::sqrt(nearest * nearest) : search(p, false);
+}
+
 void Floor::darkness(std::span<const double> x, std::span<const double> y,
                      std::span<const double> footprint_m, std::span<double> dark) const {
   if (!plain_ || !stripes_ || !quads_.empty()) {

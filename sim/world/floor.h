@@ -28,6 +28,22 @@ namespace robosim::world {
 /// floors that were measured one has 0.05, the other 0.15: docs/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
+/// Which stripe was nearest to a point of a floor where corners are round, and how far from there it surely
+/// still is: half of what the next one is farther away, and not beyond the borders of its cell, for which
+/// stripes are looked up. So somebody who moves by less than that between two looks need not seek again. Or
+/// that no stripe comes near a footprint there. Of lines as the map has them, which stay.
+struct NearStripe {
+  Vec2 at;            ///< where it was sought
+  double room = 0.0;  ///< the square of how far from there that holds, m2; 0 = it must be sought
+  std::uint32_t number = 0;
+  bool none = false;  ///< it is out of reach
+
+  bool holds(Vec2 p) const {
+    const Vec2 moved = p - at;
+    return dot(moved, moved) < room;
+  }
+};
+
 /// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
 /// map says `floor = "raster"`): each painted line cell is dark as a whole.
 ///
@@ -52,10 +68,21 @@ class Floor {
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
+  /// The same for somebody who looks at the floor again and again with one footprint, and nothing else by
+  /// `last`; so do the next ones.
+  double coverage(Vec2 p, double footprint_m, NearStripe& last) const {
+    const double drawn = drawn_coverage(p, footprint_m, last);
+    return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
+  }
+
   /// The same of what counts as the line for people: where a segment is wider than the map's line, it is as
   /// wide as that.
   double on_line(Vec2 p, double footprint_m) const {
-    if (widths_.empty()) return coverage(p, footprint_m);
+    NearStripe unknown;
+    return on_line(p, footprint_m, unknown);
+  }
+  double on_line(Vec2 p, double footprint_m, NearStripe& last) const {
+    if (widths_.empty()) return coverage(p, footprint_m, last);
     const double drawn = on_wide_line(p, std::max(footprint_m, 1e-9));
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
@@ -70,6 +97,10 @@ class Floor {
       const double painted = drawn_coverage(p, footprint_m);
       return light_line_ ? 1.0 - painted : painted;
     }
+    return painted_darkness(p.x, p.y, footprint_m);
+  }
+  double darkness(Vec2 p, double footprint_m, NearStripe& last) const {
+    if (plain_) return darkness_of(drawn_coverage(p, footprint_m, last));
     return painted_darkness(p.x, p.y, footprint_m);
   }
   /// The same of many sensors, at (x, y) each.
@@ -111,6 +142,8 @@ class Floor {
 
   /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
   double distance_to_line(Vec2 p) const;
+  /// The same for somebody who asks again and again, and nothing else by `last`.
+  double distance_to_line(Vec2 p, NearStripe& last) const;
 
   /// distance_to_line is exact up to this, m: three cells.
   double far_m() const { return kFarCells * cell_; }
@@ -156,6 +189,7 @@ class Floor {
   double patch_brightness(Vec2 p) const;
   /// Of the map's own lines.
   double drawn_coverage(Vec2 p, double footprint_m) const;
+  double drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const;
   /// A darkness, under what was painted during the run.
   double patched(double darkness, Vec2 p, double footprint) const {
     if (patches_.empty()) return darkness;
@@ -189,6 +223,9 @@ class Floor {
   double search(Vec2 p, bool painted_only) const;
   double square_in(int column, int row, Vec2 p, bool painted_only) const;
   double coverage_round(Vec2 p, double footprint) const;
+  double sought_coverage(Vec2 p, double footprint, NearStripe& found) const;
+  double sought_distance(Vec2 p, NearStripe& found) const;
+  double seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const;
   double on_wide_line(Vec2 p, double footprint) const;
   double coverage_raster(Vec2 p, double footprint) const;
 
@@ -232,6 +269,20 @@ inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {
   const double square = kind.painted.square(x, y);
   if (square >= reach * reach) return 0.0;
   return ramp(std::sqrt(square), reach, footprint);
+}
+
+inline double Floor::drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const {
+  if (!stripes_ || !quads_.empty()) return drawn_coverage(p, footprint_m);
+  const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
+  if (!last.holds(p)) return sought_coverage(p, footprint_m, last);
+  if (last.none) return 0.0;
+  return ramp(std::min(reach, grid::distance(stripes_->all()[last.number], p)), reach, footprint);
+}
+
+inline double Floor::distance_to_line(Vec2 p, NearStripe& last) const {
+  if (!last.holds(p)) return sought_distance(p, last);
+  const double nearest = grid::distance(stripes_->all()[last.number], p);
+  return std::sqrt(nearest * nearest);
 }
 
 inline double Floor::distance_to_line(Vec2 p) const {

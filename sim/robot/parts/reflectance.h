@@ -123,7 +123,8 @@ class Sensor : public Breakable {
   double coverage() {
     if (context_.view.body->lifted()) return 0.0;
     const Vec2 p = context_.view.body->pose().to_world(state_.at);
-    if (is_new(p, state_.line_sought)) state_.coverage = context_.view.floor->on_line(p, footprint_);
+    if (is_new(p, state_.line_sought))
+      state_.coverage = context_.view.floor->on_line(p, footprint_, state_.near);
     return state_.coverage;
   }
   /// The share of it that is dark.
@@ -174,8 +175,10 @@ class Sensor : public Breakable {
   }
   /// Of the floor there; asked once where the robot stands still.
   double darkness_at(Vec2 p, double footprint) {
-    if (is_new(p, state_.looked_at)) state_.darkness = context_.view.floor->darkness(p, footprint);
-    return state_.darkness;
+    if (!is_new(p, state_.looked_at)) return state_.darkness;
+    const world::Floor& floor = *context_.view.floor;
+    return state_.darkness =
+               hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
   }
   /// A place on the floor, as it was after so many changes of the floor.
   struct Glance {
@@ -226,6 +229,7 @@ class Sensor : public Breakable {
     double darkness = 0.0;
     Glance line_sought;  ///< of its footprint's share on the line
     double coverage = 0.0;
+    world::NearStripe near;  ///< of its footprint, as it is on a plane floor
   };
 
   const std::string& name_;

@@ -42,6 +42,23 @@ grid::Map bends(double corner) {
   return map;
 }
 
+// Arcs and slanted straights that cross.
+grid::Map eight_of_arcs() {
+  return grid::parse_map(R"(+++
+line = "19 mm"
+size = ["2.8 m", "1.4 m"]
+[[path]]
+from = ["1.4 m", "700 mm"]
+heading = "30 deg"
+segments = [
+  { length = "519.6152422706632 mm" }, { radius = "300 mm", angle = "-240 deg" }, { length = "1039.2304845413264 mm" },
+  { radius = "300 mm", angle = "240 deg" }, { length = "519.6152422706632 mm" },
+]
++++
+)",
+                         "eight.map");
+}
+
 double brute_distance(const grid::Stripes& stripes, Vec2 p, bool painted_only) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const grid::Stripe& s : stripes.all()) {
@@ -86,6 +103,35 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
     expect_exact(bends(corner), random);
     for (int round = 0; round < test::rounds(4); ++round)
       expect_exact(random_map(random, false, corner), random);
+  }
+}
+
+// To the bit, whatever it remembers: of walks with strides of all lengths, over the map's edge, too.
+TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
+  Random random;
+  for (int i = 0; i < 24; ++i) {
+    grid::Map map = i % 3 == 0   ? eight_of_arcs()
+                    : i % 3 == 1 ? bends(0.02 + 0.004 * i)
+                                 : random_map(random, i % 8 == 7, 0.02);
+    map.light_line = i % 3 == 0;
+    const Floor floor(map);
+    const double footprint = 0.002 + 0.003 * (i % 6), width = map.width * map.cell_m,
+                 height = map.height * map.cell_m;
+    NearStripe of_line, of_footprint;
+    Vec2 p{0.5 * width, 0.5 * height}, step;
+    for (int k = 0; k < 20000; ++k) {
+      if (k % 50 == 0) {
+        const double stride = std::pow(10.0, -6.0 + 4.5 * random());
+        step = {stride * (random() - 0.5), stride * (random() - 0.5)};
+      }
+      p = p + step;
+      if (k % 500 == 0 || p.x < -0.1 || p.y < -0.1 || p.x > width + 0.1 || p.y > height + 0.1)
+        p = {random() * width, random() * height};
+      ASSERT_EQ(floor.distance_to_line(p, of_line), floor.distance_to_line(p)) << p.x << ", " << p.y;
+      ASSERT_EQ(floor.darkness(p, footprint, of_footprint), floor.darkness(p, footprint))
+          << p.x << ", " << p.y;
+      ASSERT_EQ(floor.on_line(p, footprint, of_footprint), floor.on_line(p, footprint));
+    }
   }
 }
 
