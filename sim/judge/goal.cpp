@@ -15,18 +15,6 @@ namespace {
 
 constexpr SimTime kRestAtStation = 500 * kMillisecond;
 constexpr SimTime kStandsStill = kSecond;
-constexpr double kRestSpeed = 1e-3;  // m/s: slower counts as at rest
-constexpr double kRestTurn = 0.01;   // rad/s
-constexpr double kCheckEvery =
-    4e-3;  // m: places are looked at when the body has moved this far, or has stopped
-constexpr double kDeparture = 0.01;    // m from where it was put: the first lap begins
-constexpr double kCheckTurn = 0.9998;  // or turned by acos of this (1.1 degrees)
-
-double square(Vec2 a) { return dot(a, a); }
-
-bool at_rest(const world::Body& body) {
-  return std::abs(body.speed()) < kRestSpeed && std::abs(body.turn_rate()) < kRestTurn;
-}
 
 bool wheels_turn(const world::Body& body) {
   return body.wheel_rate(world::left) != 0.0 || body.wheel_rate(world::right) != 0.0;
@@ -207,21 +195,19 @@ void Progress::compete(const Glance& now, Events& events) {
   reached_ = contest_.reached();
 }
 
-void Progress::update(const world::Body& body, SimTime t, Events& events) {
+void Progress::look(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
 
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
-  if (laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture) {
+  if (may_depart(pose)) {
     // Not where it comes home.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }
-  const double moved = square(pose.position - checked_at_);
-  const bool is_near = moved < kCheckEvery * kCheckEvery && dot(pose.heading, checked_heading_) > kCheckTurn;
-  const bool has_stopped = moved > 0.0 && at_rest(body);
-  const bool looks = !is_near || has_stopped;
+  const bool has_stopped = square(pose.position - checked_at_) > 0.0 && at_rest(body);
+  const bool looks = !is_near(pose) || has_stopped;
   if (looks) {
     checked_at_ = pose.position;
     checked_heading_ = pose.heading;

@@ -1,6 +1,7 @@
 // Goals: what a run has to achieve, and how far it has got.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "sim/grid/network.h"
 #include "sim/grid/stripes.h"
 #include "sim/judge/contest.h"
+#include "sim/world/body.h"
 
 namespace robosim::judge {
 
@@ -55,8 +57,10 @@ class Progress {
            const grid::Start& start);
 
   /// Called once a tick with the time at its end. Stations visited and laps done are appended to
-  /// `events`.
-  void update(const world::Body& body, SimTime t, Events& events);
+  /// `events`. Where no rule asks for more, places are looked at only once the body has moved some way.
+  void update(const world::Body& body, SimTime t, Events& events) {
+    if (!passes_by(body)) look(body, t, events);
+  }
 
   /// Whether the next updates would find what the last one found, while the body stays where it is.
   bool is_settled(const world::Body& body) const;
@@ -86,6 +90,29 @@ class Progress {
     int complete = 0;
   };
 
+  // Places are looked at when the body has moved by kCheckEvery, m, has turned by acos of kCheckTurn (1.1
+  // degrees), or has stopped. The first lap begins kDeparture from where the body was put, m.
+  static constexpr double kCheckEvery = 4e-3, kCheckTurn = 0.9998, kDeparture = 0.01;
+  // Slower counts as at rest, m/s and rad/s.
+  static constexpr double kRestSpeed = 1e-3, kRestTurn = 0.01;
+
+  static double square(Vec2 a) { return dot(a, a); }
+  static bool at_rest(const world::Body& body) {
+    return std::abs(body.speed()) < kRestSpeed && std::abs(body.turn_rate()) < kRestTurn;
+  }
+  bool is_near(const Pose& pose) const {
+    return square(pose.position - checked_at_) < kCheckEvery * kCheckEvery &&
+           dot(pose.heading, checked_heading_) > kCheckTurn;
+  }
+  bool may_depart(const Pose& pose) const {
+    return laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture;
+  }
+  // Whether a look would find and change nothing.
+  bool passes_by(const world::Body& body) const {
+    if (goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still || contest_) return false;
+    return origin_ && is_near(body.pose()) && !at_rest(body) && !may_depart(body.pose());
+  }
+  void look(const world::Body& body, SimTime t, Events& events);
   void visit_places(const world::Body& body, Events& events);
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
   void compete(const Glance& now, Events& events);

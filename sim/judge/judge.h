@@ -1,6 +1,7 @@
 // Detects that a run has failed, before its time is up.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "hal/board/sim_time.h"
@@ -15,6 +16,8 @@ constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
 constexpr double kSamePlace = 0.1;             ///< m around which a robot may turn and is in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
+/// Sketches pulse their motors; a pause shorter than this does not end "driven".
+constexpr SimTime kPulsePause = 200 * kMillisecond;
 
 /// What the judge looks at, once a tick.
 struct Situation {
@@ -36,8 +39,13 @@ class Judge {
   explicit Judge(bool senses) : senses_(senses) {}
 
   /// toppled, lost, stuck, hung or ended; nothing while all is well. A sketch that is silent, and may yet go
-  /// on, is well.
-  std::optional<Verdict> look(const Situation& now);
+  /// on, is well. Called in each tick, and therefore inline.
+  std::optional<Verdict> look(const Situation& now) {
+    const bool is_lost = lost(now), is_stuck = stuck(now);
+    if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]
+      return verdict(now, is_lost, is_stuck);
+    return std::nullopt;
+  }
 
   /// When a sensor last saw the line, and where the robot was; nothing where none has seen one yet.
   struct Seen {
@@ -55,6 +63,7 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
+  static std::optional<Verdict> verdict(const Situation& now, bool is_lost, bool is_stuck);
 
   bool senses_;
   std::optional<Seen> line_seen_;
@@ -65,5 +74,32 @@ class Judge {
   SimTime place_since_ = 0;
   Vec2 place_;
 };
+
+inline bool Judge::lost(const Situation& now) {
+  if (now.lifted) travel_at_line_ = now.wheel_travel_m;
+  if (senses_ && now.sees_line) {
+    line_seen_ = Seen{now.t, now.pose->position};
+    travel_at_line_ = now.wheel_travel_m;
+  }
+  return senses_ && now.wheel_travel_m - travel_at_line_ >= kLostAfter;
+}
+
+inline bool Judge::stuck(const Situation& now) {
+  if (now.driven) last_driven_ = now.t;
+  const Vec2 moved = now.pose->position - anchor_.position;
+  const bool moves = dot(moved, moved) >= kStuckMove * kStuckMove ||
+                     dot(now.pose->heading, anchor_.heading) < 0.0 ||
+                     std::abs(cross(anchor_.heading, now.pose->heading)) >= kStuckTurnSine;
+  if (moves || now.lifted || now.t - last_driven_ > kPulsePause) {
+    anchor_ = *now.pose;
+    anchored_at_ = now.t;
+  }
+  const Vec2 away = now.pose->position - place_;
+  if (dot(away, away) >= kSamePlace * kSamePlace) {
+    place_ = now.pose->position;
+    place_since_ = now.t;
+  }
+  return now.t - anchored_at_ >= kStuckAfter;
+}
 
 }  // namespace robosim::judge

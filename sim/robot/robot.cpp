@@ -211,6 +211,8 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   for (const auto& part : in_->parts) part->meet(in_->roster);
   for (FanPart* fan : in_->roster.fans) fan->press_on(in_->body);
   in_->find_steering();
+  has_battery_ = in_->cells.kind;
+  has_tellers_ = !in_->roster.tellers.empty();
 }
 
 Robot::~Robot() = default;
@@ -228,6 +230,12 @@ void Robot::begin_tick(SimTime t) {
 }
 
 bool Robot::end_tick(SimTime t) {
+  const WheelMotor *const l = in_->roster.motor[world::left], *const r = in_->roster.motor[world::right];
+  const bool steady = (!l || l->steady()) && (!r || r->steady());
+  return (!steady || has_battery_) && take_commands(t);
+}
+
+[[gnu::noinline]] bool Robot::take_commands(SimTime t) {
   bool changed = false;
   for (const Side side : {world::left, world::right}) {
     WheelMotor* motor = in_->roster.motor[side];
@@ -314,8 +322,6 @@ void Robot::send(const std::string& part, const Message& message, SimTime t) {
   in_->receiver(part).send(message, t);
 }
 
-bool Robot::has_tellers() const { return !in_->roster.tellers.empty(); }
-
 void Robot::tell(SimTime t, std::vector<Told>& told) {
   for (Teller* teller : in_->roster.tellers)
     if (std::string text = teller->tell(t); !text.empty()) told.push_back({teller->name(), std::move(text)});
@@ -374,12 +380,6 @@ void Robot::check_tells(const std::string& part) const {
 }
 
 void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
-
-std::vector<Reading> Robot::readings() const {
-  std::vector<Reading> readings;
-  read(readings);
-  return readings;
-}
 
 void Robot::read(std::vector<Reading>& readings) const {
   for (const Sensor* sensor : in_->roster.sensors) readings.push_back({sensor->name(), sensor->shown()});

@@ -86,7 +86,7 @@ class Robot {
   /// with a radio; and with a fan, which changes its grip, and so how fast it may be somewhere else.
   double sight() const;
   /// Whether it has parts that tell something.
-  bool has_tellers() const;
+  bool has_tellers() const { return has_tellers_; }
   /// What its parts have to tell at `t`, the end of a tick.
   void tell(SimTime t, std::vector<Told>& told);
   /// Whether the last tick's commands drive a motor.
@@ -102,6 +102,8 @@ class Robot {
   void set_battery(std::optional<double> volts);
   /// V, of a [battery] as it is loaded now; nothing where the robot has none, or a script says its volts.
   std::optional<double> fed_volts() const;
+  /// Whether it has a [battery].
+  bool has_battery() const { return has_battery_; }
   /// V, that the battery gives now.
   double volts() const;
   /// Of a [battery], 0..1, or below 0 where it collapses; nothing where the robot has none.
@@ -139,7 +141,11 @@ class Robot {
   void check_cover(const std::string& part) const;
 
   /// Sensors first, then what else there is to see, each in the order of the robot file.
-  std::vector<Reading> readings() const;
+  std::vector<Reading> readings() const {
+    std::vector<Reading> all;
+    read(all);
+    return all;
+  }
   /// Adds them.
   void read(std::vector<Reading>& readings) const;
 
@@ -151,7 +157,10 @@ class Robot {
 
  private:
   struct Inside;
+  bool take_commands(SimTime t);
+
   std::unique_ptr<Inside> in_;
+  bool has_battery_ = false, has_tellers_ = false;
 };
 
 }  // namespace robosim::robot

@@ -12,9 +12,8 @@
 namespace robosim::run {
 namespace {
 
-constexpr SimTime kSettling = 500 * kMillisecond;  // not counted in the cross-track error
-constexpr int kLookEvery = 4;                      // ticks between two looks at all sensors
-constexpr double kFarthestSight = 1e3;             // m: who sees as far has to do with all others
+constexpr int kLookEvery = 4;           // ticks between two looks at all sensors
+constexpr double kFarthestSight = 1e3;  // m: who sees as far has to do with all others
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 
@@ -173,7 +172,7 @@ void Agent::look_to_the_side() {
   state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
 }
 
-void Agent::observe(SimTime end) {
+inline void Agent::observe(SimTime end) {
   const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
   if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
     state_.midpoint = midpoint;
@@ -205,16 +204,6 @@ std::vector<exec::Detected> Agent::detected(SimTime t) const {
   if (board_detectors_)
     for (exec::Detected& one : board_detectors_->found(t)) all.push_back(std::move(one));
   return all;
-}
-
-void Agent::count_tick(SimTime end) {
-  if (body_.in_hand()) return;
-  if (end > kSettling) {
-    state_.cross_track_squares += state_.cross_track * state_.cross_track;
-    if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
-    ++state_.cross_track_ticks;
-  }
-  if (!state_.sees_line && robot_.has_line_sensors()) ++state_.off_line_ticks;
 }
 
 const Sample& Agent::sample_at(SimTime t) {
@@ -257,8 +246,12 @@ void Agent::stand_still(SimTime t, int stop_met) {
   state_.sample = sample_at(t);
 }
 
-void Agent::act(SimTime t) {
+void Agent::feed_board(SimTime t) {
   if (const auto volts = robot_.fed_volts()) player_.feed(*volts, t, state_.happened);
+}
+
+void Agent::act(SimTime t) {
+  if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
   if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before what comes of them in this tick
   if (board_detectors_) board_detectors_->booted(player_.boots());
@@ -269,6 +262,30 @@ bool Agent::run_firmware(SimTime end) {
   executor_.run_until(end);
   const bool steered = robot_.end_tick(end);
   return std::exchange(state_.stirred, false) || steered;
+}
+
+bool Agent::exceeds_budget() {
+  state_.exceeded = exceeded_budget(own_.robot->budget, executor_.resources());
+  return !state_.exceeded.empty();
+}
+
+inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
+  if (progress_.reached()) return judge::Verdict::reached;
+  if (executor_.crash()) return judge::Verdict::crashed;
+  if (end % kBudgetEvery == 0 && exceeds_budget()) return judge::Verdict::over_budget;
+  const bool powered = player_.powered();
+  judge::Situation now{end,
+                       &body_.pose(),
+                       body_.wheel_travel(),
+                       state_.sees_line,
+                       robot_.driven(),
+                       body_.in_hand(),
+                       body_.toppled() != world::Toppled::no,
+                       powered,
+                       powered ? executor_.last_call() : end};
+  now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();
+  const std::optional<judge::Verdict> verdict = judge_.look(now);
+  return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
 bool Agent::look(SimTime end) {
@@ -289,24 +306,8 @@ bool Agent::look(SimTime end) {
   return verdict.has_value();
 }
 
-std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
-  if (progress_.reached()) return judge::Verdict::reached;
-  if (executor_.crash()) return judge::Verdict::crashed;
-  if (end % kBudgetEvery == 0) {
-    state_.exceeded = exceeded_budget(own_.robot->budget, executor_.resources());
-    if (!state_.exceeded.empty()) return judge::Verdict::over_budget;
-  }
-  judge::Situation now{end,
-                       &body_.pose(),
-                       body_.wheel_travel(),
-                       state_.sees_line,
-                       robot_.driven(),
-                       body_.in_hand(),
-                       body_.toppled() != world::Toppled::no,
-                       player_.powered(),
-                       player_.powered() ? executor_.last_call() : end};
-  now.hangs = end - now.last_call >= judge::kSilentAfter && executor_.hangs();
-  std::optional<judge::Verdict> verdict = judge_.look(now);
+// Of a competition's, which may go on.
+std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdict> verdict, SimTime end) {
   const bool needs_hand = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck ||
                           verdict == judge::Verdict::toppled;
   if (needs_hand && progress_.contest().give_up(state_.happened)) verdict.reset();

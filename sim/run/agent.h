@@ -23,8 +23,9 @@
 
 namespace robosim::run {
 
-constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent looks at all that it ever looks at
-constexpr int kSideEvery = 10;                    ///< ticks between two looks at which side the line is on
+constexpr SimTime kRestSpan = 20 * kMillisecond;   ///< in it an agent looks at all that it ever looks at
+constexpr SimTime kSettling = 500 * kMillisecond;  ///< not counted in the cross-track error
+constexpr int kSideEvery = 10;                     ///< ticks between two looks at which side the line is on
 
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
@@ -157,6 +158,9 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void byte_received(std::uint8_t byte, SimTime t) override { state_.listener->byte_received(byte, t); }
 
   std::optional<judge::Verdict> verdict_at(SimTime end);
+  std::optional<judge::Verdict> verdict_of_rules(std::optional<judge::Verdict> verdict, SimTime end);
+  bool exceeds_budget();
+  void feed_board(SimTime t);
   void put(const Pose& where);
   void look_to_the_side();
   void observe(SimTime end);
@@ -196,5 +200,15 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   StopConditions stops_;
   std::vector<Untold>* untold_ = nullptr;
 };
+
+inline void Agent::count_tick(SimTime end) {
+  if (body_.in_hand()) return;
+  if (end > kSettling) {
+    state_.cross_track_squares += state_.cross_track * state_.cross_track;
+    if (state_.cross_track > state_.cross_track_max) state_.cross_track_max = state_.cross_track;
+    ++state_.cross_track_ticks;
+  }
+  if (!state_.sees_line && robot_.has_line_sensors()) ++state_.off_line_ticks;
+}
 
 }  // namespace robosim::run

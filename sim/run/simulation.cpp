@@ -57,7 +57,9 @@ struct Simulation::Inside final : Standstill {
   void interrupt(SimTime t);
   void run_until(SimTime end);
   bool over() const {
-    return std::all_of(agents.begin(), agents.end(), [](const auto& agent) { return agent->finished(); });
+    for (const auto& agent : agents)
+      if (!agent->finished()) return false;
+    return true;
   }
 
   struct Clock {

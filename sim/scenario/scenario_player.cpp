@@ -215,7 +215,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
 }
 
 // What is due in one tick happens in the order of the script.
-void ScenarioPlayer::act(SimTime t, const judge::Progress& progress, judge::Events& events) {
+void ScenarioPlayer::act_now(SimTime t, const judge::Progress& progress, judge::Events& events) {
   if (!state_.undo.empty()) end_what_is_over(t, events);
   if (state_.sweep) stage_.body.carry(state_.sweep->at(t));
   if (state_.tilt) stage_.body.tilt(state_.tilt->at(t));

@@ -54,7 +54,9 @@ class ScenarioPlayer {
   void add(std::vector<Step> steps, const judge::Progress& progress);
 
   /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
-  void act(SimTime t, const judge::Progress& progress, judge::Events& events);
+  void act(SimTime t, const judge::Progress& progress, judge::Events& events) {
+    if (next_act(t) <= t) act_now(t, progress, events);
+  }
   /// When it does something next, nobody having added steps; `t`, which is now, where it may do so at any
   /// time.
   SimTime next_act(SimTime t) const {
@@ -123,6 +125,7 @@ class ScenarioPlayer {
   void restore(const Saved& saved);
 
  private:
+  void act_now(SimTime t, const judge::Progress& progress, judge::Events& events);
   void check_limits(const std::vector<Step>& steps);
   void end_what_is_over(SimTime t, judge::Events& events);
   /// Of a step that waits for an event: whether that has happened.

@@ -41,13 +41,6 @@ TraceHash& TraceHash::operator=(const TraceHash& other) {
 
 TraceHash::~TraceHash() = default;
 
-void TraceHash::pose(const Pose& pose) {
-  word(bits_of(pose.position.x));
-  word(bits_of(pose.position.y));
-  word(bits_of(pose.heading.x));
-  word(bits_of(pose.heading.y));
-}
-
 void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
   word(kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
        static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm));

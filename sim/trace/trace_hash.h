@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -23,7 +24,12 @@ class TraceHash {
   ~TraceHash();
 
   /// The pose at the end of a tick. Called once a tick: the hash needs no time for it.
-  void pose(const Pose& pose);
+  void pose(const Pose& pose) {
+    static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
+    if (used_ + kPoseWords > words_.size()) flush();
+    std::memcpy(&words_[used_], &pose, sizeof pose);
+    used_ += kPoseWords;
+  }
   void pin(Pin pin, const PinDrive& drive, SimTime t);
   void serial(std::uint8_t byte, SimTime t);
 
@@ -33,9 +39,11 @@ class TraceHash {
  private:
   struct State;
 
+  static constexpr std::size_t kPoseWords = 4;
+
   void word(std::uint64_t value) {
-    words_[used_++] = value;
     if (used_ == words_.size()) flush();
+    words_[used_++] = value;
   }
   void flush();
 

@@ -58,22 +58,6 @@ double Body::kinetic_energy() const {
                 unit_[right].inertia * surface_[right] * surface_[right]);
 }
 
-Body::Motor Body::motor(Side side) const {
-  if (winds_) [[unlikely]]
-    return winding_[side].pull;
-  const Unit& unit = unit_[side];
-  const double speed = surface_[side];
-  Motor m{0.0, 0.0};
-  if (std::copysign(1.0, unit.drive) * speed < unit.push_until) {
-    m = {unit.drive * unit.push, std::fabs(unit.drive) * unit.drag};
-  }
-  if (std::fabs(speed) > unit.brake_from) {
-    m.push += unit.brake * std::copysign(unit.brake_push, speed);
-    m.drag += unit.brake * unit.drag;
-  }
-  return m;
-}
-
 void Body::draw_energy() {
   if (winds_) [[unlikely]]
     return draw_by_windings();

@@ -309,7 +309,11 @@ class Body {
   Vec2 velocity() const { return pose_.heading * v_ + left_of(pose_.heading) * u_; }
   void set_velocity(Vec2 velocity);
   void grip_after_contact();
-  void settle_contact();
+  void settle_contact() {
+    if (touched_ | near_ | in_contact_) [[unlikely]]
+      settle_touch();
+  }
+  void settle_touch();
 
   Pose pose_;
   double v_ = 0.0, u_ = 0.0, omega_ = 0.0;
@@ -350,6 +354,22 @@ class Body {
   BodyParams params_;
   std::vector<Vec2> corners_;  // of the outline, in the world, where it is near something
 };
+
+inline Body::Motor Body::motor(Side side) const {
+  if (winds_) [[unlikely]]
+    return winding_[side].pull;
+  const Unit& unit = unit_[side];
+  const double speed = surface_[side];
+  Motor m{0.0, 0.0};
+  if (std::copysign(1.0, unit.drive) * speed < unit.push_until) {
+    m = {unit.drive * unit.push, std::fabs(unit.drive) * unit.drag};
+  }
+  if (unit.brake != 0.0 && std::fabs(speed) > unit.brake_from) {
+    m.push += unit.brake * std::copysign(unit.brake_push, speed);
+    m.drag += unit.brake * unit.drag;
+  }
+  return m;
+}
 
 inline Pose Body::pose_after(double dt_s) const {
   const double a = omega_ * dt_s;

@@ -97,7 +97,7 @@ void Body::grip_after_contact() {
   }
 }
 
-void Body::settle_contact() {
+void Body::settle_touch() {
   if (touched_ && !in_contact_) {
     ++collisions_;
     collided_with_body_ = touched_body_;

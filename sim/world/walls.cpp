@@ -85,12 +85,6 @@ bool Walls::near_disc(Vec2 centre, double radius) const {
   return false;
 }
 
-double Walls::stride(double body_radius) const {
-  double least = map_->cell_m;
-  for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);
-  return 0.25 * least;
-}
-
 namespace {
 
 // Cells that a box about a disc meets, one beyond the map's edge at most.

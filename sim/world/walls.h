@@ -92,7 +92,11 @@ class Walls {
   bool near_disc(Vec2 centre, double radius) const;
 
   /// What a body may move at most between two looks at walls, m, so that it can pass none.
-  double stride(double body_radius) const;
+  double stride(double body_radius) const {
+    double least = map_->cell_m;
+    for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);
+    return 0.25 * least;
+  }
 
  private:
   bool solid(int column, int row) const;  // row from the bottom

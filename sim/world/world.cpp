@@ -50,6 +50,11 @@ bool World::is_still() const {
 
 void World::step() {
   Ground* const ground = ground_.plain() ? nullptr : &ground_;
+  if (bodies_.size() == 1 && !ground) return step_alone(0);
+  step_all(ground);
+}
+
+[[gnu::noinline]] void World::step_all(Ground* ground) {
   for (const auto& body : bodies_) body->step(walls_, ground);
   if (ground) ground->settle();
   if (bodies_.size() > 1) collide_bodies();

@@ -93,6 +93,7 @@ class World {
   void step_together(const std::vector<std::size_t>& numbers);
 
  private:
+  void step_all(Ground* ground);
   void collide_bodies();
 
   Floor floor_;

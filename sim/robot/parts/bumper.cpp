@@ -22,7 +22,10 @@ void BumperPart::hold(bool down, SimTime t) {
 
 void BumperPart::begin_tick(SimTime t) {
   const bool touches = view_.body->pressed_ahead();
-  if (touches == state_.touches && settled()) return;
+  if (touches != state_.touches || !settled()) follow(touches, t);
+}
+
+[[gnu::noinline]] void BumperPart::follow(bool touches, SimTime t) {
   state_.touches = touches;
   hold(state_.held, t);
   ButtonPart::begin_tick(t);

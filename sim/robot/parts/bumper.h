@@ -25,6 +25,8 @@ class BumperPart final : public ButtonPart {
   void begin_tick(SimTime) override;
 
  private:
+  void follow(bool touches, SimTime t);
+
   struct State {
     bool held = false, touches = false;
   };

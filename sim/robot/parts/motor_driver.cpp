@@ -25,8 +25,13 @@ double period_of(const PinDrive& drive) {
 }
 
 world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {
-  double ends[4] = {inputs.en, inputs.in1, inputs.in2, 1.0};
-  std::sort(ends, ends + 3);
+  // Where both inputs are steady, the enable input alone divides the time.
+  const auto steady = [](double share) { return share == 0.0 || share == 1.0; };
+  double ends[4] = {inputs.en, 1.0, 1.0, 1.0};
+  if (!steady(inputs.in1) || !steady(inputs.in2)) {
+    ends[1] = inputs.in1, ends[2] = inputs.in2;
+    std::sort(ends, ends + 3);
+  }
   double share[4] = {0.0, 0.0, 0.0, 0.0};
   double begin = 0.0;
   for (const double end : ends) {
