@@ -114,7 +114,7 @@ bool Hunt::hear() {
   return true;
 }
 
-/// What went wrong first, then what detectors have seen.
+/// What went wrong first, then what detectors have seen, then, in the plain world, what the compiler said.
 std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWorld& world) const {
   std::vector<Symptom> all;
   if (const auto broken = broken_promise(result, bench_.space().promises))
@@ -123,6 +123,8 @@ std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWor
            found && (!found->is_behaviour || tells_behaviour(world, bench_.space())))
     all.push_back(*found);
   for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
+  if (needs_of(world, bench_.space()).empty())
+    for (Symptom& seen : warned_in(bench_.messages())) all.push_back(std::move(seen));
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include "sim/tui/report.h"
@@ -124,6 +125,22 @@ std::vector<Symptom> detected_in(const wire::RunResult& result) {
     const std::string place =
         seen.where.file.empty() ? "" : fmt::format(" {}:{}", seen.where.file, seen.where.line);
     all.push_back({kDetected, seen.detector + place, sentence, false});
+  }
+  return all;
+}
+
+std::vector<Symptom> warned_in(const std::string& messages) {
+  static const std::regex kWarning(
+      R"(^([^\s:]+):(\d+):(?:\d+:)? warning: (.*) \[-W(parentheses|empty-body|overflow|div-by-zero|array-bounds|shift-count-overflow|shift-count-negative|return-local-addr|sizeof-pointer-memaccess)=?\]$)");
+  std::vector<Symptom> all;
+  std::istringstream stream(messages);
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch parts;
+    if (!std::regex_match(line, parts, kWarning)) continue;
+    const std::string place = fmt::format("{}:{}", parts.str(1), parts.str(2)),
+                      group = kWarned + (" " + place);
+    if (std::none_of(all.begin(), all.end(), [&](const Symptom& known) { return known.group == group; }))
+      all.push_back({kWarned, group, fmt::format("The compiler warns: {}, {}.", parts.str(3), place), false});
   }
   return all;
 }

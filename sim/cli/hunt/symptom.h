@@ -29,6 +29,8 @@ inline constexpr const char* kDetected = "detected";
 inline constexpr double kMoved_m = 0.1;
 /// The trait of a run in which it did.
 inline constexpr const char* kDrives = "drives";
+/// The kind of what the compiler warns of.
+inline constexpr const char* kWarned = "warned";
 /// The kind of what two runs do that should be alike.
 inline constexpr const char* kUnlike = "unlike";
 
@@ -52,6 +54,10 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
                                   const HuntSpace& space, const Plain& plain);
 /// What detectors have seen, each for itself.
 std::vector<Symptom> detected_in(const wire::RunResult& result);
+
+/// What the compiler's `messages` warn of in the sketch that is hardly ever meant: an = in a condition, an if
+/// without a body, a constant that does not fit.
+std::vector<Symptom> warned_in(const std::string& messages);
 
 /// What must never come, or must always, as checks.toml has it.
 std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises);

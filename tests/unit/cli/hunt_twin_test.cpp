@@ -175,6 +175,18 @@ TEST(HuntSymptom, HasTheMomentOfTheFirstNewEventOrLine) {
   EXPECT_FALSE(moment_of({"verdict lost", "ran Line.ino:3"}, result).is_known());
 }
 
+TEST(HuntSymptom, IsWhatTheCompilerWarnsOfOnceForEachLine) {
+  const auto warned = warned_in(
+      "Line.ino: In function 'void loop()':\n"
+      "Line.ino:4:9: warning: suggest parentheses around assignment used as truth value [-Wparentheses]\n"
+      "   if (x = 1) f();\n"
+      "Line.ino:4:9: warning: suggest parentheses around assignment used as truth value [-Wparentheses]\n"
+      "Line.ino:7:3: warning: 'f' is deprecated [-Wdeprecated-declarations]\n");
+  ASSERT_EQ(warned.size(), 1U);
+  EXPECT_EQ(warned[0].sentence,
+            "The compiler warns: suggest parentheses around assignment used as truth value, Line.ino:4.");
+}
+
 TEST(HuntDeeds, BeginBehindLinesOfTheSketchTheLastOfThemLast) {
   EXPECT_EQ(beginnings_of("destination?\r\nfound station 2\r\nfound station 3\r\ndestination?\r\n"),
             (std::vector<std::string>{"found station ", "destination?"}));
