@@ -11,13 +11,28 @@ namespace {
 // Rounding must never hide a stripe that is exactly within reach.
 constexpr double kSlack = 1e-9;  // m
 
+struct Box {
+  double west, east, south, north;
+  void hold(Vec2 p) {
+    west = std::min(west, p.x), east = std::max(east, p.x);
+    south = std::min(south, p.y), north = std::max(north, p.y);
+  }
+};
+
+// An arc may bulge beyond its two ends: to the north, say, where it passes due north of its centre.
+Box box_of(const Stripe& s) {
+  Box box{s.a.x, s.a.x, s.a.y, s.a.y};
+  box.hold(s.b);
+  for (const Vec2 way : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
+    if (s.radius > 0.0 && cross(s.a - s.centre, way) >= 0.0 && cross(way, s.b - s.centre) >= 0.0)
+      box.hold(s.centre + way * s.radius);
+  return box;
+}
+
 // Calls visit(cell) for every cell of the map that has a point within reach of the stripe.
 template <typename Visit>
 void visit_cells(const Map& map, const Stripe& s, double reach, Visit visit) {
-  const double west = std::min(s.a.x, s.b.x);
-  const double east = std::max(s.a.x, s.b.x);
-  const double south = std::min(s.a.y, s.b.y);
-  const double north = std::max(s.a.y, s.b.y);
+  const auto [west, east, south, north] = box_of(s);
   const double c = map.cell_m;
   const auto column = [&](double x) {
     return static_cast<int>(std::clamp(std::floor(x / c), 0.0, static_cast<double>(map.width - 1)));

@@ -117,6 +117,27 @@ segments = [{ length = "400 mm" }, { radius = "150 mm", angle = "250 deg" }, { l
   }
 }
 
+// Where an arc bulges beyond the box of its ends, too.
+TEST(Path, StripesAreNearEachPointBesideIt) {
+  const Map map = map_of(R"([[path]]
+from = ["1357 mm", "226 mm"]
+heading = "52.5 deg"
+segments = [{ radius = "450 mm", angle = "300 deg" }])");
+  const double reach_m = 0.015;
+  const Stripes stripes(map, reach_m);
+  const Path& path = map.course.paths[0];
+  for (double along = 0.0; along <= path.length(); along += 1e-3)
+    for (const double aside : {-0.9, 0.0, 0.9}) {
+      const Pose at = path.at(along, false);
+      const Vec2 p = at.position + Vec2{-at.heading.y, at.heading.x} * (aside * reach_m);
+      double found = std::numeric_limits<double>::infinity();
+      const CellAt cell{static_cast<int>(p.x / map.cell_m),
+                        map.height - 1 - static_cast<int>(p.y / map.cell_m)};
+      for (const std::uint32_t n : stripes.near(cell)) found = std::min(found, distance(stripes.all()[n], p));
+      ASSERT_LT(found, reach_m) << along << " " << aside;
+    }
+}
+
 TEST(Path, AGapIsFollowedButNotPainted) {
   const Map map = map_of(R"([[path]]
 from = ["300 mm", "500 mm"]
