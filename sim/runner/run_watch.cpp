@@ -40,8 +40,11 @@ RunWatch::Found RunWatch::look() {
     return Found::nothing;
   }
   if (processor - processor_ns_ >= std::int64_t{kLongestTick_s} * 1'000'000'000) return Found::loops;
-  if (shared_->waits || is_stopped()) heard();
-  return wall_us() - wall_us_ >= std::int64_t{kLongestSleep_s} * 1'000'000 ? Found::sleeps : Found::nothing;
+  constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
+  const std::int64_t silent_us = wall_us() - wall_us_;
+  // Whether it is stopped takes a file to be read: that is asked of long silences alone.
+  if (shared_->waits || (silent_us >= kLongest_us / 2 && is_stopped())) heard();
+  return wall_us() - wall_us_ >= kLongest_us ? Found::sleeps : Found::nothing;
 }
 
 /// By a debugger, say.
