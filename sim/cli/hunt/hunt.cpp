@@ -95,11 +95,27 @@ bool Hunt::find_plain() {
   plain_world_.map = 0;
   bench_.space().opening = plain_world_.deeds;
   plain_world_.for_s = time_of(plain_world_);
+  return feel() && hear();
+}
+
+/// Who reads a whole port has read the bumper's pin, too: whether the sketch looks at it is seen when it is
+/// pressed.
+bool Hunt::feel() {
   const auto& unused = plain_.result.usage.unused;
-  for (const auto& part : bench_.robot().parts)
-    if (part.type == "bumper" && std::find(unused.begin(), unused.end(), part.name) == unused.end())
+  std::vector<HuntWorld> pressed;
+  for (const auto& part : bench_.robot().parts) {
+    if (part.type != "bumper" || std::find(unused.begin(), unused.end(), part.name) != unused.end()) continue;
+    HuntWorld& world = pressed.emplace_back(plain_world_);
+    world.deeds.push_back({static_cast<int>(500.0 * plain_.result.time_s),
+                           fmt::format("fault {} pressed for 2s", part.name), "press " + part.name});
+  }
+  if (!pressed.empty()) pressed.push_back(plain_world_);
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!bench_.run(pressed, results)) return false;
+  for (std::size_t i = 0; i + 1 < results.size(); ++i)
+    if (results[i] && results.back() && results[i]->trace_hash != results.back()->trace_hash)
       bench_.space().feels = true;
-  return hear();
+  return true;
 }
 
 /// What it says of itself, after its goal, too: messages may come when it has said so.

@@ -41,6 +41,7 @@ class Hunt {
  private:
   bool find_plain();
   bool make_round();
+  bool feel();
   bool hear();
   std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result,
                               const std::vector<Symptom>& found, const std::vector<std::string>& ran);

@@ -111,6 +111,16 @@ HuntWorld fresh(const HuntSpace& space, const Die& die) {
   return world;
 }
 
+/// Those that stood on a line of another map.
+void drop_obstacles(HuntWorld& world, const HuntSpace& space) {
+  const std::vector<grid::CellAt> line = cells_with_line(world, space);
+  std::erase_if(world.deeds, [&](const Deed& deed) {
+    return deed.kind == kObstacle && std::none_of(line.begin(), line.end(), [&](grid::CellAt cell) {
+             return deed.what.starts_with(fmt::format("obstacle {},{} ", cell.x, cell.y));
+           });
+  });
+}
+
 HuntWorld like(const Noted& noted, const HuntSpace& space, const Die& die) {
   HuntWorld world = noted.world;
   world.twin = Twin::none;
@@ -121,6 +131,7 @@ HuntWorld like(const Noted& noted, const HuntSpace& space, const Die& die) {
   switch (die(6)) {
     case 0:
       draw_map(world, space, die);
+      drop_obstacles(world, space);
       break;
     case 1:
       world.robot = worlds::assemble(space.figures, die);
@@ -179,7 +190,10 @@ std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
     change(found.back());
   };
   if (world.drawn() || world.map != 0)
-    with([](HuntWorld& w) { w.track.reset(), w.network.reset(), w.map = 0; });
+    with([&](HuntWorld& w) {
+      w.track.reset(), w.network.reset(), w.map = 0;
+      drop_obstacles(w, space);
+    });
   if (!world.robot.levels.empty()) with([](HuntWorld& w) { w.robot.levels.clear(); });
   if (!world.faults.faults.empty()) with([](HuntWorld& w) { w.faults.faults.clear(); });
   if (world.deeds.size() > 1) with([](HuntWorld& w) { w.deeds.clear(); });
@@ -204,10 +218,11 @@ std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
   if (world.faults.faults.size() > 1 || !world.faults.faults.empty())
     for (const worlds::FaultPlan& plan : world.faults.smaller()) with([&](HuntWorld& w) { w.faults = plan; });
   if (world.track)
-    for (const worlds::Track& track : world.track->smaller()) with([&](HuntWorld& w) { w.track = track; });
+    for (const worlds::Track& track : world.track->smaller())
+      with([&](HuntWorld& w) { w.track = track, drop_obstacles(w, space); });
   if (world.network)
     for (const worlds::LineNetwork& network : world.network->smaller())
-      with([&](HuntWorld& w) { w.network = network; });
+      with([&](HuntWorld& w) { w.network = network, drop_obstacles(w, space); });
   if (!world.robot.levels.empty())
     for (const worlds::RobotVariant& robot : world.robot.smaller())
       with([&](HuntWorld& w) { w.robot = robot; });

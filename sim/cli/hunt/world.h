@@ -91,7 +91,7 @@ struct HuntSpace {
   std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin, the
                                    ///< last one last
   bool keeps = false;              ///< it uses the EEPROM
-  bool feels = false;              ///< it looks at a bumper, so that something may stand in its way
+  bool feels = false;              ///< a bumper changes what it does, so that something may stand in its way
   std::vector<Promise> promises;
   int for_ms = 60'000;    ///< of a run, at most
   int usual_ms = 60'000;  ///< of most runs

@@ -175,6 +175,18 @@ TEST(HuntSymptom, HasTheMomentOfTheFirstNewEventOrLine) {
   EXPECT_FALSE(moment_of({"verdict lost", "ran Line.ino:3"}, result).is_known());
 }
 
+TEST(HuntWorld, PutsNoObstacleBesideTheLineOfASmallerMap) {
+  HuntSpace space = space_of_a_talker();
+  space.maps.front().line = {{3, 4}};
+  HuntWorld world;
+  world.track = worlds::lay_out({3, 4, 0}, [](int below) { return below / 2; });
+  world.deeds = {{200, "obstacle 3,4 for 60s", kObstacle}, {200, "obstacle 30,40 for 60s", kObstacle}};
+  const HuntWorld next = smaller(world, space).front();
+  EXPECT_FALSE(next.drawn());
+  ASSERT_EQ(next.deeds.size(), 1U);
+  EXPECT_EQ(next.deeds.front().what, "obstacle 3,4 for 60s");
+}
+
 TEST(HuntSymptom, IsWhatTheCompilerWarnsOfOnceForEachLine) {
   const auto warned = warned_in(
       "Line.ino: In function 'void loop()':\n"
