@@ -189,7 +189,7 @@ class Volts final : public FirmwarePort {
 
 uint16_t sampled(Volts& board, uint8_t multiplexer) {
   double held = 0.0;
-  return adc_sample(board, kAdc, multiplexer, held, 0, 0, 0, [](Pin pin) { return pin; });
+  return adc_sample(board, board.spec(), kAdc, multiplexer, held, 0, 0, 0, [](Pin pin) { return pin; });
 }
 
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
