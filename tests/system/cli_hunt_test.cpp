@@ -136,9 +136,10 @@ TEST_F(CliHunt, TellsOfARobotThatDoesNotDriveWhateverIsDoneToIt) {
         std::string(level) + ";\n  analogWrite(5, goes ? 90 : 0), analogWrite(6, goes ? 90 : 0);");
     return hunt({}, "12").out;
   };
-  EXPECT_THAT(drives_if("2"), HasSubstr("finding 1: In none of 12 runs the robot drove, whatever was done to "
-                                        "it. The 2.00 s of simulated time are up"));
-  EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("In none of 12 runs the robot drove")));
+  EXPECT_THAT(drives_if("2"),
+              HasSubstr("nothing was found\nin none of them the robot drove, whatever was done to "
+                        "it: The 2.00 s of simulated time are up"));
+  EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("in none of them the robot drove")));
 }
 
 TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {

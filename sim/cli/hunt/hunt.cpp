@@ -340,11 +340,6 @@ void Hunt::look_back() {
                  false});
   const wire::RunResult& result = plain_.result;
   // Who neither looks at the line nor was told of a goal has another.
-  if (findings_.empty() && !traits_.contains(kDrives) && has_motors(result, plain_.robot))
-    return add_plain(
-        {"stands", "stands",
-         fmt::format("In none of {} runs the robot drove, whatever was done to it. {}", runs_, result.why),
-         true});
   const bool has_goal = reads_the_floor(result, plain_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)
@@ -353,6 +348,11 @@ void Hunt::look_back() {
       {"goal", "goal",
        fmt::format("In none of {} runs the robot came to its goal, {}. {}", runs_, result.goal, result.why),
        true});
+}
+
+std::string Hunt::remark() const {
+  if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(plain_.result, plain_.robot)) return "";
+  return fmt::format("in none of them the robot drove, whatever was done to it: {}\n", plain_.result.why);
 }
 
 bool Hunt::go() {

@@ -36,6 +36,8 @@ class Hunt {
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Plain& plain() const { return plain_; }
+  /// What is strange, and no finding: the sketch may wait for what nobody does to it here. Empty = nothing.
+  std::string remark() const;
   const HuntWorld& plain_world() const { return plain_world_; }
 
  private:

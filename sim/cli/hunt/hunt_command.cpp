@@ -70,6 +70,7 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
   for (std::size_t i = 0; i < found; ++i)
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
+  text += hunt.remark();
   for (const std::string& map : hunt.plain().reached() ? bench.left_maps() : std::vector<std::string>{})
     text += fmt::format("not on {0}, where it did not come to its goal: --map {0} hunts there\n", map);
   if (bench.refused() > 0)
