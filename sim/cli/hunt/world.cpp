@@ -18,7 +18,7 @@ using worlds::Fault;
 constexpr int kMostSquares = 4, kMostPieces = 10, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
 constexpr int kHeldFor_ms = 300, kAfterHeld_ms = 4'000;  // a button at power-on
-constexpr int kLongBefore_ms = 40'000, kSoon_ms = 4'000;
+constexpr int kLongBefore_ms = 40'000, kBehindDeed_ms = 4'000;
 constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
@@ -58,7 +58,7 @@ void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
   // As often as not a little behind what is done to it.
   if (!world.deeds.empty() && chance(die, 50))
     if (const Deed& deed = pick(die, world.deeds); deed.after.empty())
-      runs_ms = std::min(deed.at_ms + die(kSoon_ms), static_cast<int>(kInt_ms));
+      runs_ms = std::min(deed.at_ms + die(kBehindDeed_ms), static_cast<int>(kInt_ms));
   world.clock_ms = wrap - 1 - runs_ms;
 }
 
