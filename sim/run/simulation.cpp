@@ -339,6 +339,8 @@ bool Simulation::is_over() const { return in_->clock.t >= in_->setup.limit || in
 
 void Simulation::run_until(SimTime t) { in_->run_until(t); }
 
+void Simulation::add(std::vector<scenario::Step> steps) { in_->add(std::move(steps), 0); }
+
 std::vector<judge::Outcome> Simulation::end() {
   std::vector<judge::Outcome> all;
   for (const auto& agent : in_->agents) {

@@ -130,6 +130,9 @@ class Simulation {
   bool is_over() const;
   /// Goes on until now() is `t` or later, or it is over.
   void run_until(SimTime t);
+  /// Adds steps to the end of the first robot's script, between two ticks. Throws InputError as a script
+  /// does.
+  void add(std::vector<scenario::Step> steps);
   /// Ends the run here: who has no verdict yet has used up the time. Those of all agents, in their order.
   std::vector<judge::Outcome> end();
 

@@ -170,14 +170,15 @@ std::vector<judge::Outcome> RequestedRun::simulate() const {
   }
 }
 
-wire::RunResult RequestedRun::go() {
-  const std::vector<judge::Outcome> outcomes = simulate();
+wire::RunResult RequestedRun::go() { return result_of(simulate()); }
+
+wire::RunResult RequestedRun::result_of(const std::vector<judge::Outcome>& outcomes) {
   SimTime last = 0;
   for (const judge::Outcome& outcome : outcomes) last = std::max(last, outcome.time);
   flush(last);
-  wire::RunResult result = result_of(outcomes.front(), request_, members_.front().inputs);
+  wire::RunResult result = runner::result_of(outcomes.front(), request_, members_.front().inputs);
   for (std::size_t i = 1; i < outcomes.size(); ++i)
-    result.others.push_back(result_of(outcomes[i], request_, members_[i].inputs));
+    result.others.push_back(runner::result_of(outcomes[i], request_, members_[i].inputs));
   return result;
 }
 

@@ -59,6 +59,8 @@ class RequestedRun {
 
   /// To its end; once. Reads no more files.
   wire::RunResult go();
+  /// Of its robots, where somebody else has brought it to its end.
+  wire::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:
   /// One robot.

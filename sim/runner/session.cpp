@@ -31,6 +31,7 @@
 #include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/runner/requested_run.h"
+#include "sim/runner/ways.h"
 #include "sim/wire/protocol.h"
 
 namespace robosim::runner {
@@ -135,11 +136,6 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
     throw InputError(fault);
 }
 
-SharedBatches batches_of(Relay* relay) {
-  if (!relay) return {};
-  return {relay->waiting(), [relay] { return &relay->hand_on(); }};
-}
-
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, Relay* relay, const ReadAhead& ahead) {
   RequestedRun run(
@@ -147,7 +143,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
         return factory_of(factory, target).make(board, image);
       },
       request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
-      batches_of(relay), ahead.robots);
+      relay ? SharedBatches{relay->waiting(), [relay] { return &relay->hand_on(); }} : SharedBatches{},
+      ahead.robots);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);
@@ -172,6 +169,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
               ahead.images.at(agents[agent].image));
     if (exec::why_not_confined().empty()) relay->confine();
   }
+  if (request.ways) return go_all_ways(run, request, relay ? std::function<void()>() : start_watchdog);
   wire::RunResult result = run.go();
   if (!request.counters.empty()) keep_counters(request, pack(run.executor().counters()), relay);
   if (debugger) debugger->ended(result.status);

@@ -61,6 +61,24 @@ void fields(V& v, Same<V, AgentRequest>& a) {
   v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
+/// Where a run parts, to go on in several ways from the same state.
+struct Ways {
+  std::int64_t at_ns = 0;            ///< from power-on, or behind `after`; a multiple of 1 ms
+  std::string after;                 ///< a text that the sketch sends
+  std::vector<std::string> scripts;  ///< of each way
+};
+
+template <class V>
+void fields(V& v, Same<V, Ways>& w) {
+  v("at_ns", w.at_ns, "where the run parts, unless `after` says it; a multiple of the tick (1 ms)",
+    {.unit = "ns", .presence = kOptional, .least = 0, .multiple_of = 1'000'000});
+  v("after", w.after, "the run parts when the sketch has sent this text",
+    {.otherwise = "at `at_ns`", .presence = when(!w.after.empty())});
+  v("scripts", w.scripts,
+    "for each way, of which there are 1 to 64, lines that come at the end of the script. Nothing in them is "
+    "due before the run parts; they may wait for `after`");
+}
+
 /// One simulation.
 struct RunRequest {
   static constexpr const char* kDo = "run";
@@ -91,6 +109,7 @@ struct RunRequest {
   bool detect = false;       ///< detectors watch the sketches (docs/sanitizers.md)
   bool why = false;          ///< follow its verdict back to what caused it
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
+  std::optional<Ways> ways;  ///< it parts; on chips only
   std::string name;          ///< of the robot, where there are several
   std::string target;        ///< whose firmware it is, where there are several; empty = the runner's own
   std::vector<AgentRequest> agents;  ///< further robots: number 1, 2 …
@@ -123,6 +142,12 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "driven, and of which "
     "nothing is streamed",
     {.presence = when(r.why)});
+  v("ways", r.ways,
+    "the run parts, and goes on in several ways, each as a run of its own would whose script has these lines "
+    "at its end. The answer is the first way's and has the others' under the key `ways`. Counters of the "
+    "second way are written to `counters` with `.2` behind it, and so on. Of a run of one robot on a chip, "
+    "which is not driven, and of which nothing is streamed (else an `input` error)",
+    {.otherwise = "none"});
   v("script", r.script, "text of a scenario", {.otherwise = "empty", .presence = when(!r.script.empty())});
   v("script_file", r.script_file, "its name, for messages", {.presence = when(!r.script.empty())});
   v("samples_every_ns", r.samples_every_ns,

@@ -294,6 +294,7 @@ struct RunResult {
   std::string robot_sha256;
   std::string image_sha256;
   std::vector<RunResult> others;  ///< of the run's further robots
+  std::vector<RunResult> ways;    ///< the second and all further ones, of a run that parts
 };
 
 template <class V>
@@ -345,6 +346,8 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("others", r.others,
     "results of the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!r.others.empty())});
+  v("ways", r.ways, "of a run that parts, the results of its second and all further ways; else absent",
+    {.presence = when(!r.ways.empty())});
 }
 
 }  // namespace robosim::wire

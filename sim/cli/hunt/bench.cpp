@@ -11,6 +11,7 @@
 #include "sim/base/robot_name.h"
 #include "sim/build/source.h"
 #include "sim/cli/check/checks_file.h"
+#include "sim/cli/hunt/deeds.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/chip_lines.h"
 #include "sim/grid/map.h"
@@ -282,37 +283,95 @@ wire::RunRequest HuntBench::request_of(const HuntWorld& world, const std::string
   return request;
 }
 
+wire::RunRequest HuntBench::request_of_all(const std::vector<HuntWorld>& worlds, const Task& task,
+                                           const std::string& folder) const {
+  const HuntWorld& first = worlds[task.first];
+  if (task.count == 1) return request_of(first, folder);
+  HuntWorld start = first;
+  start.deeds.pop_back();
+  wire::RunRequest request = request_of(start, folder);
+  wire::Ways& ways = request.ways.emplace();
+  ways.after = first.parting.after;
+  if (ways.after.empty()) ways.at_ns = std::int64_t{first.parting.at_ms} * kMillisecond;
+  for (std::size_t i = 0; i < task.count; ++i)
+    ways.scripts.push_back(script_line(worlds[task.first + i].deeds.back()));
+  return request;
+}
+
+std::vector<HuntBench::Task> HuntBench::tasks_of(const std::vector<HuntWorld>& worlds) const {
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const bool part = i > 0 && worlds[i].family > 0 && worlds[i].family == worlds[i - 1].family &&
+                      worlds[i].for_s == worlds[i - 1].for_s &&
+                      space_.builds[worlds[i].build].target != "host";
+    if (part)
+      ++tasks.back().count;
+    else
+      tasks.push_back({i, 1});
+  }
+  return tasks;
+}
+
 bool HuntBench::run(const std::vector<HuntWorld>& worlds,
                     std::vector<std::optional<wire::RunResult>>& results,
                     std::vector<std::vector<std::string>>* ran) {
   results.assign(worlds.size(), std::nullopt);
   if (ran) ran->assign(worlds.size(), {});
-  const auto counters = [&](std::size_t i) { return work_.path() / std::to_string(i) / "lines"; };
-  return pool_.run({worlds.size(),
-                    [&](std::size_t i) {
-                      const std::string folder = (work_.path() / std::to_string(i)).string();
-                      const HuntSpace::Build& build = space_.builds[worlds[i].build];
-                      client::Task task{build.target, request_of(worlds[i], folder)};
-                      if (ran && build.target != "host" && !build.checked)
-                        task.request.counters = counters(i).string();
-                      return task;
-                    },
-                    [&](std::size_t i, client::Answer&& answer) {
-                      if (auto* result = std::get_if<wire::RunResult>(&answer)) {
-                        results[i] = std::move(*result);
-                        if (!ran) return;
-                        for (const auto& [place, count] : take_chip_lines(counters(i)))
-                          if (count > 0.0)
-                            (*ran)[i].push_back(fmt::format("ran {}:{}", place.first, place.second));
-                        return;
-                      }
-                      const auto& failure = std::get<client::Failure>(answer);
-                      if (failure.kind == client::Failure::Kind::tool) throw ToolMissing(failure.message);
-                      if (failure.kind == client::Failure::Kind::internal)
-                        throw wire::RunnerError(failure.message);
-                      if (refused_++ == 0) refusal_ = failure.message;
-                    },
-                    {}});
+  const std::vector<Task> tasks = tasks_of(worlds);
+  std::vector<std::size_t> alone;  // of families that cannot be all in one
+  const auto counters = [&](std::size_t t) { return work_.path() / std::to_string(t) / "lines"; };
+  const auto keep = [&](std::size_t i, wire::RunResult&& result, const fs::path& lines) {
+    results[i] = std::move(result);
+    if (!ran) return;
+    for (const auto& [place, count] : take_chip_lines(lines))
+      if (count > 0.0) (*ran)[i].push_back(fmt::format("ran {}:{}", place.first, place.second));
+  };
+  const bool whole = pool_.run({tasks.size(),
+                                [&](std::size_t t) {
+                                  const HuntSpace::Build& build = space_.builds[worlds[tasks[t].first].build];
+                                  const std::string folder = (work_.path() / std::to_string(t)).string();
+                                  client::Task task{build.target, request_of_all(worlds, tasks[t], folder)};
+                                  if (ran && build.target != "host" && !build.checked)
+                                    task.request.counters = counters(t).string();
+                                  return task;
+                                },
+                                [&](std::size_t t, client::Answer&& answer) {
+                                  const std::size_t first = tasks[t].first;
+                                  if (auto* result = std::get_if<wire::RunResult>(&answer)) {
+                                    std::vector<wire::RunResult> others = std::move(result->ways);
+                                    keep(first, std::move(*result), counters(t));
+                                    for (std::size_t i = 0; i < others.size() && i + 1 < tasks[t].count; ++i)
+                                      keep(first + i + 1, std::move(others[i]),
+                                           fmt::format("{}.{}", counters(t).string(), i + 2));
+                                    return;
+                                  }
+                                  const auto& failure = std::get<client::Failure>(answer);
+                                  if (failure.kind == client::Failure::Kind::tool)
+                                    throw ToolMissing(failure.message);
+                                  if (failure.kind == client::Failure::Kind::internal)
+                                    throw wire::RunnerError(failure.message);
+                                  if (tasks[t].count > 1) {
+                                    for (std::size_t i = 0; i < tasks[t].count; ++i)
+                                      alone.push_back(first + i);
+                                  } else if (refused_++ == 0) {
+                                    refusal_ = failure.message;
+                                  }
+                                },
+                                {}});
+  if (!whole || alone.empty()) return whole;
+  std::vector<HuntWorld> others;
+  for (const std::size_t i : alone) {
+    others.push_back(worlds[i]);
+    others.back().family = 0;
+  }
+  std::vector<std::optional<wire::RunResult>> later;
+  std::vector<std::vector<std::string>> ran_later;
+  if (!run(others, later, ran ? &ran_later : nullptr)) return false;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    results[alone[i]] = std::move(later[i]);
+    if (ran) (*ran)[alone[i]] = std::move(ran_later[i]);
+  }
+  return true;
 }
 
 }  // namespace robosim::cli

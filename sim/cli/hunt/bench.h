@@ -53,6 +53,13 @@ class HuntBench {
   const std::string& refusal() const { return refusal_; }
 
  private:
+  /// One run: a world, or those of a family.
+  struct Task {
+    std::size_t first = 0, count = 1;
+  };
+  std::vector<Task> tasks_of(const std::vector<HuntWorld>& worlds) const;
+  wire::RunRequest request_of_all(const std::vector<HuntWorld>& worlds, const Task& task,
+                                  const std::string& folder) const;
   void prepare(const HuntArguments& arguments, tui::Progress& progress);
   void look_at_maps(const HuntArguments& arguments);
   void look_at_robot(const HuntArguments& arguments, client::Runner& describer);

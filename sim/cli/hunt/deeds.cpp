@@ -103,6 +103,13 @@ Deed draw_deed(const HuntWorld& world, const HuntSpace& space, const Die& die) {
   return deed;
 }
 
+Deed deed_behind(const HuntWorld& world, const Moment& moment, const HuntSpace& space, const Die& die) {
+  Deed deed = draw_deed(world, space, die);
+  deed.at_ms = std::max(0, moment.at_ms) + 10 + die(kSoon_ms);
+  deed.after = moment.after;
+  return deed;
+}
+
 }  // namespace
 
 std::vector<std::vector<Deed>> openings(const HuntSpace& space) {
@@ -178,11 +185,12 @@ void block(HuntWorld& world, const HuntSpace& space, const Die& die) {
 }
 
 void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const Die& die) {
-  Deed deed = draw_deed(world, space, die);
-  deed.at_ms = std::max(0, moment.at_ms) + 10 + die(kSoon_ms);
-  deed.after = moment.after;
-  world.deeds.push_back(deed);
+  world.deeds.push_back(deed_behind(world, moment, space, die));
   in_order(world.deeds);
+}
+
+void branch(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  world.deeds.push_back(deed_behind(world, world.parting, space, die));
 }
 
 void add_deed(HuntWorld& world, const HuntSpace& space, const Die& die) {

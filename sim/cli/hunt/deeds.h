@@ -32,6 +32,8 @@ void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die)
 void block(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// One more, within two seconds of the moment.
 void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const worlds::Die& die);
+/// The same of `world.parting`, as its last deed.
+void branch(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// One more.
 void add_deed(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 

@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kRound = 12;      // runs
 constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried together
 constexpr std::size_t kMostTries = 80;  // of smaller worlds
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
@@ -190,6 +189,7 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
 
 bool Hunt::shrink(HuntFinding& finding) {
   const HuntSpace& space = bench_.space();
+  finding.world.family = 0;
   if (finding.symptom.kind != kUnlike) finding.world.twin = Twin::none;
   std::size_t tries = 0;
   for (bool smaller_found = true; smaller_found && tries < kMostTries;) {
@@ -277,7 +277,10 @@ void Hunt::count(const HuntWorld& world, const HuntRow& row) {
   if (row.reached) ++reached_;
   traits_.insert(row.traits.begin(), row.traits.end());
   heard_.insert(row.heard.begin(), row.heard.end());
-  if (!row.traits.empty()) noted_.push_back({world, row.moment});
+  if (!row.traits.empty()) {
+    noted_.push_back({world, row.moment});
+    noted_.back().world.family = 0;
+  }
   if (row.fresh)
     tell(*row.fresh);
   else if (row.finding > 0 && row.finding <= findings_.size())
@@ -293,10 +296,11 @@ bool Hunt::make_round() {
     }
   } else {
     const std::uint64_t left = runs_wanted() - runs_;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i) {
-      worlds.push_back(draw_world(bench_.space(), noted_, arguments_.seed, arguments_.shard.run(runs_ + i)));
-      worlds.back().for_s = time_of(worlds.back());
-    }
+    std::vector<std::uint64_t> runs;
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i)
+      runs.push_back(arguments_.shard.run(runs_ + i));
+    worlds = draw_round(bench_.space(), noted_, arguments_.seed, runs);
+    for (HuntWorld& world : worlds) world.for_s = time_of(world);
   }
   for (std::size_t i = 0; i < worlds.size(); ++i)
     if (!log_.row(runs_ + i)) to_make.push_back(worlds[i]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim/base/noise.h"
 #include "sim/cli/hunt/deeds.h"
@@ -124,7 +125,7 @@ void drop_obstacles(HuntWorld& world, const HuntSpace& space) {
 HuntWorld like(const Noted& noted, const HuntSpace& space, const Die& die) {
   HuntWorld world = noted.world;
   world.twin = Twin::none;
-  if (noted.moment.is_known() && chance(die, 33)) {
+  if (noted.moment.is_known() && chance(die, 20)) {
     add_deed_behind(world, noted.moment, space, die);
     return world;
   }
@@ -160,6 +161,57 @@ std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const Die& die
   return pick(die, builds);
 }
 
+/// One after another by a number that decides what they are.
+class Dice {
+ public:
+  Dice(std::uint64_t seed, const char* what, std::uint64_t number)
+      : stream_(seed, 0, "hunt", what), n_(number << 16) {}
+  int operator()(int below) {
+    return static_cast<int>(stream_.bits(n_++) % static_cast<std::uint64_t>(std::max(1, below)));
+  }
+
+ private:
+  NoiseStream stream_;
+  std::uint64_t n_;
+};
+
+HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
+                     std::uint64_t run) {
+  Dice dice(seed, "world", run);
+  const Die die = std::ref(dice);
+  if (run % kPairEvery == kPairEvery - 1 && space.builds.front().target != "host") return pair(space, die);
+  HuntWorld world =
+      !noted.empty() && chance(die, 50) ? like(pick(die, noted), space, die) : fresh(space, die);
+  world.build = draw_build(space, run, die);
+  if (space.builds[world.build].target == "host") world.clock_ms = 0;
+  return world;
+}
+
+/// The last ones of a round become one, if there is a chip, and anything to branch from.
+void draw_family(std::vector<HuntWorld>& worlds, const HuntSpace& space, const std::vector<Noted>& noted,
+                 std::uint64_t seed, const std::vector<std::uint64_t>& runs) {
+  std::vector<std::size_t> chips;
+  for (std::size_t i = 0; i < drawn_builds(space); ++i)
+    if (space.builds[i].target != "host") chips.insert(chips.end(), space.builds[i].checked ? 1 : 2, i);
+  std::vector<const Noted*> known;
+  for (const Noted& one : noted)
+    if (one.moment.is_known()) known.push_back(&one);
+  if (chips.empty() || known.empty()) return;
+  Dice dice(seed, "family", runs.front());
+  const Die die = std::ref(dice);
+  const Noted& from = *pick(die, known);
+  const std::size_t build = pick(die, chips);
+  for (std::size_t i = kRound - kFamily; i < kRound; ++i) {
+    Dice own(seed, "branch", runs[i]);
+    HuntWorld& world = worlds[i] = from.world;
+    world.twin = Twin::none;
+    world.build = build;
+    world.family = runs.front() + 1;
+    world.parting = from.moment;
+    branch(world, space, std::ref(own));
+  }
+}
+
 }  // namespace
 
 std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space) {
@@ -168,19 +220,12 @@ std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space) {
   return opening;
 }
 
-HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
-                     std::uint64_t run) {
-  const NoiseStream stream(seed, 0, "hunt", "world");
-  std::uint64_t n = run << 16;
-  const Die die = [&](int below) {
-    return static_cast<int>(stream.bits(n++) % static_cast<std::uint64_t>(std::max(1, below)));
-  };
-  if (run % kPairEvery == kPairEvery - 1 && space.builds.front().target != "host") return pair(space, die);
-  HuntWorld world =
-      !noted.empty() && chance(die, 50) ? like(pick(die, noted), space, die) : fresh(space, die);
-  world.build = draw_build(space, run, die);
-  if (space.builds[world.build].target == "host") world.clock_ms = 0;
-  return world;
+std::vector<HuntWorld> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
+                                  const std::vector<std::uint64_t>& runs) {
+  std::vector<HuntWorld> worlds;
+  for (const std::uint64_t run : runs) worlds.push_back(draw_world(space, noted, seed, run));
+  if (runs.size() == kRound) draw_family(worlds, space, noted, seed, runs);
+  return worlds;
 }
 
 std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space) {
@@ -284,9 +329,9 @@ std::vector<grid::CellAt> cells_with_line(const HuntWorld& world, const HuntSpac
 }
 
 std::string script_text(const HuntWorld& world, const HuntSpace& space) {
-  std::string text;
+  std::string text = world.faults.script(space.limits);
   for (const Deed& deed : world.deeds) text += script_line(deed);
-  return text + world.faults.script(space.limits);
+  return text;
 }
 
 double line_length_m(const HuntWorld& world, const HuntSpace& space) {

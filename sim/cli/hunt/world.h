@@ -40,6 +40,14 @@ inline constexpr std::int64_t kPast_ms = 4 << 16;
 /// What a world is made a second time for, and held against: see twin.h.
 enum class Twin : std::uint8_t { none, host, clock };
 
+/// When something new was seen in a run: at a time, or behind what the sketch has sent. Nothing where nobody
+/// knows.
+struct Moment {
+  int at_ms = -1;
+  std::string after = {};
+  bool is_known() const { return at_ms >= 0 || !after.empty(); }
+};
+
 struct HuntWorld {
   Twin twin = Twin::none;
   std::size_t build = 0;  ///< of HuntSpace::builds
@@ -52,6 +60,9 @@ struct HuntWorld {
   std::vector<Deed> deeds;
   int later_ms = 0;  ///< than in the plain world is what makes it go: it stands for so long before
   std::int64_t clock_ms = 0;
+  std::uint64_t family = 0;  ///< of worlds that are the same up to `parting`, then each has its last deed;
+                             ///< 0 = of none. On a chip they are made as one run that parts (wire::Ways)
+  Moment parting = {};
   bool to_goal = true;   ///< ends there; else it runs on until its time is up
   bool is_long = false;  ///< takes all the time that there is for a run
   double for_s = 60.0;
@@ -109,24 +120,18 @@ inline std::size_t drawn_builds(const HuntSpace& space) {
   return space.builds.size() - (space.host_twin ? 1 : 0);
 }
 
-/// When something new was seen in a run: at a time, or behind what the sketch has sent. Nothing where nobody
-/// knows.
-struct Moment {
-  int at_ms = -1;
-  std::string after = {};
-  bool is_known() const { return at_ms >= 0 || !after.empty(); }
-};
 /// A world in which something new was seen.
 struct Noted {
   HuntWorld world;
   Moment moment = {};
 };
 
-/// A number from 0 on that counts the runs decides, with the hunt's seed. Half of the worlds are like one of
-/// those in which something new was seen; a third of these branch from it: the same up to the moment, and
-/// then something is done to the robot.
-HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
-                     std::uint64_t run);
+/// For each number of a run a world, by it and the hunt's seed. Half of the worlds are like one of those in
+/// which something new was seen; a fifth of these branch from it: the same up to the moment, and then
+/// something is done to the robot. So are the last ones of a whole round on a chip, all from one moment.
+std::vector<HuntWorld> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
+                                  const std::vector<std::uint64_t>& runs);
+inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< worlds
 
 /// Simpler by a step; those that are simpler by far come first. Ends after finitely many steps.
 std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space);

@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <set>
+
 #include "sim/cli/hunt/deeds.h"
 #include "sim/cli/hunt/symptom.h"
 #include "sim/cli/hunt/twin.h"
@@ -67,7 +71,7 @@ TEST(HuntTwin, WrapsTheClockOfWhoStandsBeforeSomething) {
   space.maps.front().line = {{3, 4}};
   int blocked = 0;
   for (std::uint64_t run = 0; run < 200; ++run) {
-    const HuntWorld world = draw_world(space, {}, 1, run);
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
     if (world.twin == Twin::clock && script_text(world, space) == "at 200ms obstacle 3,4 for 60s\n")
       ++blocked;
   }
@@ -80,12 +84,14 @@ TEST(HuntTwin, SpeaksTheSketchsOwnWordsAsOftenAsAllOthers) {
   space.words.emplace_back("calibrate");
   space.own_words = 1;
   int own = 0, all = 0;
-  for (std::uint64_t run = 0; run < 200; ++run)
-    for (const Deed& deed : draw_world(space, {}, 1, run).deeds) {
+  for (std::uint64_t run = 0; run < 200; ++run) {
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
+    for (const Deed& deed : world.deeds) {
       if (deed.kind != "send") continue;
       ++all;
       own += deed.what.starts_with("send \"calibrate");
     }
+  }
   EXPECT_GT(10 * own, 3 * all);
   EXPECT_LT(10 * own, 7 * all);
 }
@@ -97,7 +103,7 @@ TEST(HuntWorld, HoldsAButtonAtPowerOnWaitsAndTakesUsedBoards) {
   space.keeps = true;
   int held = 0, later = 0, used = 0;
   for (std::uint64_t run = 0; run < 400; ++run) {
-    const HuntWorld world = draw_world(space, {}, 1, run);
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
     const std::string script = script_text(world, space);
     const bool holds = script.find("at 0ms press start ") != std::string::npos;
     if (holds) {
@@ -131,7 +137,7 @@ TEST(HuntWorld, IsTheHostsAsOftenAsAllOthers) {
   HuntSpace space = space_of_a_talker();
   int host = 0, chip = 0, checked = 0;
   for (std::uint64_t run = 0; run < 400; ++run) {
-    const HuntWorld world = draw_world(space, {}, 1, run);
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
     if (world.twin != Twin::none) continue;
     host += world.build == 3, chip += world.build == 0, checked += space.builds[world.build].checked;
   }
@@ -150,7 +156,7 @@ TEST(HuntWorld, BranchesOffWhereSomethingNewWasSeen) {
   behind.moment.after = "found ";
   int branches = 0, talks = 0;
   for (std::uint64_t run = 0; run < 400; ++run) {
-    const HuntWorld world = draw_world(space, {at, behind}, 1, run);
+    const HuntWorld world = draw_round(space, {at, behind}, 1, {run}).front();
     if (world.seed != 4711 && world.seed != 4712) continue;
     ASSERT_EQ(world.deeds.size(), 1U);
     const Deed& deed = world.deeds.front();
@@ -162,6 +168,36 @@ TEST(HuntWorld, BranchesOffWhereSomethingNewWasSeen) {
   }
   EXPECT_GT(branches, 10);
   EXPECT_GT(talks, 10);
+}
+
+TEST(HuntWorld, OfAFamilyGoOnOnAChipFromOneMoment) {
+  HuntSpace space = space_of_a_talker();
+  space.buttons = {"start"};
+  Noted at;
+  at.world.deeds = {{1000, "press start 100ms", "press start"}, {40000, "lift for 1s", "lift"}};
+  at.moment.at_ms = 30000;
+  std::vector<std::uint64_t> runs(kRound);
+  std::iota(runs.begin(), runs.end(), 24);
+  const std::vector<HuntWorld> worlds = draw_round(space, {at}, 1, runs);
+  ASSERT_EQ(worlds.size(), kRound);
+  std::set<std::string> last;
+  for (std::size_t i = 0; i < kRound; ++i) {
+    const HuntWorld& world = worlds[i];
+    EXPECT_EQ(world.family > 0, i >= kRound - kFamily) << i;
+    if (world.family == 0) continue;
+    EXPECT_EQ(world.family, worlds.back().family);
+    EXPECT_NE(space.builds[world.build].target, "host");
+    EXPECT_EQ(world.parting.at_ms, 30000);
+    // What is done to it then comes last in its script, too: as in a run that parts.
+    ASSERT_EQ(world.deeds.size(), 3U);
+    EXPECT_TRUE(std::equal(at.world.deeds.begin(), at.world.deeds.end(), world.deeds.begin()));
+    EXPECT_GE(world.deeds.back().at_ms, 30010);
+    EXPECT_LT(world.deeds.back().at_ms, 32010);
+    last.insert(script_text(world, space));
+  }
+  EXPECT_GT(last.size(), 1U);
+  runs.pop_back();
+  for (const HuntWorld& world : draw_round(space, {at}, 1, runs)) EXPECT_EQ(world.family, 0U);
 }
 
 TEST(HuntSymptom, HasTheMomentOfTheFirstNewEventOrLine) {
@@ -233,7 +269,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
   const HuntSpace space = space_of_a_talker();
   bool host = false, clock = false, talks = false;
   for (std::uint64_t run = 0; run < 200; ++run) {
-    const HuntWorld world = draw_world(space, {}, 1, run);
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
     if (world.twin == Twin::none) continue;
     EXPECT_NE(world.build, *space.host_twin) << run;
     const HuntWorld twin = twin_of(world, space);

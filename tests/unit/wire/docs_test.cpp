@@ -125,6 +125,7 @@ std::vector<Table> tables() {
           table<RunRequest>("run", true),
           table<AgentRequest>("run.agents", true),
           table<Lateness>("run.late", true),
+          table<Ways>("run.ways", true),
           table<Act>("script", true),
           table<GoOn>("continue", true),
           table<Stop>("stop", true),
