@@ -10,6 +10,8 @@ namespace {
 
 constexpr SimTime kSettled = kSecond;
 constexpr std::size_t kMostGrowths = 4096;
+constexpr int kMostPieces = 1024;  // of a list that something may have overwritten
+constexpr int kTimesInPieces = 3;
 // What a leak does in each third of a run.
 constexpr int kThirds = 3, kTimesInThird = 3, kBytesInThird = 8;
 
@@ -20,7 +22,8 @@ Heap::Heap(Machine& machine, const Firmware& firmware, WhereNow where)
       where_(std::move(where)),
       malloc_(firmware.find("malloc").value_or(0)),
       realloc_(firmware.find("realloc").value_or(0)),
-      end_(firmware.find_variable("__brkval").value_or(0)) {
+      end_(firmware.find_variable("__brkval").value_or(0)),
+      free_(firmware.find_variable("__flp").value_or(0)) {
   if (end_ == 0) return;
   for (const std::uint32_t place : {malloc_, realloc_})
     if (place != 0) machine.chip().show(*this, place);
@@ -50,14 +53,33 @@ void Heap::asked(std::uint16_t bytes) {
   chip.show(*this, asked_->returns_to);
 }
 
+Heap::Pieces Heap::pieces() const {
+  Pieces all;
+  if (free_ == 0) return all;
+  const unsigned ram = ram_end(machine_.chip().spec());
+  for (unsigned at = word(free_); at != 0 && at + 3 <= ram && all.count < kMostPieces;
+       at = word(static_cast<reg::Address>(at + 2))) {
+    const int bytes = word(static_cast<reg::Address>(at));
+    ++all.count;
+    all.bytes += bytes;
+    all.largest = std::max(all.largest, bytes);
+  }
+  return all;
+}
+
 void Heap::answered() {
   const Asked asked = *std::exchange(asked_, std::nullopt);
   if (word(kArgument[0]) == 0 && asked.bytes > 0) {
+    const Pieces free = pieces();
     seen_.add(
         {"no_memory",
-         fmt::format("there was no memory for {} bytes: a String silently becomes empty, or stays as it "
+         fmt::format("there was no memory for {} bytes{}: a String silently becomes empty, or stays as it "
                      "was, and new gives a null pointer",
-                     asked.bytes),
+                     asked.bytes,
+                     free.bytes < asked.bytes
+                         ? ""
+                         : fmt::format(", though {} are free, in {} pieces of which the largest has {},",
+                                       free.bytes, free.count, free.largest)),
          "Keep less in RAM: print texts in the place of joining them, F(\"…\") for those that stay, a "
          "char array of fixed size for those that change.",
          where_(), 1e-9 * static_cast<double>(machine_.now()), 1});
@@ -65,8 +87,35 @@ void Heap::answered() {
   }
   const std::uint16_t end = word(end_);
   if ((!growths_.empty() && end <= growths_.back().end) || growths_.size() >= kMostGrowths) return;
+  const std::uint16_t before = growths_.empty() ? end : growths_.back().end;
   growths_.push_back({machine_.now(), end});
   grown_at_ = where_();
+  // A block that is the last one grows in its place.
+  if (word(kArgument[0]) >= before && machine_.now() > kSettled) note_pieces(asked.bytes, end);
+}
+
+void Heap::note_pieces(int asked, int end) {
+  const Pieces free = pieces();
+  if (free.bytes < asked) return;
+  const int times = in_pieces_ ? in_pieces_->times + 1 : 1;
+  const double now_s = 1e-9 * static_cast<double>(machine_.now());
+  const double first_s = in_pieces_ ? in_pieces_->first_s : now_s;
+  if (free.bytes > worst_bytes_) {
+    worst_bytes_ = free.bytes;
+    in_pieces_ = {
+        "heap_in_pieces",
+        fmt::format(
+            "the heap grew for {} bytes though {} of its were free, in {} pieces of which the largest "
+            "had {}; {} bytes are left until it meets the stack",
+            asked, free.bytes, free.count, free.largest, std::max(0, machine_.chip().lowest_sp() - end)),
+        "Texts of many lengths, some kept and some not, leave holes: reserve() each kept one once, in "
+        "setup(), "
+        "keep texts in char arrays of fixed size, print what is not kept in the place of joining it.",
+        grown_at_,
+        first_s,
+        times};
+  }
+  in_pieces_->times = times;
 }
 
 std::optional<Detected> Heap::growth() const {
@@ -104,7 +153,10 @@ std::optional<Detected> Heap::growth() const {
 
 std::vector<Detected> Heap::found() const {
   std::vector<Detected> all = seen_.all();
-  if (auto grows = growth()) all.push_back(std::move(*grows));
+  if (auto grows = growth())
+    all.push_back(std::move(*grows));
+  else if (in_pieces_ && in_pieces_->times >= kTimesInPieces)
+    all.push_back(*in_pieces_);
   return all;
 }
 
