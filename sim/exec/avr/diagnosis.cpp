@@ -13,6 +13,18 @@
 namespace robosim::exec::avr {
 namespace {
 
+const char* name_of(Tearing::Deed deed) {
+  switch (deed) {
+    case Tearing::Deed::reads:
+      return "torn_read";
+    case Tearing::Deed::writes:
+      return "torn_write";
+    case Tearing::Deed::writes_back:
+      return "lost_update";
+  }
+  return "";
+}
+
 constexpr std::size_t kMostCalls = 10;
 constexpr int kRet = 0x9508, kReti = 0x9518;
 
@@ -118,13 +130,20 @@ std::string Diagnosis::torn_text(const Tearing::Found& found) const {
   const SourceLine at = debug_.place(found.handler_pc);
   const std::string handler =
       at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
+  if (found.deed == Tearing::Deed::writes_back)
+    return fmt::format(
+        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt, and came "
+        "{:.1f} µs too late to be undone by that; change it with interrupts off (noInterrupts(), "
+        "ATOMIC_BLOCK)",
+        readable(found.number->name), handler, later_us);
+  const bool writes = found.deed == Tearing::Deed::writes;
   return fmt::format(
       "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and came "
       "{:.0f} µs too "
       "late to leave half of an old number and half of a new one; {} with interrupts off (noInterrupts(), "
       "ATOMIC_BLOCK)",
-      found.writes ? "write" : "read", readable(found.number->name), found.number->size,
-      found.writes ? "writes" : "reads", handler, later_us, found.writes ? "write it" : "copy it");
+      writes ? "write" : "read", readable(found.number->name), found.number->size,
+      writes ? "writes" : "reads", handler, later_us, writes ? "write it" : "copy it");
 }
 
 std::string Diagnosis::reason(const Fault& fault) const {
@@ -207,8 +226,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
     return crash;
   }
   crash.reason = reason(fault);
-  if (fault.kind == Fault::Kind::torn)
-    crash.check = machine_.chip().tearing()->found()->writes ? "torn_write" : "torn_read";
+  if (fault.kind == Fault::Kind::torn) crash.check = name_of(machine_.chip().tearing()->found()->deed);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // Of a jump into the void: the call or return that led there.

@@ -118,6 +118,37 @@ TEST_F(CheckTest, ANumberThatAHandlerMayChangeWhileItIsWritten) {
   EXPECT_EQ(avr_->crash()->where.line, 5);
 }
 
+TEST_F(CheckTest, AByteThatAHandlerMayChangeWhileItIsChanged) {
+  const std::array<std::string, 2> wrong[] = {
+      {"flags |= 2; if (flags & 1) seen = 1; flags &= ~3;", "flags |= 1;"},
+      {"if (flags) { --flags; ++seen; }", "++flags;"},
+      {"flags = flags * 3 + 1;", "flags += 5;"}};
+  for (const auto& [line, handler] : wrong) {
+    start("volatile byte flags;\n" + counted(line, handler));
+    run(100 * kMillisecond);
+    ASSERT_TRUE(avr_->crash()) << line;
+    EXPECT_EQ(avr_->crash()->check, "lost_update");
+    EXPECT_THAT(avr_->crash()->reason,
+                HasSubstr("lost update of flags, which is read, changed and written back: the handler at "
+                          "Test.ino:4 changes it in an interrupt"));
+    EXPECT_EQ(avr_->crash()->where.line, 6);
+  }
+}
+
+TEST_F(CheckTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
+  const std::array<std::string, 2> right[] = {{"if (flags) { flags = 0; ++seen; }", "flags = 1;"},
+                                              {"if (flags & 1) { flags &= ~1; ++seen; }", "flags |= 1;"},
+                                              {"noInterrupts(); flags |= 2; interrupts();", "flags |= 1;"},
+                                              {"ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { --flags; }", "++flags;"},
+                                              {"GPIOR0 |= 2;", "GPIOR0 |= 1; flags = GPIOR0;"},
+                                              {"flags |= 2;", "if (flags & 2) ++seen;"}};
+  for (const auto& [line, handler] : right) {
+    start("volatile byte flags;\n" + counted(line, handler));
+    run(20 * kMillisecond);
+    EXPECT_FALSE(avr_->crash()) << line << "\n" << avr_->crash()->reason;
+  }
+}
+
 // As people do it who know better; the handler comes as often.
 TEST_F(CheckTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";

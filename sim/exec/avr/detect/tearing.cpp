@@ -47,13 +47,93 @@ bool is_straight(Op op) {
   }
 }
 
+bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
+  const auto frames = debug.frames(pc);
+  return std::any_of(frames.begin(), frames.end(),
+                     [](const SourceLine& frame) { return !is_core_file(frame.file); });
+}
+
+/// Where a value is that was read from memory, register by register: as it was read, or changed.
+class Trail {
+ public:
+  explicit Trail(int reg) : read_(bit(reg)) {}
+  bool is_changed(int reg) const { return (changed_ & bit(reg)) != 0; }
+  void follow(const Instruction& i) {
+    switch (i.op) {
+      case Op::add:
+      case Op::adc:
+      case Op::sub:
+      case Op::sbc:
+      case Op::and_:
+      case Op::or_:
+      case Op::eor:
+        if (i.a == i.b && (i.op == Op::eor || i.op == Op::sub)) return drop(i.a);
+        if (has(i.a) || has(i.b)) change(i.a);
+        return;
+      case Op::mov:
+        return copy(i.a, i.b);
+      case Op::movw:
+        copy(i.a, i.b);
+        return copy(i.a + 1, i.b + 1);
+      case Op::subi:
+      case Op::sbci:
+      case Op::andi:
+      case Op::ori:
+      case Op::adiw:
+      case Op::sbiw:
+      case Op::com:
+      case Op::neg:
+      case Op::swap:
+      case Op::inc:
+      case Op::dec:
+      case Op::asr:
+      case Op::lsr:
+      case Op::ror:
+      case Op::bld:
+        if (has(i.a)) change(i.a);
+        return;
+      case Op::mul:
+      case Op::muls:
+      case Op::mulsu: {
+        const bool made = has(i.a) || has(i.b);
+        for (const int product : {0, 1}) made ? change(product) : drop(product);
+        return;
+      }
+      case Op::cp:
+      case Op::cpc:
+      case Op::cpi:
+      case Op::bst:
+      case Op::push:
+      case Op::sts:
+      case Op::out:
+        return;
+      default:
+        drop(i.a);
+    }
+  }
+
+ private:
+  static std::uint32_t bit(int reg) { return std::uint32_t{1} << (reg & 31); }
+  bool has(int reg) const { return ((read_ | changed_) & bit(reg)) != 0; }
+  void drop(int reg) { read_ &= ~bit(reg), changed_ &= ~bit(reg); }
+  void change(int reg) { read_ &= ~bit(reg), changed_ |= bit(reg); }
+  void copy(int to, int from) {
+    const bool was_read = (read_ & bit(from)) != 0, was_changed = is_changed(from);
+    drop(to);
+    if (was_read) read_ |= bit(to);
+    if (was_changed) changed_ |= bit(to);
+  }
+
+  std::uint32_t read_, changed_ = 0;
+};
+
 }  // namespace
 
 Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip)
     : firmware_(firmware), chip_(chip), alone_(chip.cpu().chip(), chip.cpu().flash(), chip.cpu().last_ram()) {
   for (const std::uint32_t address : debug.numbers()) {
     const Symbol* const symbol = address >= kAvrData ? firmware.symbols.variable_at(address) : nullptr;
-    if (!symbol || symbol->address != address || symbol->size < 2 || symbol->size > kLargestNumber) continue;
+    if (!symbol || symbol->address != address || symbol->size < 1 || symbol->size > kLargestNumber) continue;
     numbers_.push_back({symbol, static_cast<Address>(address - kAvrData)});
   }
   find_accesses(debug);
@@ -79,7 +159,8 @@ void Tearing::find_accesses(const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   for (std::uint32_t pc = 0; 2 * pc < firmware_.code_end; pc += cpu.instruction(pc).words) {
     if (cpu.instruction(pc).op == Op::reti) leaves_.push_back(2 * pc);
-    if (touched(cpu.instruction(pc))) add_group(pc, debug);
+    if (const auto number = touched(cpu.instruction(pc)))
+      numbers_[*number].symbol->size == 1 ? add_update(pc, debug) : add_group(pc, debug);
   }
   std::sort(accesses_.begin(), accesses_.end(), [](const Access& a, const Access& b) { return a.pc < b.pc; });
   const auto same = std::unique(accesses_.begin(), accesses_.end(),
@@ -98,11 +179,28 @@ void Tearing::add_group(std::uint32_t pc, const DebugInfo& debug) {
     if (!is_straight(i.op)) return;
     if (touched(i) != number) continue;
     if (i.op != first.op || i.k == first.k) return;
-    const auto frames = debug.frames(2 * next);
-    const bool is_sketchs = std::any_of(frames.begin(), frames.end(),
-                                        [](const SourceLine& frame) { return !is_core_file(frame.file); });
-    if (!is_sketchs || (first.op == Op::lds && is_read_again(pc, number))) return;
-    accesses_.push_back({2 * next, number, first.op == Op::sts});
+    if (!is_sketchs(debug, 2 * next) || (first.op == Op::lds && is_read_again(pc, number))) return;
+    accesses_.push_back({2 * next, number, first.op == Op::sts ? Deed::writes : Deed::reads});
+    return;
+  }
+}
+
+/// Whether behind the reading of a byte at `pc`, a word's address, what was made of it is written back.
+void Tearing::add_update(std::uint32_t pc, const DebugInfo& debug) {
+  const Cpu& cpu = chip_.cpu();
+  const Instruction& first = cpu.instruction(pc);
+  if (first.op != Op::lds) return;
+  Trail trail(first.a);
+  for (std::uint32_t next = pc + first.words; next < pc + kWordsOfAccess;
+       next += cpu.instruction(next).words) {
+    const Instruction& i = cpu.instruction(next);
+    if (!is_straight(i.op)) return;
+    if (i.op != Op::sts || i.k != first.k) {
+      trail.follow(i);
+      continue;
+    }
+    if (trail.is_changed(i.a) && is_sketchs(debug, 2 * next))
+      accesses_.push_back({2 * next, *touched(first), Deed::writes_back});
     return;
   }
 }
@@ -188,10 +286,11 @@ void Tearing::leave() {
     const Access& access = accesses_[armed.access];
     const Number& number = numbers_[access.number];
     const bool changes = number.before != value_of(number, chip_.cpu().data);
-    const bool many = (number.changed >> (std::countr_zero(number.changed) / 8 * 8)) > 0xFF;
+    const bool many = access.deed == Deed::writes_back ||
+                      (number.changed >> (std::countr_zero(number.changed) / 8 * 8)) > 0xFF;
     if (armed.vector != vector_ || !changes || !many || began < armed.at || began - armed.at > soon())
       continue;
-    found_ = Found{number.symbol, access.writes, access.pc, armed.handler_pc, began - armed.at};
+    found_ = Found{number.symbol, access.deed, access.pc, armed.handler_pc, began - armed.at};
     return;
   }
 }

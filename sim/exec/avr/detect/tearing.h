@@ -1,16 +1,17 @@
 // Torn reads and writes: the main program is between the bytes of a number when a handler comes that writes
-// it, and has half of the old one and half of the new one.
+// it, and has half of the old one and half of the new one. And lost updates: the main program has read a byte
+// and is about to write it back, changed (flags |= 2), when a handler comes that writes it: that is undone.
 //
 // Seldom does it come just there. So what is looked for is shown to be possible, step by step:
 //
-//   the program touches two bytes of a number, interrupts being on
+//   the program touches two bytes of a number, or writes back a byte, interrupts being on
 //   an interrupt that is enabled has a handler which, run there by itself, would change the number
 //   that handler did come, within 50 µs, and changed it
-//   handlers have changed more than one byte of it in this run
+//   of a number of several bytes, handlers have changed more than one in this run
 //
 // A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
-// is masked meanwhile are none. Looked at are global numbers of the sketch whose addresses stand in
-// its instructions, in images built for checking.
+// is masked meanwhile are none; nor is a byte that is written, and not made of what it held. Looked at are
+// global numbers of the sketch whose addresses stand in its instructions, in images built for checking.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,11 @@ namespace robosim::exec::avr {
 
 class Tearing {
  public:
+  /// What the main program does.
+  enum class Deed { reads, writes, writes_back };
   struct Found {
     const Symbol* number = nullptr;
-    bool writes = false;            ///< the main program does; else it reads
+    Deed deed = Deed::reads;
     std::uint32_t pc = 0;           ///< of the main program, at a later byte; in bytes
     std::uint32_t handler_pc = 0;   ///< where the handler writes
     robosim::avr::Cycle later = 0;  ///< by how much the handler came too late
@@ -48,11 +51,11 @@ class Tearing {
     std::uint64_t before = 0;   ///< when the handler began
     std::uint64_t changed = 0;  ///< bits that handlers have
   };
-  /// A later byte of a number is touched.
+  /// A later byte of a number is touched, or its only one written back.
   struct Access {
     std::uint32_t pc = 0;
     std::size_t number = 0;
-    bool writes = false;
+    Deed deed = Deed::reads;
   };
   struct Armed {
     std::size_t access = 0;
@@ -63,6 +66,7 @@ class Tearing {
 
   void find_accesses(const DebugInfo& debug);
   void add_group(std::uint32_t pc, const DebugInfo& debug);
+  void add_update(std::uint32_t pc, const DebugInfo& debug);
   std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
   bool is_read_again(std::uint32_t pc, std::size_t number) const;
   robosim::avr::Cycle soon() const;
