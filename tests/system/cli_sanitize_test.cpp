@@ -79,6 +79,27 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
+// With checks it has more RAM than the chip: what counts is what is flashed.
+TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const Folder folder;
+  folder.write("Deep/Deep.ino",
+               "byte table[1500];\n"
+               "void look() { volatile byte seen[600]; for (int i = 0; i < 600; ++i) seen[i] = i; }\n"
+               "void setup() { Serial.begin(9600); }\n"
+               "void loop() { Serial.println(++table[millis() % 1500]); look(); delay(10); }\n");
+  const Ended run = robosim_command({"run", "Deep/", "--map", "oval", "--robot", "uno5", "--target", "avr",
+                                     "--goal", "none", "--for", "200ms", "--sanitize", "--json"},
+                                    folder.path());
+  EXPECT_EQ(run.status, 1) << run.err;
+  const nlohmann::json result = json_of(run);
+  EXPECT_EQ(result["verdict"], "crashed");
+  EXPECT_EQ(result["crash"]["line"], 2);
+  EXPECT_THAT(result["why"].get<std::string>(),
+              AllOf(HasSubstr("With its checks it comes to “reached”; as it is flashed, without them: "),
+                    HasSubstr("stack overflow")));
+}
+
 // avr-gcc gives both checks one description of a type, the array's.
 TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;

@@ -201,7 +201,9 @@ int run_command(const RunArguments& arguments) {
   result.next = std::move(next);
   if (!arguments.live && is_built && deserves_detectors(run.wanted, result)) {
     progress.say("running " + sketch + " again, watched by detectors …");
-    result.detected = detect_again(runner, run.request, run.wanted, result);
+    AsFlashed flashed = detect_again(runner, run.request, run.wanted, result);
+    if (flashed.crashed) result = std::move(*flashed.crashed);
+    result.detected = std::move(flashed.detected);
     progress.clear();
   }
 

@@ -69,8 +69,8 @@ bool deserves_detectors(const build::Request& sketch, const wire::RunResult& fir
   return sketch.sanitize || first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "timeout";
 }
 
-std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunRequest request,
-                                         const build::Request& sketch, const wire::RunResult& first) {
+AsFlashed detect_again(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                       const wire::RunResult& first) {
   build::Request plain = sketch;
   plain.sanitize = plain.coverage = false;
   plain.warnings = build::Warnings::none;
@@ -81,10 +81,18 @@ std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunReques
   request.image = build::build(plain).image.string();
   const client::Interrupts interrupts(runner);
   const wire::RunResult second = runner.run(request);
-  std::vector<wire::Detected> all = second.detected;
-  if (!sketch.sanitize || sketch.target != "avr" || second.verdict == "interrupted") return all;
-  for (wire::Detected& seen : look_at_wrap(runner, request, second)) all.push_back(std::move(seen));
-  return all;
+  AsFlashed found{second.detected, std::nullopt};
+  if (!sketch.sanitize || second.verdict == "interrupted") return found;
+  if (second.verdict == "crashed") {
+    found.crashed = second;
+    found.crashed->why = fmt::format("With its checks it comes to “{}”; as it is flashed, without them: {}",
+                                     first.verdict, second.why);
+    return found;
+  }
+  if (sketch.target != "avr") return found;
+  for (wire::Detected& seen : look_at_wrap(runner, request, second))
+    found.detected.push_back(std::move(seen));
+  return found;
 }
 
 std::string next_of(const wire::RunResult& result) {

@@ -39,10 +39,15 @@ std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest reque
 /// Whether detectors have something to tell: the sketch was asked to check itself, or has failed.
 bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first);
 
-/// What detectors see in a run of the sketch as it is flashed, without checks, which change its timing. Empty
-/// if the user interrupts it.
-std::vector<wire::Detected> detect_again(client::Runner& runner, wire::RunRequest request,
-                                         const build::Request& sketch, const wire::RunResult& first);
+/// A run of the sketch as it is flashed, without checks: these change its timing, and ask for more RAM and
+/// flash than the chip has.
+struct AsFlashed {
+  std::vector<wire::Detected> detected;
+  std::optional<wire::RunResult> crashed;  ///< that run, if it has: whatever the first came to
+};
+/// Empty if the user interrupts it.
+AsFlashed detect_again(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                       const wire::RunResult& first);
 
 /// The run's `next`, with the flags that it takes.
 std::string next_of(const wire::RunResult& result);
