@@ -56,6 +56,7 @@ unsigned long micros() {
 
 void delay(unsigned long ms) {
   host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
+  ms = static_cast<uint32_t>(ms);  // as wide as a chip's: delay(-1) takes 49 days
   host::be_late_if_due();
   unsigned long start = read_micros() - static_cast<unsigned long>(host::sooner / robosim::kMicrosecond);
   host::sooner = 0;

@@ -130,6 +130,12 @@ TEST_F(RunTest, ASerialThatIsNeverBegunSendsNothing) {
   EXPECT_EQ(run_code("void setup() {}\nvoid loop() { Serial.println(1); delay(10); }\n"), "");
 }
 
+TEST_F(RunTest, ADelayOfLessThanNothingLastsForWeeksAsOnTheChip) {
+  EXPECT_EQ(run_code("long wait = -1;\nvoid setup() { Serial.begin(115200); Serial.print('a'); }\n"
+                     "void loop() { delay(wait); Serial.print('b'); }\n"),
+            "a");
+}
+
 TEST_F(RunTest, RegistersDriveThePins) {
   EXPECT_THAT(run_sketch("Registers", 50 * kMillisecond), testing::Not(testing::IsEmpty()));
   EXPECT_EQ(executor_->board().drive(5).mode, PinMode::output);
