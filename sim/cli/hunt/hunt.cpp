@@ -80,10 +80,11 @@ bool Hunt::find_plain() {
   plain_ = {*results[*best], bench_.robot()};
   plain_world_ = worlds[*best];
   if (!bench_.maps_are_given()) {
-    // A sketch that comes to its goal on several of those that were tried is meant for all of them.
+    // It is meant for all on which it comes to its goal, and runs into nothing.
     std::vector<std::size_t> kept{plain_world_.map};
     for (std::size_t i = 0; i < worlds.size(); ++i)
-      if (reached(results[i]) && std::find(kept.begin(), kept.end(), worlds[i].map) == kept.end())
+      if (reached(results[i]) && results[i]->metrics.collisions <= plain_.result.metrics.collisions &&
+          std::find(kept.begin(), kept.end(), worlds[i].map) == kept.end())
         kept.push_back(worlds[i].map);
     bench_.keep_maps(kept);
   }

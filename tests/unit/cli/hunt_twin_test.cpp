@@ -272,6 +272,8 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
     const HuntWorld world = draw_round(space, {}, 1, {run}).front();
     if (world.twin == Twin::none) continue;
     EXPECT_NE(world.build, *space.host_twin) << run;
+    for (const Deed& deed : world.deeds)
+      EXPECT_FALSE(world.twin == Twin::host && deed.kind == kPowerOff) << "it parts a text at another byte";
     const HuntWorld twin = twin_of(world, space);
     if (world.twin == Twin::clock) {
       // Later than a sketch's own times, and without a wrap of 32 bits within an hour's tenth.
