@@ -7,8 +7,9 @@
 //   --check BUG...                   what CI does, in seconds: all patches apply, the page docs/museum.md has
 //                                    them all, and these bugs are caught
 //
-// Where the host does not find a bug, the chips are asked. Status 1: a bug was not caught though its patch
-// does not say “Survives:”, or was caught though it does, or could not be tried.
+// Where the host does not find a bug, the chips are asked, and where they do not, the library's unit tests.
+// Status 1: a bug was not caught though its patch does not say “Survives:”, or was caught though it does, or
+// could not be tried.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -18,11 +19,13 @@
 #include <future>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/wall_clock.h"
+#include "tests/museum/library_tests.h"
 #include "tests/museum/stage.h"
 #include "tests/museum/table.h"
 
@@ -119,8 +122,17 @@ std::string first_failure(const Stage& stage, const Bug& bug, const std::string&
   return failed;
 }
 
-/// On the host, and if that does not find it, on all chips; or on the chips until one has found it.
-Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& targets, bool one_is_enough) {
+/// What the library's unit tests say; empty = nothing.
+std::string unit_test_failure(const LibraryTests& library, const Stage& stage, const Bug& bug) {
+  for (const std::string& file : bug.files)
+    if (const std::string failed = library.failure(stage, file); !failed.empty()) return failed;
+  return "";
+}
+
+/// On the host, and if that does not find it, on all chips; or on the chips until one has found it. At last
+/// by the library's unit tests; nullptr = without them.
+Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& targets, bool one_is_enough,
+               const LibraryTests* library) {
   Result result{&bug, {}, 0.0, ""};
   try {
     stage.restore();
@@ -131,6 +143,9 @@ Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& tar
       if (!failed.empty()) result.catches.push_back({target, failed});
       if (result.on_host() || (one_is_enough && result.caught())) break;
     }
+    if (library != nullptr && !result.caught())
+      if (const std::string failed = unit_test_failure(*library, stage, bug); !failed.empty())
+        result.catches.push_back({kUnitTests, failed});
     result.seconds = 1e-6 * static_cast<double>(wall_us() - start_us);
   } catch (const std::exception& problem) {
     result.trouble = problem.what();
@@ -182,11 +197,13 @@ bool run(const Arguments& arguments) {
   if (!all_apply(stages[0], all)) return false;
   if (arguments.check && !all_are_in(data_folder() / "docs/museum.md", all)) return false;
 
+  std::optional<LibraryTests> library;
+  if (!arguments.check) library.emplace(work / "museum_library_tests");
   const std::vector<std::string> targets = arguments.check ? kTargets : run_baseline(stages);
   std::vector<Result> results(bugs.size());
   std::atomic<std::size_t> done = 0;
   for_each(bugs.size(), stages, [&](Stage& stage, std::size_t i) {
-    results[i] = try_bug(stage, *bugs[i], targets, arguments.check);
+    results[i] = try_bug(stage, *bugs[i], targets, arguments.check, library ? &*library : nullptr);
     say(fmt::format("{}/{} {}", ++done, bugs.size(), line_of(results[i])));
   });
   bool good = true;

@@ -35,9 +35,11 @@ std::string catches_of(const Result& result) {
 std::string table_of(const std::vector<Result>& results, const std::string& targets) {
   const auto count = [&](auto holds) { return std::count_if(results.begin(), results.end(), holds); };
   const auto caught = count([](const Result& one) { return one.caught(); });
-  const auto on_chips = count([](const Result& one) { return one.caught() && !one.on_host(); });
-  std::string text = fmt::format("{} of {} bugs are caught on {}; {} of them on a chip only.\n\n", caught,
-                                 results.size(), targets, on_chips);
+  const auto on_host = count([](const Result& one) { return one.on_host(); });
+  const auto by_unit_tests = count([](const Result& one) { return one.by_unit_tests(); });
+  std::string text = fmt::format(
+      "{} of {} bugs are caught on {}; {} of them on a chip only, {} by the library's unit tests only.\n\n",
+      caught, results.size(), targets, caught - on_host - by_unit_tests, by_unit_tests);
   text += "| kind | bug | what is wrong | caught by | s |\n|---|---|---|---|---|\n";
   for (const Result& one : results)
     text += fmt::format("| {} | {} | {} | {} | {:.1f} |\n", one.bug->kind, link_to(*one.bug), one.bug->story,

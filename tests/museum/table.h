@@ -8,6 +8,9 @@
 
 namespace robosim::museum {
 
+/// Stands for a target where the library's unit tests find what no test of a sketch does.
+inline constexpr const char* kUnitTests = "unit tests";
+
 struct Result {
   struct Catch {
     std::string target, test;
@@ -19,6 +22,7 @@ struct Result {
 
   bool caught() const { return !catches.empty(); }
   bool on_host() const { return caught() && catches[0].target == "host"; }
+  bool by_unit_tests() const { return caught() && catches[0].target == kUnitTests; }
 };
 
 /// "host: PidFollower.StartsAtOnce"; the same test on two chips is named once.
