@@ -101,6 +101,38 @@ TEST_P(TunableFollower, StopsWhereThereIsNoLine) {
   EXPECT_THAT(robot().run_for(500_ms), StopsWithin(200_ms));
 }
 
+/// A line with a gap that it takes more than a quarter of a second to cross when it is slowest.
+constexpr const char* kGap = R"(+++
+name = "gap"
+cell = "25 mm"
+
+[legend]
+3 = "gap"
++++
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+______......................333.......................______
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+____________________________________________________________
+)";
+
+TEST(TunableFollowerAtAGap, DrivesOverItThoughItIsSlow) {
+  Simulation robot({.sketch = test_sketch("TunableFollower"), .map = kGap, .start = "8,6,E"});
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
+  robot.send("speed 60\ngo\n");
+  const Drive over = robot.run_for(3500_ms);
+  EXPECT_THAT(over, Not(SerialSays("stopped"))) << "it sees no line for less than 0.3 s";
+  EXPECT_GT(over.distance().mm, 800.0);
+}
+
 TEST_P(TunableFollower, StopsBeforeItsBatteryIsEmpty) {
   EXPECT_NEAR(status("battery"), 7400, 450);
   tell("go", "driving");

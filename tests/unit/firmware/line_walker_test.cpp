@@ -191,6 +191,16 @@ loop 0000, heading 0 at -99,3, cost 506; axle at -98.6,0.0, 12.56 rad, 12745 ms
 )");
 }
 
+TEST(LineWalkerTest, KnowsHowLongALineOfAMinuteAndAHalfIs) {
+  const int mm = 27000, mm_per_s = 300, units_per_s = 50;
+  Walk walk({{-300, 0, mm, 0}});
+  walk.walker.begin();
+  const nav::Landmark end = walk.walker.follow();
+  EXPECT_EQ(end.kind, nav::LandmarkKind::end);
+  EXPECT_NEAR(end.at.x, mm, 30);
+  EXPECT_NEAR(end.cost, mm * units_per_s / mm_per_s, 10);
+}
+
 TEST(LineWalkerTest, TurnsRoundAtAnEndFromWhichItFaces) {
   Walk walk({{-300, 0, 300, 0}});
   walk.robot.x = 300;
@@ -324,6 +334,18 @@ line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
 end 0010, heading 0 at 600,53, cost 112; axle at 599.1,60.1, 6.29 rad, 4620 ms
 end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
 )");
+}
+
+// Its outer sensor gets as dark as by an arm; the row does not.
+TEST(LineWalkerTest, FollowsALineThatComesUnderItsOuterSensorAslant) {
+  for (const int length : {40, 80, 150, 300}) {
+    const double slant = 36 * M_PI / 180, x = 200 + length * std::cos(slant), y = length * std::sin(slant);
+    Walk walk({{-300, 0, 200, 0}, {200, 0, x, y}, {x, y, x + 400, y}});
+    walk.walker.begin();
+    EXPECT_EQ(walk.walker.follow().kind, nav::LandmarkKind::end) << length;
+    EXPECT_NEAR(walk.robot.x, x + 400, 2) << length;
+    EXPECT_NEAR(walk.robot.y, y, 2) << length;
+  }
 }
 
 TEST(LineWalkerTest, MeetsALineAtAnAngle) {
