@@ -59,13 +59,14 @@ bool link(const std::vector<std::string>& objects, const fs::path& program, std:
   return run(std::move(words), program.parent_path(), output);
 }
 
-/// Of what a program printed, the line in which a sanitizer says why it has ended it; empty = none did.
+/// Of what a program printed, why a sanitizer has ended it, without addresses; empty = none did.
 std::string sanitizers_word(const std::string& output) {
   std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find("ERROR: AddressSanitizer") != std::string::npos ||
-        line.find("runtime error:") != std::string::npos)
-      return line;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("runtime error:") != std::string::npos) return line;
+    const std::size_t at = line.find("AddressSanitizer: ");
+    if (at != std::string::npos) return line.substr(at, line.find(" on ", at) - at);
+  }
   return "";
 }
 
