@@ -137,8 +137,8 @@ class Simulation {
   std::vector<judge::Outcome> end();
 
   /// All that changes: the chips with their boards, robots, world, scripts, goals, judges and trace hashes.
-  /// Throws InputError where an executor cannot be saved: on the targets host and stm32. A debugger and what
-  /// it has set are no part of it.
+  /// Throws InputError where an executor cannot be saved: on the target host. A debugger and what it has set
+  /// are no part of it.
   Snapshot save() const;
   /// Goes on from there as it did after save(), also from behind its end(), or where something was thrown out
   /// of run_until(). What listeners have heard since

@@ -2,6 +2,7 @@
 // executable of its own: what links libunicorn (GPL-2) shall link no other emulator.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <filesystem>
 #include <string>
@@ -36,6 +37,49 @@ void whole(benchmark::State& state, const char* board, const std::filesystem::pa
   const double seconds = 1e-9 * static_cast<double>(kSimulated) * static_cast<double>(state.iterations());
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
 }
+
+// The whole simulation, in the midst of a run.
+class Midway {
+ public:
+  Midway() : executor_(*robot_.board, image()), simulation_(setup_) { simulation_.run_until(kSecond); }
+  run::Simulation& operator*() { return simulation_; }
+
+ private:
+  std::filesystem::path image() const {
+    build::Request request{build::find_sketch("PidFollower"), *robot_.board};
+    request.target = "stm32";
+    return build::build(request).image;
+  }
+  run::Setup setup() {
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = {{.robot = &robot_, .executor = &executor_}};
+    return setup;
+  }
+
+  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  robot::Description robot_ = robot::load_description("bluepill5");
+  exec::Stm32Executor executor_;
+  run::Setup setup_ = setup();
+  run::Simulation simulation_;
+};
+
+void save(benchmark::State& state) {
+  Midway midway;
+  const auto before = ::mallinfo2().uordblks;
+  const run::Simulation::Snapshot kept = (*midway).save();
+  state.counters["bytes"] = static_cast<double>(::mallinfo2().uordblks - before);
+  for (auto _ : state) benchmark::DoNotOptimize((*midway).save());
+}
+
+void restore(benchmark::State& state) {
+  Midway midway;
+  const run::Simulation::Snapshot snapshot = (*midway).save();
+  for (auto _ : state) (*midway).restore(snapshot);
+}
+
+BENCHMARK(save)->Name("stm32/save PidFollower on oval")->Unit(benchmark::kMicrosecond);
+BENCHMARK(restore)->Name("stm32/restore PidFollower on oval")->Unit(benchmark::kMicrosecond);
 
 void add(const char* name, const std::filesystem::path& sketch) {
   for (const char* const board : {"bluepill8", "bluepill"}) {

@@ -12,6 +12,7 @@
 #include "sim/grid/map.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
+#include "tests/support/sum.h"
 
 namespace robosim::run {
 
@@ -20,16 +21,6 @@ struct StockRun {
   const char* robot;
   const char* map;
   SimTime limit;
-};
-
-/// A number that is made of many.
-class Sum {
- public:
-  void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 1099511628211u; }
-  std::uint64_t value() const { return sum_; }
-
- private:
-  std::uint64_t sum_ = 1469598103934665603u;
 };
 
 class NotedRun final : public Listener {

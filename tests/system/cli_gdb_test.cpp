@@ -148,15 +148,9 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
   EXPECT_EQ(millis[1].substr(5), millis[2].substr(5)) << "millis()";
 }
 
-TEST_P(CliGdb, GoesBackOnTheTargetAvr) {
+TEST_P(CliGdb, GoesBack) {
   const Ended alone = run();
   const std::string there = "break My.ino:10\ncontinue\ncontinue\ncontinue\n";
-  if (std::string(GetParam().target) != "avr") {
-    const Session session = debug(there + "reverse-stepi\n", 1);
-    EXPECT_THAT(session.gdb, HasSubstr("Target remote does not support this command"));
-    EXPECT_EQ(session.run.out, alone.out);
-    return;
-  }
   const Session session =
       debug(there +
             "print $pc\nreverse-stepi\nstepi\nprint $pc\n"

@@ -37,6 +37,7 @@ class DebugPort final : public gdb::DebugPort {
   void poke(std::uint32_t address, std::uint8_t value) override;
   void trap(std::uint32_t address, bool set) override;
   void resume() override { chip().step_singly(steps_singly()); }
+  void resume_again() override { resume(); }
 
   std::uint32_t flash_end() const;  ///< an image built with checks may exceed the real chip's
   std::uint32_t data_end() const;

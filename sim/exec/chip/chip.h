@@ -80,6 +80,10 @@ class ChipFirmware {
   /// Why set_clock() would do nothing: "it never calls millis()"; empty where it would work.
   virtual std::string why_clock_stays() const = 0;
 
+  /// What the chip keeps without power and changes by itself, but for the board's EEPROM.
+  virtual std::any save() const { return {}; }
+  virtual void restore(const std::any&) {}
+
   /// From the next power-on, a debugger may halt it. Both outlive this.
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
   /// From the next power-on, it is counted how often lines run.

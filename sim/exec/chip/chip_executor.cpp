@@ -60,7 +60,7 @@ std::vector<Detected> ChipExecutor::detected() const {
 }
 
 std::any ChipExecutor::save() const {
-  Saved saved{state_, board_.save(), clocked_.save(), {}, {}};
+  Saved saved{state_, board_.save(), clocked_.save(), {}, firmware_->save(), {}};
   if (chip_) saved.chip = chip_->save();
   if (written_) saved.written = written_->save();
   return saved;
@@ -68,6 +68,7 @@ std::any ChipExecutor::save() const {
 
 void ChipExecutor::restore(const std::any& from) {
   const auto& saved = std::any_cast<const Saved&>(from);
+  firmware_->restore(saved.firmware);
   if (!saved.chip.has_value()) chip_.reset();
   if (saved.chip.has_value() && !chip_) make_chip(0);
   if (chip_) chip_->restore(saved.chip);

@@ -66,7 +66,8 @@ class ChipExecutor : public Executor {
     State own;
     BoardState::State board;
     ClockedBoard::State clocked;
-    std::any chip;  ///< empty while the power is off
+    std::any chip;      ///< empty while the power is off
+    std::any firmware;  ///< what it keeps without power
     std::optional<WrittenBytes::State> written;
   };
 

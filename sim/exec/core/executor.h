@@ -40,8 +40,7 @@ struct Activity {
 };
 
 constexpr const char* kCannotBeSaved =
-    "only a run on the target avr can be saved: firmware for the host is a program of this machine, and the "
-    "emulated STM32 has no way to copy its state yet";
+    "only a run on an emulated chip can be saved: firmware for the host is a program of this machine";
 
 class Executor {
  public:

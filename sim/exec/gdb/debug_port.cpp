@@ -128,7 +128,7 @@ void DebugPort::begin_tick_again(Search& search) {
       if (search.goal == Search::Goal::look) throw LeftRun();
     }
   }
-  resume();
+  resume_again();
   if (search.goal == Search::Goal::look)
     look(search, false);
   else

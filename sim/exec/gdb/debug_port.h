@@ -54,8 +54,10 @@ class DebugPort : protected Processor {
   virtual bool has_ram(std::uint32_t address, std::size_t size) const = 0;
   virtual void poke(std::uint32_t address, std::uint8_t value) = 0;
   virtual void trap(std::uint32_t address, bool set) = 0;
-  /// It is about to run on, after a halt or into a tick that is run again.
+  /// It is about to run on after a halt.
   virtual void resume() = 0;
+  /// It is about to run on into a tick that is run again.
+  virtual void resume_again() = 0;
 
   static std::string little_endian(std::uint32_t value, int size);
   static std::uint32_t from_little_endian(std::string_view bytes);

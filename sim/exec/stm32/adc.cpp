@@ -34,6 +34,7 @@ constexpr Signals kInjectedTriggers[] = {signal_of(1, 0), signal_of(1, 4), signa
 
 Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
     : link_(link), clocks_(clocks), line_(line), index_(index), base_(index == 0 ? kAdc1 : kAdc2) {
+  link.kept.add(state_);
   pins_.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)
@@ -45,12 +46,12 @@ Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
 
 // One channel unless they are scanned, or taken in turns.
 int Adc::regular_length() const {
-  return control1_ & (kScan | kDiscEn) ? static_cast<int>(sequence_[0] >> 20 & 15) + 1 : 1;
+  return state_.control1 & (kScan | kDiscEn) ? static_cast<int>(state_.sequence[0] >> 20 & 15) + 1 : 1;
 }
 
 unsigned Adc::channel_of(Group group, int place) const {
-  if (group == Group::injected) return injected_sequence_ >> (5 * (place + 4 - injected_length())) & 31;
-  return sequence_[static_cast<std::size_t>(2 - place / 6)] >> (5 * (place % 6)) & 31;
+  if (group == Group::injected) return state_.injected_sequence >> (5 * (place + 4 - injected_length())) & 31;
+  return state_.sequence[static_cast<std::size_t>(2 - place / 6)] >> (5 * (place % 6)) & 31;
 }
 
 bool Adc::sequences_are_modelled() const {
@@ -65,46 +66,47 @@ bool Adc::sequences_are_modelled() const {
 }
 
 void Adc::begin(Group group, Cycle at) {
-  converts_ = group;
+  state_.converts = group;
   const unsigned number = channel();
   const std::uint32_t times =
-      number < 10 ? sample_times_[1] >> (3 * number) : sample_times_[0] >> (3 * (number - 10));
+      number < 10 ? state_.sample_times[1] >> (3 * number) : state_.sample_times[0] >> (3 * (number - 10));
   const unsigned sampling = kSamplingHalves[times & 7];
   const std::uint32_t divider = clocks_.adc_divider();
-  sample_at_ = at + sampling * divider / 2;
-  done_at_ = at + (sampling + kConversionHalves) * divider / 2;
+  state_.sample_at = at + sampling * divider / 2;
+  state_.done_at = at + (sampling + kConversionHalves) * divider / 2;
 }
 
 void Adc::start_regular(Cycle at) {
-  status_ |= kStrt;
-  left_ = control1_ & kDiscEn ? static_cast<int>(control1_ >> 13 & 7) + 1 : regular_length();
-  if (!(control1_ & kDiscEn) || regular_at_ >= regular_length()) regular_at_ = 0;
-  if (converts_ == Group::injected)
-    regular_waits_ = true;
+  state_.status |= kStrt;
+  state_.left =
+      state_.control1 & kDiscEn ? static_cast<int>(state_.control1 >> 13 & 7) + 1 : regular_length();
+  if (!(state_.control1 & kDiscEn) || state_.regular_at >= regular_length()) state_.regular_at = 0;
+  if (state_.converts == Group::injected)
+    state_.regular_waits = true;
   else
     begin(Group::regular, at);
 }
 
 // A regular conversion that it interrupts begins anew behind it (11.3.9).
 void Adc::start_injected(Cycle at) {
-  if (converts_ == Group::injected) return;
-  status_ |= kJstrt;
-  regular_waits_ = converts_ == Group::regular;
+  if (state_.converts == Group::injected) return;
+  state_.status |= kJstrt;
+  state_.regular_waits = state_.converts == Group::regular;
   begin(Group::injected, at);
 }
 
 double Adc::volts(unsigned number) {
   if (number < pins_.size()) return link_.board.read_volts(pins_[number], link_.clock.time());
-  if (index_ != 0 || !(control2_ & kTsVrefE)) return 0.0;
+  if (index_ != 0 || !(state_.control2 & kTsVrefE)) return 0.0;
   return number == kTemperature ? kTemperatureVolts : kReferenceVolts;
 }
 
 void Adc::update() {
   while (link_.clock.now >= next_event()) {
-    if (sample_at_ != kNoCycle) {
-      sample_at_ = kNoCycle;
+    if (state_.sample_at != kNoCycle) {
+      state_.sample_at = kNoCycle;
       const double code = volts(channel()) / link_.board.spec().supply_volts * 4096.0;
-      sampled_ = code <= 0.0 ? 0 : code >= 4095.0 ? 4095 : static_cast<std::uint32_t>(code);
+      state_.sampled = code <= 0.0 ? 0 : code >= 4095.0 ? 4095 : static_cast<std::uint32_t>(code);
     } else {
       finish();
     }
@@ -113,12 +115,13 @@ void Adc::update() {
 
 // 11.3.8
 void Adc::watch(bool guarded) {
-  const bool this_one = !(control1_ & kAwdSgl) || channel() == (control1_ & 31);
-  if (guarded && this_one && (sampled_ > high_ || sampled_ < low_)) status_ |= kAwd;
+  const bool this_one = !(state_.control1 & kAwdSgl) || channel() == (state_.control1 & 31);
+  if (guarded && this_one && (state_.sampled > state_.high || state_.sampled < state_.low))
+    state_.status |= kAwd;
 }
 
 void Adc::finish() {
-  if (converts_ == Group::injected)
+  if (state_.converts == Group::injected)
     finish_injected();
   else
     finish_regular();
@@ -126,41 +129,41 @@ void Adc::finish() {
 }
 
 void Adc::finish_regular() {
-  watch(control1_ & kAwdEn);
-  data_ = control2_ & kAlign ? sampled_ << 4 : sampled_;
-  dma_asks_ = control2_ & kAdcDma;
-  const bool last = ++regular_at_ >= regular_length();
+  watch(state_.control1 & kAwdEn);
+  state_.data = state_.control2 & kAlign ? state_.sampled << 4 : state_.sampled;
+  state_.dma_asks = state_.control2 & kAdcDma;
+  const bool last = ++state_.regular_at >= regular_length();
   if (last) {
-    status_ |= kEoc;
-    regular_at_ = 0;
+    state_.status |= kEoc;
+    state_.regular_at = 0;
   }
-  converts_ = Group::none;
-  const Cycle at = done_at_;
-  if (--left_ > 0 && !last) return begin(Group::regular, at);
-  if (last && control1_ & kJauto) {
+  state_.converts = Group::none;
+  const Cycle at = state_.done_at;
+  if (--state_.left > 0 && !last) return begin(Group::regular, at);
+  if (last && state_.control1 & kJauto) {
     start_injected(at);
-    regular_waits_ = control2_ & kCont;
-  } else if (last && control2_ & kCont) {
+    state_.regular_waits = state_.control2 & kCont;
+  } else if (last && state_.control2 & kCont) {
     start_regular(at);
   }
 }
 
 // 11.12.12: a result is signed, for an offset is taken from it.
 void Adc::finish_injected() {
-  watch(control1_ & kJawdEn);
-  const auto place = static_cast<std::size_t>(injected_at_);
-  const std::uint32_t value = sampled_ - offsets_[place];
-  injected_data_[place] = (control2_ & kAlign ? value << 3 : value) & 0xFFFF;
-  const bool last = ++injected_at_ >= injected_length();
+  watch(state_.control1 & kJawdEn);
+  const auto place = static_cast<std::size_t>(state_.injected_at);
+  const std::uint32_t value = state_.sampled - state_.offsets[place];
+  state_.injected_data[place] = (state_.control2 & kAlign ? value << 3 : value) & 0xFFFF;
+  const bool last = ++state_.injected_at >= injected_length();
   if (last) {
-    status_ |= kJeoc;
-    injected_at_ = 0;
+    state_.status |= kJeoc;
+    state_.injected_at = 0;
   }
-  converts_ = Group::none;
-  const Cycle at = done_at_;
-  if (!last && !(control1_ & kJdiscEn)) return begin(Group::injected, at);
-  if (!std::exchange(regular_waits_, false)) return;
-  if (left_ > 0)
+  state_.converts = Group::none;
+  const Cycle at = state_.done_at;
+  if (!last && !(state_.control1 & kJdiscEn)) return begin(Group::injected, at);
+  if (!std::exchange(state_.regular_waits, false)) return;
+  if (state_.left > 0)
     begin(Group::regular, at);
   else
     start_regular(at);
@@ -170,31 +173,33 @@ void Adc::finish_injected() {
 
 Signals Adc::listens() const {
   Signals signals = 0;
-  if (!(control2_ & kAdOn)) return signals;
-  if (control2_ & kExtTrig) signals |= kRegularTriggers[control2_ >> 17 & 7];
-  if (control2_ & kJextTrig) signals |= kInjectedTriggers[control2_ >> 12 & 7];
+  if (!(state_.control2 & kAdOn)) return signals;
+  if (state_.control2 & kExtTrig) signals |= kRegularTriggers[state_.control2 >> 17 & 7];
+  if (state_.control2 & kJextTrig) signals |= kInjectedTriggers[state_.control2 >> 12 & 7];
   return signals;
 }
 
 void Adc::heard(Signals signal) {
   update();
-  if (control2_ & kJextTrig && signal & kInjectedTriggers[control2_ >> 12 & 7])
+  if (state_.control2 & kJextTrig && signal & kInjectedTriggers[state_.control2 >> 12 & 7])
     start_injected(link_.clock.now);
-  if (control2_ & kExtTrig && signal & kRegularTriggers[control2_ >> 17 & 7]) start_regular(link_.clock.now);
+  if (state_.control2 & kExtTrig && signal & kRegularTriggers[state_.control2 >> 17 & 7])
+    start_regular(link_.clock.now);
 }
 
 // RM0008 table 78: ADC2 has none.
-unsigned Adc::dma_requests() const { return dma_asks_ && index_ == 0 ? dma_channel(1) : 0; }
+unsigned Adc::dma_requests() const { return state_.dma_asks && index_ == 0 ? dma_channel(1) : 0; }
 
 // --- registers
 
 void Adc::refresh_line() {
-  line_.set(index_, (status_ & kEoc && control1_ & kEocie) || (status_ & kJeoc && control1_ & kJeocie) ||
-                        (status_ & kAwd && control1_ & kAwdie));
+  line_.set(index_, (state_.status & kEoc && state_.control1 & kEocie) ||
+                        (state_.status & kJeoc && state_.control1 & kJeocie) ||
+                        (state_.status & kAwd && state_.control1 & kAwdie));
 }
 
 void Adc::reset(Address) {
-  static_cast<AdcRegisters&>(*this) = {};
+  state_ = {};
   refresh_line();
 }
 
@@ -202,34 +207,34 @@ std::uint32_t Adc::read(Address address) {
   if (link_.clock.now >= next_event()) update();
   address = address - base_ + kAdc1;
   const auto place = [&](Address first) { return static_cast<std::size_t>((address - first) / 4); };
-  if (address >= kAdcJofr1 && address < kAdcHtr) return offsets_[place(kAdcJofr1)];
-  if (address >= kAdcJdr1 && address < kAdcDr) return injected_data_[place(kAdcJdr1)];
+  if (address >= kAdcJofr1 && address < kAdcHtr) return state_.offsets[place(kAdcJofr1)];
+  if (address >= kAdcJdr1 && address < kAdcDr) return state_.injected_data[place(kAdcJdr1)];
   switch (address) {
     case kAdcSr:
-      return status_;
+      return state_.status;
     case kAdcCr1:
-      return control1_;
+      return state_.control1;
     case kAdcCr2:
-      return control2_;
+      return state_.control2;
     case kAdcSmpr1:
-      return sample_times_[0];
+      return state_.sample_times[0];
     case kAdcSmpr2:
-      return sample_times_[1];
+      return state_.sample_times[1];
     case kAdcHtr:
-      return high_;
+      return state_.high;
     case kAdcLtr:
-      return low_;
+      return state_.low;
     case kAdcSqr1:
     case kAdcSqr2:
     case kAdcSqr3:
-      return sequence_[place(kAdcSqr1)];
+      return state_.sequence[place(kAdcSqr1)];
     case kAdcJsqr:
-      return injected_sequence_;
+      return state_.injected_sequence;
     case kAdcDr:
-      status_ &= ~kEoc;
-      dma_asks_ = false;
+      state_.status &= ~kEoc;
+      state_.dma_asks = false;
       refresh_line();
-      return data_;
+      return state_.data;
     default:
       return 0;
   }
@@ -243,13 +248,13 @@ bool Adc::write(Address address, std::uint32_t value) {
 }
 
 bool Adc::write_control2(std::uint32_t value) {
-  const bool was_on = control2_ & kAdOn;
-  const bool other_bits_same = ((control2_ ^ value) & ~(kSwStart | kJswStart)) == 0;
+  const bool was_on = state_.control2 & kAdOn;
+  const bool other_bits_same = ((state_.control2 ^ value) & ~(kSwStart | kJswStart)) == 0;
   // Calibration is over at once.
-  control2_ = value & ~(kCal | kRstCal | kSwStart | kJswStart);
+  state_.control2 = value & ~(kCal | kRstCal | kSwStart | kJswStart);
   if (!(value & kAdOn)) {
-    converts_ = Group::none;
-    regular_at_ = injected_at_ = 0;
+    state_.converts = Group::none;
+    state_.regular_at = state_.injected_at = 0;
     return true;
   }
   const bool regular = value & kExtTrig && (value >> 17 & 7) == kBySoftware && value & kSwStart;
@@ -263,35 +268,36 @@ bool Adc::write_control2(std::uint32_t value) {
 
 bool Adc::write_register(Address address, std::uint32_t value) {
   const auto place = [&](Address first) { return static_cast<std::size_t>((address - first) / 4); };
-  if (address >= kAdcJofr1 && address < kAdcHtr) return offsets_[place(kAdcJofr1)] = value & 0xFFF, true;
+  if (address >= kAdcJofr1 && address < kAdcHtr)
+    return state_.offsets[place(kAdcJofr1)] = value & 0xFFF, true;
   switch (address) {
     case kAdcSr:
-      status_ &= value;
+      state_.status &= value;
       return true;
     case kAdcCr1:
-      control1_ = value;
+      state_.control1 = value;
       return (value & kDualMode) == 0;
     case kAdcCr2:
       return write_control2(value);
     case kAdcSmpr1:
-      sample_times_[0] = value;
+      state_.sample_times[0] = value;
       return true;
     case kAdcSmpr2:
-      sample_times_[1] = value;
+      state_.sample_times[1] = value;
       return true;
     case kAdcHtr:
-      high_ = value & 0xFFF;
+      state_.high = value & 0xFFF;
       return true;
     case kAdcLtr:
-      low_ = value & 0xFFF;
+      state_.low = value & 0xFFF;
       return true;
     case kAdcSqr1:
     case kAdcSqr2:
     case kAdcSqr3:
-      sequence_[place(kAdcSqr1)] = value;
+      state_.sequence[place(kAdcSqr1)] = value;
       return true;
     case kAdcJsqr:
-      injected_sequence_ = value;
+      state_.injected_sequence = value;
       return true;
     default:
       return true;

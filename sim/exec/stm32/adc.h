@@ -11,26 +11,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset of the ADC resets.
-struct AdcRegisters {
-  enum class Group { none, regular, injected };
-
-  std::uint32_t status_ = 0, control1_ = 0, control2_ = 0, data_ = 0, high_ = 0xFFF, low_ = 0;
-  std::array<std::uint32_t, 2> sample_times_{};
-  std::array<std::uint32_t, 3> sequence_{};
-  std::array<std::uint32_t, 4> offsets_{}, injected_data_{};
-  std::uint32_t injected_sequence_ = 0;
-
-  Group converts_ = Group::none;
-  int regular_at_ = 0, injected_at_ = 0;  ///< places in the sequences
-  int left_ = 0;                          ///< of the regular conversions that the last trigger has started
-  bool regular_waits_ = false;            ///< for the end of the injected group
-  bool dma_asks_ = false;
-  std::uint32_t sampled_ = 0;
-  Cycle sample_at_ = kNoCycle, done_at_ = 0;
-};
-
-class Adc final : public Peripheral, AdcRegisters {
+class Adc final : public Peripheral {
  public:
   /// `index`: 0 is ADC1; both share `line`.
   Adc(Link& link, const Clocks& clocks, SharedLine& line, int index);
@@ -39,7 +20,7 @@ class Adc final : public Peripheral, AdcRegisters {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   Cycle next_event() const override {
-    return converts_ == Group::none ? kNoCycle : std::min(sample_at_, done_at_);
+    return state_.converts == Group::none ? kNoCycle : std::min(state_.sample_at, state_.done_at);
   }
   // Reading ADC_DR clears EOC.
   Cycle same_until(Address address) const override {
@@ -52,15 +33,34 @@ class Adc final : public Peripheral, AdcRegisters {
   void heard(Signals signal) override;
 
  private:
+  enum class Group { none, regular, injected };
+  /// What a reset of the ADC resets.
+  struct State {
+    std::uint32_t status = 0, control1 = 0, control2 = 0, data = 0, high = 0xFFF, low = 0;
+    std::array<std::uint32_t, 2> sample_times{};
+    std::array<std::uint32_t, 3> sequence{};
+    std::array<std::uint32_t, 4> offsets{}, injected_data{};
+    std::uint32_t injected_sequence = 0;
+
+    Group converts = Group::none;
+    int regular_at = 0, injected_at = 0;  ///< places in the sequences
+    int left = 0;                         ///< of the regular conversions that the last trigger has started
+    bool regular_waits = false;           ///< for the end of the injected group
+    bool dma_asks = false;
+    std::uint32_t sampled = 0;
+    Cycle sample_at = kNoCycle, done_at = 0;
+  };
+
   bool write_register(Address address, std::uint32_t value);
   bool write_control2(std::uint32_t value);
   void refresh_line();
 
   int regular_length() const;
-  int injected_length() const { return static_cast<int>(injected_sequence_ >> 20 & 3) + 1; }
+  int injected_length() const { return static_cast<int>(state_.injected_sequence >> 20 & 3) + 1; }
   unsigned channel_of(Group group, int place) const;
   unsigned channel() const {
-    return channel_of(converts_, converts_ == Group::injected ? injected_at_ : regular_at_);
+    return channel_of(state_.converts,
+                      state_.converts == Group::injected ? state_.injected_at : state_.regular_at);
   }
   bool sequences_are_modelled() const;
   void start_regular(Cycle at);
@@ -76,9 +76,10 @@ class Adc final : public Peripheral, AdcRegisters {
   Link& link_;
   const Clocks& clocks_;
   SharedLine& line_;
-  int index_;
-  Address base_;
+  const int index_;
+  const Address base_;
   std::array<Pin, kStm32f103c8.adc.pins> pins_;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -26,13 +26,13 @@ std::uint32_t with_low(std::uint32_t word, std::uint32_t half) {
 
 // --- power control
 
-std::uint32_t Power::read(Address address) { return address == kPwr ? control_ : status_; }
+std::uint32_t Power::read(Address address) { return address == kPwr ? state_.control : state_.status; }
 
 bool Power::write(Address address, std::uint32_t value) {
   if (address == kPwr)
-    control_ = value & ~kClearFlags & 0x1FF;
+    state_.control = value & ~kClearFlags & 0x1FF;
   else
-    status_ = value & kWakeUpPin;
+    state_.status = value & kWakeUpPin;
   return true;
 }
 
@@ -40,94 +40,96 @@ bool Power::write(Address address, std::uint32_t value) {
 
 std::size_t Backup::place(Address address) { return std::min<std::size_t>((address - kBkp) / 4, 13); }
 
-std::uint32_t Backup::read(Address address) { return data_[place(address)]; }
+std::uint32_t Backup::read(Address address) { return state_.data[place(address)]; }
 
 bool Backup::write(Address address, std::uint32_t value) {
-  if (power_.allows() && place(address) > 0) data_[place(address)] = value & 0xFFFF;
+  if (power_.allows() && place(address) > 0) state_.data[place(address)] = value & 0xFFFF;
   return place(address) < 11 || value == 0;  // no tamper pin, no calibration
 }
 
 // --- the clock
 
 SimTime Rtc::time_of(std::uint64_t ticks) const {
-  const auto periods = static_cast<SimTime>(ticks) * (SimTime{divider_} + 1);
-  return began_ + periods / hz_ * kSecond + (periods % hz_ * kSecond + hz_ - 1) / hz_;
+  const auto periods = static_cast<SimTime>(ticks) * (SimTime{state_.divider} + 1);
+  return state_.began + periods / state_.hz * kSecond +
+         (periods % state_.hz * kSecond + state_.hz - 1) / state_.hz;
 }
 
 std::uint64_t Rtc::ticks() const {
-  if (hz_ == 0) return 0;
-  const SimTime passed = now() - began_;
-  const SimTime periods = passed / kSecond * hz_ + passed % kSecond * hz_ / kSecond;
-  return static_cast<std::uint64_t>(periods / (SimTime{divider_} + 1));
+  if (state_.hz == 0) return 0;
+  const SimTime passed = now() - state_.began;
+  const SimTime periods = passed / kSecond * state_.hz + passed % kSecond * state_.hz / kSecond;
+  return static_cast<std::uint64_t>(periods / (SimTime{state_.divider} + 1));
 }
 
 void Rtc::restart(std::uint32_t counter) {
-  began_with_ = counter;
-  began_ = now();
-  told_ = 0;
+  state_.began_with = counter;
+  state_.began = now();
+  state_.told = 0;
 }
 
 void Rtc::set_clock(std::uint32_t hz) {
-  if (hz == hz_) return;
+  if (hz == state_.hz) return;
   update();
-  restart(began_with_ + static_cast<std::uint32_t>(ticks()));
-  hz_ = hz;
+  restart(state_.began_with + static_cast<std::uint32_t>(ticks()));
+  state_.hz = hz;
 }
 
 Cycle Rtc::next_event() const {
-  if (hz_ == 0) return kNoCycle;
+  if (state_.hz == 0) return kNoCycle;
   // Of the alarm, and of each tick if that interrupts.
-  const std::uint32_t present = began_with_ + static_cast<std::uint32_t>(told_);
-  std::uint64_t next = told_ + std::uint64_t{alarm_ - present - 1} + 1;
-  if (enabled_ & kSecondFlag) next = told_ + 1;
-  if (enabled_ & kOverflow) next = std::min<std::uint64_t>(next, told_ + std::uint64_t{0 - present - 1} + 1);
+  const std::uint32_t present = state_.began_with + static_cast<std::uint32_t>(state_.told);
+  std::uint64_t next = state_.told + std::uint64_t{state_.alarm - present - 1} + 1;
+  if (state_.enabled & kSecondFlag) next = state_.told + 1;
+  if (state_.enabled & kOverflow)
+    next = std::min<std::uint64_t>(next, state_.told + std::uint64_t{0 - present - 1} + 1);
   constexpr std::uint64_t kTooFar = std::uint64_t{1} << 30;  // seconds
-  if (next * (std::uint64_t{divider_} + 1) / hz_ > kTooFar) return kNoCycle;
+  if (next * (std::uint64_t{state_.divider} + 1) / state_.hz > kTooFar) return kNoCycle;
   return link_.clock.cycle_at(time_of(next));
 }
 
 void Rtc::update() {
   const std::uint64_t passed = ticks();
-  if (hz_ == 0 || passed <= told_) return;
-  const std::uint32_t before = began_with_ + static_cast<std::uint32_t>(told_);
-  const std::uint64_t steps = passed - std::exchange(told_, passed);
-  flags_ |= kSecondFlag;
-  const bool alarm = std::uint64_t{alarm_ - before - 1} < steps;
-  if (alarm) flags_ |= kAlarm;
-  if (std::uint64_t{0 - before - 1} < steps) flags_ |= kOverflow;
+  if (state_.hz == 0 || passed <= state_.told) return;
+  const std::uint32_t before = state_.began_with + static_cast<std::uint32_t>(state_.told);
+  const std::uint64_t steps = passed - std::exchange(state_.told, passed);
+  state_.flags |= kSecondFlag;
+  const bool alarm = std::uint64_t{state_.alarm - before - 1} < steps;
+  if (alarm) state_.flags |= kAlarm;
+  if (std::uint64_t{0 - before - 1} < steps) state_.flags |= kOverflow;
   refresh_line();
   if (alarm) alarmed_();
 }
 
-void Rtc::refresh_line() { link_.nvic.set_line(kIrqRtc, flags_ & enabled_); }
+void Rtc::refresh_line() { link_.nvic.set_line(kIrqRtc, state_.flags & state_.enabled); }
 
 void Rtc::reset(Address) {
-  enabled_ = flags_ = 0;
-  configures_ = false;
+  state_.enabled = state_.flags = 0;
+  state_.configures = false;
   refresh_line();
 }
 
 void Rtc::reset_domain() {
   reset(kRtc);
-  divider_ = 0x8000;
-  alarm_ = 0xFFFFFFFF;
+  state_.divider = 0x8000;
+  state_.alarm = 0xFFFFFFFF;
   restart(0);
 }
 
 std::uint32_t Rtc::read(Address address) {
   update();
-  const std::uint32_t counter = began_with_ + static_cast<std::uint32_t>(told_);
+  const std::uint32_t counter = state_.began_with + static_cast<std::uint32_t>(state_.told);
   switch (address - kRtc) {
     case kCrh:
-      return enabled_;
+      return state_.enabled;
     case kCrl:
-      return flags_ | kRsf | kRtoff | (configures_ ? kCnf : 0);
+      return state_.flags | kRsf | kRtoff | (state_.configures ? kCnf : 0);
     case kDivh:
     case kDivl: {
-      if (hz_ == 0) return divider_ & 0xFFFF;
-      const SimTime within = now() - time_of(told_);
-      const auto left =
-          static_cast<std::uint32_t>(std::max<SimTime>(SimTime{divider_} - within * hz_ / kSecond, 0));
+      if (state_.hz == 0) return state_.divider & 0xFFFF;
+      const SimTime within = now() - time_of(state_.told);
+      const auto left = static_cast<std::uint32_t>(
+          std::max<SimTime>(SimTime{state_.divider} - within * state_.hz / kSecond, 0));
       return address - kRtc == kDivh ? left >> 16 : left & 0xFFFF;
     }
     case kCnth:
@@ -141,26 +143,26 @@ std::uint32_t Rtc::read(Address address) {
 
 bool Rtc::write(Address address, std::uint32_t value) {
   update();
-  const std::uint32_t counter = began_with_ + static_cast<std::uint32_t>(told_);
+  const std::uint32_t counter = state_.began_with + static_cast<std::uint32_t>(state_.told);
   if (address - kRtc == kCrh) {
-    enabled_ = value & 7;
+    state_.enabled = value & 7;
     refresh_line();
     return true;
   }
   if (address - kRtc == kCrl) {
-    configures_ = value & kCnf;
-    flags_ &= value;
+    state_.configures = value & kCnf;
+    state_.flags &= value;
     refresh_line();
     return true;
   }
-  if (!configures_ || !power_.allows()) return true;
+  if (!state_.configures || !power_.allows()) return true;
   switch (address - kRtc) {
     case kPrlh:
-      divider_ = with_high(divider_, value & 15);
+      state_.divider = with_high(state_.divider, value & 15);
       restart(counter);
       break;
     case kPrll:
-      divider_ = with_low(divider_, value);
+      state_.divider = with_low(state_.divider, value);
       restart(counter);
       break;
     case kCnth:
@@ -170,10 +172,10 @@ bool Rtc::write(Address address, std::uint32_t value) {
       restart(with_low(counter, value));
       break;
     case kAlrh:
-      alarm_ = with_high(alarm_, value);
+      state_.alarm = with_high(state_.alarm, value);
       break;
     case kAlrl:
-      alarm_ = with_low(alarm_, value);
+      state_.alarm = with_low(state_.alarm, value);
       break;
     default:
       break;

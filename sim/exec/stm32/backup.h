@@ -14,38 +14,49 @@ namespace robosim::exec::stm32 {
 
 class Power final : public Peripheral {
  public:
+  explicit Power(Link& link) { link.kept.add(state_); }
+
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
-  void reset(Address) override { control_ = status_ = 0; }
+  void reset(Address) override { state_.control = state_.status = 0; }
   /// Whether the backup domain can be written.
-  bool allows() const { return control_ & 1u << 8; }
+  bool allows() const { return state_.control & 1u << 8; }
 
  private:
-  std::uint32_t control_ = 0, status_ = 0;
+  struct State {
+    std::uint32_t control = 0, status = 0;
+  };
+  State state_;
 };
 
 class Backup final : public Peripheral {
  public:
-  explicit Backup(const Power& power) : power_(power) {}
+  Backup(Link& link, const Power& power) : power_(power) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address) override {}
   /// RCC_BDCR's BDRST.
-  void reset_domain() { data_ = {}; }
+  void reset_domain() { state_.data = {}; }
 
  private:
+  struct State {
+    std::array<std::uint32_t, 14> data{};
+  };
+
   static std::size_t place(Address address);
 
   const Power& power_;
-  std::array<std::uint32_t, 14> data_{};
+  State state_;
 };
 
 class Rtc final : public Peripheral {
  public:
   /// `alarmed` is called when the counter reaches the alarm: EXTI's line 17.
   Rtc(Link& link, const Power& power, std::function<void()> alarmed)
-      : link_(link), power_(power), alarmed_(std::move(alarmed)) {}
+      : link_(link), power_(power), alarmed_(std::move(alarmed)) {
+    link.kept.add(state_);
+  }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -58,6 +69,14 @@ class Rtc final : public Peripheral {
   void set_clock(std::uint32_t hz);
 
  private:
+  struct State {
+    std::uint32_t hz = 0, enabled = 0, flags = 0, divider = 0x8000, alarm = 0xFFFFFFFF;
+    bool configures = false;
+    std::uint32_t began_with = 0;  ///< the counter
+    SimTime began = 0;
+    std::uint64_t told = 0;  ///< ticks since
+  };
+
   SimTime now() const { return link_.clock.time_of(link_.clock.now); }
   SimTime time_of(std::uint64_t ticks) const;
   std::uint64_t ticks() const;
@@ -66,12 +85,8 @@ class Rtc final : public Peripheral {
 
   Link& link_;
   const Power& power_;
-  std::function<void()> alarmed_;
-  std::uint32_t hz_ = 0, enabled_ = 0, flags_ = 0, divider_ = 0x8000, alarm_ = 0xFFFFFFFF;
-  bool configures_ = false;
-  std::uint32_t began_with_ = 0;  ///< the counter
-  SimTime began_ = 0;
-  std::uint64_t told_ = 0;  ///< ticks since
+  const std::function<void()> alarmed_;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

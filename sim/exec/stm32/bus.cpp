@@ -26,7 +26,7 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       systick_(link_),
       timers_{Timer(link_, clocks_, stm32f103c8::kTim1), Timer(link_, clocks_, stm32f103c8::kTim2),
               Timer(link_, clocks_, stm32f103c8::kTim3), Timer(link_, clocks_, stm32f103c8::kTim4)},
-      adc_line_(link_.nvic, kIrqAdc),
+      adc_line_(link_, kIrqAdc),
       adcs_{Adc(link_, clocks_, adc_line_, 0), Adc(link_, clocks_, adc_line_, 1)},
       usarts_{Usart(link_, clocks_, 0), Usart(link_, clocks_, 1), Usart(link_, clocks_, 2)},
       dma_(link_, *this),
@@ -34,9 +34,19 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       wwdg_(link_, clocks_),
       spis_{Spi(link_, clocks_, 1), Spi(link_, clocks_, 2)},
       i2cs_{I2c(link_, clocks_, 1), I2c(link_, clocks_, 2)},
-      backup_(power_),
+      power_(link_),
+      backup_(link_, power_),
       rtc_(link_, power_, [this] { ports_.alarmed(); }),
+      crc_(link_),
       tracing_(link_) {
+  Kept& kept = link_.kept;
+  kept.add(link_.clock);
+  kept.add(link_.nvic);
+  kept.add(link_.reset_cause);
+  kept.add(link_.listened_to);
+  kept.add(link_.map);
+  kept.add_memory({ram_.data(), kRamBytes});
+  kept.add(state_);
   link_.watch_changed = [this] { ports_.watch(); };
   link_.pin_level = [this](ChipPin pin) { return ports_.level(pin); };
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
@@ -70,9 +80,10 @@ void Bus::place(Peripheral& peripheral, Address block) {
 }
 
 void Bus::add(Peripheral& peripheral) {
+  link_.kept.add(peripheral.noted_signals);
   peripheral.bus_index = peripherals_.size();
   peripherals_.push_back(&peripheral);
-  events_.push_back(kNoCycle);
+  state_.events.push_back(kNoCycle);
 }
 
 Bus::Block* Bus::block_at(Address address) {
@@ -133,7 +144,7 @@ bool Bus::dma_store(Address address, unsigned bytes, std::uint32_t value) {
 
 void Bus::serve_dma() {
   constexpr int kMostItems = 0x10000;  // of a request that nothing takes back
-  if (dma_.waiting() == 0 || std::exchange(serves_dma_, true)) return;
+  if (dma_.waiting() == 0 || std::exchange(state_.serves_dma, true)) return;
   for (int item = 0; item < kMostItems; ++item) {
     unsigned requests = 0;
     for (const Peripheral* peripheral : peripherals_) requests |= peripheral->dma_requests();
@@ -141,7 +152,7 @@ void Bus::serve_dma() {
     const int served = dma_.serve(requests & dma_.waiting());
     for (Peripheral* peripheral : peripherals_) peripheral->dma_served(served);
   }
-  serves_dma_ = false;
+  state_.serves_dma = false;
   note_all_events();
 }
 
@@ -160,21 +171,23 @@ void Bus::signal(Signals signals) {
 }
 
 void Bus::note_event(Peripheral& peripheral) {
-  const Cycle event = peripheral.next_event(), before = std::exchange(events_[peripheral.bus_index], event);
-  if (event < next_event_)
-    next_event_ = event;
-  else if (before == next_event_ && before != event)
+  const Cycle event = peripheral.next_event(),
+              before = std::exchange(state_.events[peripheral.bus_index], event);
+  if (event < state_.next_event)
+    state_.next_event = event;
+  else if (before == state_.next_event && before != event)
     find_next_event();
 }
 
 void Bus::find_next_event() {
   Cycle next = link_.reset_cause == Reset::none ? kNoCycle : 0;
-  for (const Cycle event : events_) next = std::min(next, event);
-  next_event_ = next;
+  for (const Cycle event : state_.events) next = std::min(next, event);
+  state_.next_event = next;
 }
 
 void Bus::note_all_events() {
-  for (const Peripheral* peripheral : peripherals_) events_[peripheral->bus_index] = peripheral->next_event();
+  for (const Peripheral* peripheral : peripherals_)
+    state_.events[peripheral->bus_index] = peripheral->next_event();
   find_next_event();
 }
 
@@ -209,10 +222,10 @@ void Bus::reset_held() {
 }
 
 void Bus::refuse(Address address, bool write, std::uint32_t value) {
-  if (unmodelled_) return;
+  if (state_.unmodelled) return;
   const std::string name = name_at(address);
-  unmodelled_ = {address, value, write,
-                 fmt::format("register 0x{:08X}{}", address, name.empty() ? "" : " (" + name + ")")};
+  state_.unmodelled = {address, value, write,
+                       fmt::format("register 0x{:08X}{}", address, name.empty() ? "" : " (" + name + ")")};
 }
 
 bool Bus::load_private(Address address, std::uint32_t& value) {
@@ -236,7 +249,7 @@ bool Bus::store_private(Address address, std::uint32_t value) {
     if (!Nvic::owns(address) || !link_.nvic.write(address, value)) return false;
     if (link_.nvic.take_reset_request()) {
       link_.reset_cause = Reset::software;
-      next_event_ = 0;
+      state_.next_event = 0;
     }
     return true;
   }
@@ -270,7 +283,7 @@ void Bus::store_word(Address address, std::uint32_t value) {
     note_event(*block->peripheral);
     note_signals(*block->peripheral);
     serve_dma();
-    if (link_.reset_cause != Reset::none) next_event_ = 0;
+    if (link_.reset_cause != Reset::none) state_.next_event = 0;
   }
   if (!modelled) refuse(address, true, value);
 }
@@ -312,7 +325,7 @@ bool Bus::store_bit(Address address, std::uint32_t value) {
 }
 
 std::uint32_t Bus::load(Address address, unsigned size) {
-  last_address_ = address;
+  state_.last_address = address;
   if (size == 4 && block_at(address)) return load_word(address & ~3u);
   if (Flash::owns_memory(address)) return flash_.read_memory(address, size);
   std::uint32_t value = 0;
@@ -323,13 +336,13 @@ std::uint32_t Bus::load(Address address, unsigned size) {
 
 void Bus::store(Address address, std::uint32_t value, unsigned size) {
   if (before_store_) before_store_(address);
-  storing_ = true;
+  state_.storing = true;
   store_part(address, value, size);
-  storing_ = false;
+  state_.storing = false;
 }
 
 void Bus::store_part(Address address, std::uint32_t value, unsigned size) {
-  last_address_ = address;
+  state_.last_address = address;
   if (flash_.programs(address, size)) return flash_.program(address, value);
   if (store_bit(address, value)) return;
   if (size == 4) return store_word(address & ~3u, value);
@@ -345,13 +358,13 @@ void Bus::store_part(Address address, std::uint32_t value, unsigned size) {
 
 void Bus::update() {
   const Cycle now = link_.clock.now;
-  if (now < next_event_) return;
+  if (now < state_.next_event) return;
   bool concerns_others = false;
   for (std::size_t i = 0; i < peripherals_.size(); ++i) {
-    if (events_[i] > now) continue;
+    if (state_.events[i] > now) continue;
     peripherals_[i]->update();
     if (peripherals_[i]->acts_alone())
-      events_[i] = peripherals_[i]->next_event();
+      state_.events[i] = peripherals_[i]->next_event();
     else
       concerns_others = true;
   }

@@ -47,14 +47,14 @@ class Bus : DmaBus {
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
   /// Whether a store goes on: what happens now is its doing.
-  bool is_storing() const { return storing_; }
+  bool is_storing() const { return state_.storing; }
   /// Whom to call before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
   /// Of load(), as Peripheral::same_until() has it.
   Cycle same_until(Address address);
 
   /// When a peripheral next does something by itself; kNoCycle if none will.
-  Cycle next_event() const { return next_event_; }
+  Cycle next_event() const { return state_.next_event; }
   /// Lets all peripherals do what is due at the present time.
   void update();
   /// Whether a store to flash programs it (Flash::programs).
@@ -69,14 +69,18 @@ class Bus : DmaBus {
   /// Resets all but what the backup supply keeps, for link().reset_cause, which is none then.
   void reset();
 
+  /// All that changes of it while it runs, RAM too, but for what flash holds.
+  Kept::Copy save() const { return link_.kept.copy(); }
+  void restore(const Kept::Copy& saved) { link_.kept.put_back(saved); }
+
   Link& link() { return link_; }
   const Link& link() const { return link_; }
   /// A watchdog runs that no interrupt comes before.
   bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
-  const std::optional<Unmodelled>& unmodelled() const { return unmodelled_; }
+  const std::optional<Unmodelled>& unmodelled() const { return state_.unmodelled; }
   /// Of the last access.
-  Address last_address() const { return last_address_; }
+  Address last_address() const { return state_.last_address; }
 
   /// What of the chip is at an address (RM0008 3.3, table 3): "I2C1"; empty if nothing.
   static const char* name_at(Address address);
@@ -87,6 +91,14 @@ class Bus : DmaBus {
   struct Block {
     Peripheral* peripheral = nullptr;
     Gate gate;
+  };
+
+  struct State {
+    std::vector<Cycle> events;    ///< their next_event(), as far as it is known
+    Cycle next_event = kNoCycle;  ///< the least of those
+    std::optional<Unmodelled> unmodelled;
+    Address last_address = 0;
+    bool serves_dma = false, storing = false;
   };
 
   void place(Peripheral& peripheral, Address block);
@@ -136,13 +148,9 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;  ///< each once; who comes first has a pin
-  std::vector<Cycle> events_;             ///< their next_event(), as far as it is known
-  Cycle next_event_ = kNoCycle;           ///< the least of those
-  std::optional<Unmodelled> unmodelled_;
-  Address last_address_ = 0;
-  bool serves_dma_ = false, storing_ = false;
+  std::vector<Peripheral*> peripherals_;       ///< each once; who comes first has a pin
   std::function<void(Address)> before_store_;  ///< empty = nobody
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -18,61 +18,61 @@ constexpr std::uint32_t kLseOn = 1u << 0, kLseReady = 1u << 1, kRtcEn = 1u << 15
 }  // namespace
 
 void Clocks::reset(Address) {
-  static_cast<ClockRegisters&>(*this) = {};
+  static_cast<Registers&>(state_) = {};
   link_.clock.set_hz(hz());
 }
 
 // Each reset pulls the pin NRST low, too (RM0008 7.1.1).
 void Clocks::note(Reset cause) {
-  reset_flags_ |= kPinReset;
-  if (cause == Reset::software) reset_flags_ |= kSoftwareReset;
-  if (cause == Reset::independent_watchdog) reset_flags_ |= kIwdgReset;
-  if (cause == Reset::window_watchdog) reset_flags_ |= kWwdgReset;
+  state_.reset_flags |= kPinReset;
+  if (cause == Reset::software) state_.reset_flags |= kSoftwareReset;
+  if (cause == Reset::independent_watchdog) state_.reset_flags |= kIwdgReset;
+  if (cause == Reset::window_watchdog) state_.reset_flags |= kWwdgReset;
 }
 
-bool Clocks::pll_ready() const { return control_ & kPllOn && link_.clock.time() >= pll_ready_; }
+bool Clocks::pll_ready() const { return state_.control & kPllOn && link_.clock.time() >= state_.pll_ready; }
 
 std::uint32_t Clocks::pll_hz() const {
-  const std::uint32_t hse = configuration_ & kPllXtpre ? kHse / 2 : kHse;
-  const std::uint32_t input = configuration_ & kPllSrcHse ? hse : kHsi / 2;
-  const std::uint32_t multiplier = (configuration_ & kPllMulMask) >> 18;
+  const std::uint32_t hse = state_.configuration & kPllXtpre ? kHse / 2 : kHse;
+  const std::uint32_t input = state_.configuration & kPllSrcHse ? hse : kHsi / 2;
+  const std::uint32_t multiplier = (state_.configuration & kPllMulMask) >> 18;
   return input * (multiplier >= 14 ? 16 : multiplier + 2);
 }
 
 // HSE's 8 MHz are divided by 128.
 std::uint32_t Clocks::rtc_hz() const {
-  if (!(backup_ & kRtcEn)) return 0;
-  switch (backup_ >> 8 & 3) {
+  if (!(state_.backup & kRtcEn)) return 0;
+  switch (state_.backup >> 8 & 3) {
     case 1:
-      return backup_ & kLseOn ? 32768 : 0;
+      return state_.backup & kLseOn ? 32768 : 0;
     case 2:
-      return status_ & kLsiOn ? 40'000 : 0;
+      return state_.status & kLsiOn ? 40'000 : 0;
     case 3:
-      return control_ & kHseOn ? kHse / 128 : 0;
+      return state_.control & kHseOn ? kHse / 128 : 0;
     default:
       return 0;
   }
 }
 
 std::uint32_t Clocks::hz() const {
-  const std::uint32_t source = configuration_ & kSwMask;
+  const std::uint32_t source = state_.configuration & kSwMask;
   // HPRE: 2 to 512, but not 32
-  const std::uint32_t bits = configuration_ >> 4 & 15;
+  const std::uint32_t bits = state_.configuration >> 4 & 15;
   const std::uint32_t ahb = bits < 8 ? 1 : bits < 12 ? 2u << (bits - 8) : 64u << (bits - 12);
   return (source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi) / ahb;
 }
 
 Gate Clocks::gate(Address block) const {
-  if (block == kDma1) return {&ahb_, nullptr, kDma1En};
-  if (block == kCrc) return {&ahb_, nullptr, kCrcUnitEn};
+  if (block == kDma1) return {&state_.ahb, nullptr, kDma1En};
+  if (block == kCrc) return {&state_.ahb, nullptr, kCrcUnitEn};
   if (block >= kAhb || block == kExti || block == kIwdg || block == kRtc) return {};
-  if (behind_apb2(block)) return {&apb2_, &apb2_reset_, clock_bit(block)};
-  return {&apb1_, &apb1_reset_, clock_bit(block)};
+  if (behind_apb2(block)) return {&state_.apb2, &state_.apb2_reset, clock_bit(block)};
+  return {&state_.apb1, &state_.apb1_reset, clock_bit(block)};
 }
 
 Cycle Clocks::same_until(Address) const {
   Cycle until = kNoCycle;
-  for (const SimTime ready : {hse_ready_, pll_ready_, lse_ready_})
+  for (const SimTime ready : {state_.hse_ready, state_.pll_ready, state_.lse_ready})
     if (link_.clock.time() < ready) until = std::min(until, link_.clock.cycle_at(ready));
   return until;
 }
@@ -80,37 +80,38 @@ Cycle Clocks::same_until(Address) const {
 std::uint32_t Clocks::read(Address address) {
   switch (address) {
     case kRccCr: {
-      std::uint32_t value = control_;
+      std::uint32_t value = state_.control;
       if (value & kHsiOn) value |= kHsiReady;
-      if (value & kHseOn && link_.clock.time() >= hse_ready_) value |= kHseReady;
+      if (value & kHseOn && link_.clock.time() >= state_.hse_ready) value |= kHseReady;
       if (pll_ready()) value |= kPllReady;
       return value;
     }
     case kRccCfgr:
-      return configuration_ | (configuration_ & kSwMask) << 2;
+      return state_.configuration | (state_.configuration & kSwMask) << 2;
     case kRccCir:
-      return interrupts_;
+      return state_.interrupts;
     case kRccApb2Rstr:
-      return apb2_reset_;
+      return state_.apb2_reset;
     case kRccApb1Rstr:
-      return apb1_reset_;
+      return state_.apb1_reset;
     case kRccAhbEnr:
-      return ahb_;
+      return state_.ahb;
     case kRccApb2Enr:
-      return apb2_;
+      return state_.apb2;
     case kRccApb1Enr:
-      return apb1_;
+      return state_.apb1;
     case kRccBdcr:
-      return backup_ | (backup_ & kLseOn && link_.clock.time() >= lse_ready_ ? kLseReady : 0);
+      return state_.backup |
+             (state_.backup & kLseOn && link_.clock.time() >= state_.lse_ready ? kLseReady : 0);
     case kRccCsr:
-      return status_ | (status_ & kLsiOn) << 1 | reset_flags_;
+      return state_.status | (state_.status & kLsiOn) << 1 | state_.reset_flags;
     default:
       return 0;
   }
 }
 
 bool Clocks::switch_clock() {
-  if ((configuration_ & kSwMask) == 3) return false;
+  if ((state_.configuration & kSwMask) == 3) return false;
   link_.clock.set_hz(hz());
   return true;
 }
@@ -118,39 +119,39 @@ bool Clocks::switch_clock() {
 bool Clocks::write(Address address, std::uint32_t value) {
   switch (address) {
     case kRccCr:
-      if (value & ~control_ & kHseOn) hse_ready_ = link_.clock.time() + kHseStarts;
-      if (value & ~control_ & kPllOn) pll_ready_ = link_.clock.time() + kPllLocks;
-      control_ = value & ~(kHsiReady | kHseReady | kPllReady);
+      if (value & ~state_.control & kHseOn) state_.hse_ready = link_.clock.time() + kHseStarts;
+      if (value & ~state_.control & kPllOn) state_.pll_ready = link_.clock.time() + kPllLocks;
+      state_.control = value & ~(kHsiReady | kHseReady | kPllReady);
       return true;
     case kRccCfgr:
-      configuration_ = value & ~kSwsMask;
+      state_.configuration = value & ~kSwsMask;
       return switch_clock();
     case kRccCir:
-      interrupts_ = 0;
+      state_.interrupts = 0;
       return (value & 0x1F00) == 0;  // no interrupt of it is modelled
     case kRccApb2Rstr:
-      apb2_reset_ = value;
+      state_.apb2_reset = value;
       return true;
     case kRccApb1Rstr:
-      apb1_reset_ = value;
+      state_.apb1_reset = value;
       return true;
     case kRccAhbEnr:
-      ahb_ = value;
+      state_.ahb = value;
       return true;
     case kRccApb2Enr:
-      apb2_ = value;
+      state_.apb2 = value;
       return true;
     case kRccApb1Enr:
-      apb1_ = value;
+      state_.apb1 = value;
       return true;
     case kRccBdcr:
       if (!power_.allows()) return true;
-      if (value & ~backup_ & kLseOn) lse_ready_ = link_.clock.time() + kLseStarts;
-      backup_ = value & kDomainReset ? kDomainReset : value & ~kLseReady;
+      if (value & ~state_.backup & kLseOn) state_.lse_ready = link_.clock.time() + kLseStarts;
+      state_.backup = value & kDomainReset ? kDomainReset : value & ~kLseReady;
       return true;
     case kRccCsr:
-      status_ = value & kLsiOn;  // there at once
-      if (value & kRemoveFlags) reset_flags_ = 0;
+      state_.status = value & kLsiOn;  // there at once
+      if (value & kRemoveFlags) state_.reset_flags = 0;
       return true;
     default:
       return false;

@@ -11,14 +11,6 @@ namespace robosim::exec::stm32 {
 /// From here on peripherals are on the AHB, below on the APBs (RM0008 3.3).
 constexpr robosim::stm32::Address kAhb = 0x40018000;
 
-/// What a reset resets: all but the flags that tell of it.
-struct ClockRegisters {
-  std::uint32_t control_ = robosim::stm32::kHsiOn | 0x80;
-  std::uint32_t configuration_ = 0, interrupts_ = 0, status_ = 0;
-  std::uint32_t ahb_ = 0x14, apb1_ = 0, apb2_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
-  SimTime hse_ready_ = 0, pll_ready_ = 0;
-};
-
 /// Whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in its reset (7.3.3,
 /// 7.3.4).
 struct Gate {
@@ -32,10 +24,10 @@ struct Gate {
 
 class Power;
 
-class Clocks final : public Peripheral, ClockRegisters {
+class Clocks final : public Peripheral {
  public:
   /// `power` says whether RCC_BDCR can be written.
-  Clocks(Link& link, const Power& power) : link_(link), power_(power) {}
+  Clocks(Link& link, const Power& power) : link_(link), power_(power) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -48,23 +40,36 @@ class Clocks final : public Peripheral, ClockRegisters {
   Gate gate(Address block) const;
   /// What the processor's frequency is divided by for the bus that begins at a peripheral's address.
   std::uint32_t bus_divider(Address address) const {
-    return robosim::stm32::behind_apb2(address) ? divider(configuration_ >> 11)
-                                                : divider(configuration_ >> 8);
+    return robosim::stm32::behind_apb2(address) ? divider(state_.configuration >> 11)
+                                                : divider(state_.configuration >> 8);
   }
-  std::uint32_t apb1_divider() const { return divider(configuration_ >> 8); }
+  std::uint32_t apb1_divider() const { return divider(state_.configuration >> 8); }
   /// And for the timers of that bus: twice as fast as it, where it is divided (7.2, figure 8).
   std::uint32_t timer_divider(Address address) const { return std::max(bus_divider(address) / 2, 1u); }
   /// What the processor's frequency is divided by for the ADC.
   std::uint32_t adc_divider() const {
-    return divider(configuration_ >> 11) * 2 * ((configuration_ >> 14 & 3) + 1);
+    return divider(state_.configuration >> 11) * 2 * ((state_.configuration >> 14 & 3) + 1);
   }
   /// Of the RTC; 0 if it has none (7.3.9).
   std::uint32_t rtc_hz() const;
-  bool resets_backup_domain() const { return backup_ & 1u << 16; }
+  bool resets_backup_domain() const { return state_.backup & 1u << 16; }
   /// Flash's wait states are set elsewhere; too few for the frequency make a real chip fail.
   std::uint32_t hz() const;
 
  private:
+  /// What a reset resets.
+  struct Registers {
+    std::uint32_t control = robosim::stm32::kHsiOn | 0x80;
+    std::uint32_t configuration = 0, interrupts = 0, status = 0;
+    std::uint32_t ahb = 0x14, apb1 = 0, apb2 = 0, apb1_reset = 0, apb2_reset = 0;
+    SimTime hse_ready = 0, pll_ready = 0;
+  };
+  struct State : Registers {
+    std::uint32_t backup = 0;  ///< RCC_BDCR: no reset of the chip resets it
+    SimTime lse_ready = 0;
+    std::uint32_t reset_flags = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
+  };
+
   /// Of PPRE1 or PPRE2.
   static std::uint32_t divider(std::uint32_t bits) { return (bits & 7) < 4 ? 1 : 2u << ((bits & 7) - 4); }
   bool pll_ready() const;
@@ -73,9 +78,7 @@ class Clocks final : public Peripheral, ClockRegisters {
 
   Link& link_;
   const Power& power_;
-  std::uint32_t backup_ = 0;  ///< RCC_BDCR: no reset of the chip resets it
-  SimTime lse_ready_ = 0;
-  std::uint32_t reset_flags_ = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

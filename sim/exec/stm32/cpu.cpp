@@ -29,24 +29,24 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop)
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
   reset();
-  lowest_sp_ = reg(kSp);
+  state_.lowest_sp = reg(kSp);
   watch_stack();
 }
 
 // PM0056 2.1.3, 2.3.4
 void Cpu::reset() {
-  if (!handlers_.empty()) handler_cycles_ += clock_.now - handler_began_;
-  handlers_.clear();
-  r_ = {};
+  if (!state_.handlers.empty()) state_.handler_cycles += clock_.now - state_.handler_began;
+  state_.handlers.clear();
+  state_.r = {};
   std::uint32_t vectors[2];
   std::memcpy(vectors, flash_, sizeof vectors);
   set_reg(kSp, vectors[0]);
   set_reg(kLr, 0xFFFFFFFF);
-  next_ = pc_ = vectors[1] & ~1u;
-  other_sp_ = primask_ = faultmask_ = basepri_ = 0;
-  on_process_stack_ = returning_ = asleep_ = false;
-  rounds_.await();
-  predicated_ = 0;
+  state_.next = state_.pc = vectors[1] & ~1u;
+  state_.other_sp = state_.primask = state_.faultmask = state_.basepri = 0;
+  state_.on_process_stack = state_.returning = state_.asleep = false;
+  state_.rounds.await();
+  state_.predicated = 0;
   set_status(0);
   set_stack_limit(firmware_.globals_end);
 }
@@ -153,6 +153,16 @@ void Cpu::forget(Address page) {
   uc_ctl_remove_cache(uc_, page - kFlash, page - kFlash + kPageBytes);
 }
 
+Cpu::Saved Cpu::save() const { return {state_, engine_.save()}; }
+
+void Cpu::restore(const Saved& saved) {
+  state_ = saved.own;
+  engine_.restore(saved.monitor);
+  idle_.moved_in_time();
+  passing_ = 1;
+  halting_ = at_breakpoint_ = false;
+}
+
 void Cpu::use_referee() {
   referee_ = true;
   for (Step& step : code_) step.kind = Step::Kind::fetch;
@@ -168,7 +178,7 @@ void Cpu::set_breakpoint(std::uint32_t pc, bool set) { mark(pc, &Mark::breaks, s
 bool Cpu::write_register(int number, std::uint32_t value) {
   if (number == kPc) {
     if (!firmware_.has_code(value)) return false;
-    next_ = value & ~1u;
+    state_.next = value & ~1u;
     return true;
   }
   set_reg(number, value);
@@ -180,12 +190,12 @@ void Cpu::set_byte(Address address, std::uint8_t value) {
 }
 
 void Cpu::set_at(std::uint32_t pc, Address variable, std::uint32_t value) {
-  early_ = EarlySet{pc, variable, value};
+  state_.early = EarlySet{pc, variable, value};
   mark(pc, &Mark::sets);
 }
 
 void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
-  if (!fault_) fault_ = Fault{kind, pc, address};
+  if (!state_.fault) state_.fault = Fault{kind, pc, address};
   stop_ = 0;
 }
 
@@ -197,14 +207,14 @@ void Cpu::jumped_nowhere(std::uint32_t pc) {
 
 bool Cpu::begins(std::uint32_t pc) {
   const Instruction instruction = decode(half(pc), half(pc + 2));
-  if (pc != next_) {
+  if (pc != state_.next) {
     clock_.now += kRefill_cycles;
     note_jump();
   }
-  next_ = pc;
-  if (!memory(pc, 2) || (clock_.now >= stop_ && (predicated_ == 0 || fault_))) return false;
-  pc_ = pc;
-  next_ = pc + instruction.bytes;
+  state_.next = pc;
+  if (!memory(pc, 2) || (clock_.now >= stop_ && (state_.predicated == 0 || state_.fault))) return false;
+  state_.pc = pc;
+  state_.next = pc + instruction.bytes;
   clock_.now += instruction.cycles;
   return true;
 }
@@ -212,69 +222,73 @@ bool Cpu::begins(std::uint32_t pc) {
 bool Cpu::halts_at(std::uint32_t pc) {
   const Mark* const mark = mark_at(pc);
   if (mark && mark->breaks && std::exchange(passing_, 1) != pc) halting_ = true;
-  if (!halting_ || predicated_ > 0) return false;
+  if (!halting_ || state_.predicated > 0) return false;
   halting_ = false;
   at_breakpoint_ = true;
+  passing_ = pc;
   return true;
 }
 
 void Cpu::reached(const Mark& mark) {
   if (idle_.is_recording() && (mark.sets || mark.watched || mark.counted)) idle_.interrupted();
-  if (mark.loop || (mark.starts && !rounds_.is_running())) {
-    rounds_.began(clock_.time_of(clock_.now));
+  if (mark.loop || (mark.starts && !state_.rounds.is_running())) {
+    state_.rounds.began(clock_.time_of(clock_.now));
     idle_.round_began();
   }
-  if (mark.call && handlers_.empty()) {
-    last_io_ = clock_.now;
-    last_io_pc_ = pc_;
+  if (mark.call && state_.handlers.empty()) {
+    state_.last_io = clock_.now;
+    state_.last_io_pc = state_.pc;
   }
-  if (mark.sets && early_) {
-    set_word(early_->variable, early_->value);
-    early_.reset();
+  if (mark.sets && state_.early) {
+    set_word(state_.early->variable, state_.early->value);
+    state_.early.reset();
   }
   if (mark.watched && watcher_) watcher_();
   if (mark.counted) lines_->ran(mark.pc);
 }
 
 Cycle Cpu::handler_cycles() const {
-  return handler_cycles_ + (handlers_.empty() ? 0 : clock_.now - handler_began_);
+  return state_.handler_cycles + (state_.handlers.empty() ? 0 : clock_.now - state_.handler_began);
 }
 
 std::vector<std::uint32_t> Cpu::last_jumps() const {
   std::vector<std::uint32_t> jumps;
-  const std::uint32_t all = jump_count_ - (handlers_.empty() ? 0 : handlers_.back().jumps);
-  const std::uint32_t kept = std::min<std::uint32_t>(all, static_cast<std::uint32_t>(jumps_.size()));
-  for (std::uint32_t i = 1; i <= kept; ++i) jumps.push_back(jumps_[(jump_count_ - i) % jumps_.size()]);
+  const std::uint32_t all = state_.jump_count - (state_.handlers.empty() ? 0 : state_.handlers.back().jumps);
+  const std::uint32_t kept = std::min<std::uint32_t>(all, static_cast<std::uint32_t>(state_.jumps.size()));
+  for (std::uint32_t i = 1; i <= kept; ++i)
+    jumps.push_back(state_.jumps[(state_.jump_count - i) % state_.jumps.size()]);
   return jumps;
 }
 
 void Cpu::forget_jumps(std::uint32_t count) {
   // Each stands in the place of one that is older than all that are kept then.
   const std::uint32_t more =
-      std::min<std::uint32_t>(jump_count_ - count, static_cast<std::uint32_t>(jumps_.size()));
-  for (std::uint32_t i = 0; i < more; ++i) jumps_[(count + i) % jumps_.size()] = 0;
-  jump_count_ = count;
+      std::min<std::uint32_t>(state_.jump_count - count, static_cast<std::uint32_t>(state_.jumps.size()));
+  for (std::uint32_t i = 0; i < more; ++i) state_.jumps[(count + i) % state_.jumps.size()] = 0;
+  state_.jump_count = count;
 }
 
 void Cpu::run_to(Cycle cycle) {
-  if (asleep_ || fault_) return;
+  if (state_.asleep || state_.fault) return;
   stop_ = cycle;
   ends_ = falls_asleep_ = false;
   idle_.runs_anew();
   run();
   idle_.explore();
-  if (fault_) return;
-  if (returning_) return leave();
-  asleep_ = falls_asleep_;
+  if (state_.fault) return;
+  if (state_.returning) return leave();
+  state_.asleep = falls_asleep_;
 }
 
 void Cpu::sleep_to(Cycle cycle) {
-  if (waits_for_event_ ? nvic_.next(primask_ | faultmask_, basepri_) || nvic_.take_event() : nvic_.wakes()) {
-    asleep_ = false;
+  if (state_.waits_for_event
+          ? nvic_.next(state_.primask | state_.faultmask, state_.basepri) || nvic_.take_event()
+          : nvic_.wakes()) {
+    state_.asleep = false;
     return;
   }
   if (cycle <= clock_.now) return;
-  sleep_cycles_ += cycle - clock_.now;
+  state_.sleep_cycles += cycle - clock_.now;
   clock_.now = cycle;
 }
 

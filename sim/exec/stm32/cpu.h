@@ -24,6 +24,7 @@
 #include "sim/exec/stm32/step.h"
 
 struct uc_struct;
+struct uc_context;
 
 namespace robosim::exec::stm32 {
 
@@ -66,30 +67,30 @@ class Cpu {
   void take_exception();
   /// Runs until `cycle`, or to where something may have changed that matters outside.
   void run_to(Cycle cycle);
-  bool is_asleep() const { return asleep_; }
+  bool is_asleep() const { return state_.asleep; }
   /// Until `cycle`, or the interrupt that is there already.
   void sleep_to(Cycle cycle);
 
-  const std::optional<Fault>& fault() const { return fault_; }
+  const std::optional<Fault>& fault() const { return state_.fault; }
   void fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address = 0);
 
-  std::uint32_t reg(int number) const { return r_[static_cast<std::size_t>(number)]; }
+  std::uint32_t reg(int number) const { return state_.r[static_cast<std::size_t>(number)]; }
   std::uint32_t status() const;
-  std::uint32_t pc() const { return pc_; }
+  std::uint32_t pc() const { return state_.pc; }
   /// A word of RAM; 0 outside of it.
   std::uint32_t word(Address address) const;
   void set_word(Address address, std::uint32_t value);
 
-  bool in_handler() const { return !handlers_.empty(); }
-  std::size_t open_handlers() const { return handlers_.size(); }
+  bool in_handler() const { return !state_.handlers.empty(); }
+  std::size_t open_handlers() const { return state_.handlers.size(); }
   /// Where the firmware was when the outermost handler that runs interrupted it.
-  std::uint32_t interrupted_pc() const { return interrupted_pc_; }
-  std::uint32_t lowest_sp() const { return lowest_sp_; }
+  std::uint32_t interrupted_pc() const { return state_.interrupted_pc; }
+  std::uint32_t lowest_sp() const { return state_.lowest_sp; }
   void set_stack_limit(Address limit) {
-    stack_limit_ = limit;
+    state_.stack_limit = limit;
     watch_stack();
   }
-  Address stack_limit() const { return stack_limit_; }
+  Address stack_limit() const { return state_.stack_limit; }
   /// Addresses of the instructions that jumped last, the last first; in a handler only its own.
   std::vector<std::uint32_t> last_jumps() const;
 
@@ -101,32 +102,39 @@ class Cpu {
   const Idle& idle() const { return idle_; }
 
   // --- for debuggers
-  /// run_to() returns before the instruction at `pc` runs; within an IT block, behind the block.
+  /// run_to() returns before the instruction at `pc` runs, which it does in the call behind that; within an
+  /// IT block, behind the block.
   void set_breakpoint(std::uint32_t pc, bool set);
   /// The next instruction runs though there is a breakpoint.
-  void pass_breakpoint() { passing_ = next_; }
+  void pass_breakpoint() { passing_ = state_.next; }
   /// Whether run_to() has returned for a breakpoint; asked once.
   bool take_breakpoint() { return std::exchange(at_breakpoint_, false); }
   /// Of the instruction that comes next.
-  std::uint32_t next_pc() const { return next_; }
+  std::uint32_t next_pc() const { return state_.next; }
   /// False for a pc where there is no code.
   bool write_register(int number, std::uint32_t value);
   /// RAM or flash; null elsewhere.
   const std::uint8_t* memory(Address address, unsigned bytes) const;
   void set_byte(Address address, std::uint8_t value);
 
+  struct Saved;
+  Saved save() const;
+  void restore(const Saved& saved);
+  /// The page of flash that begins at `page` has changed.
+  void forget(Address page);
+
   // --- accounts
   Cycle last_io() const {
-    return last_io_;
+    return state_.last_io;
   }  ///< last access to a register, or call of millis(), outside handlers
-  std::uint32_t last_io_pc() const { return last_io_pc_; }
+  std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
-  Cycle sleep_cycles() const { return sleep_cycles_; }
+  Cycle sleep_cycles() const { return state_.sleep_cycles; }
   /// When the handler that is open, or that ran last, began.
-  Cycle handler_began() const { return handler_began_; }
+  Cycle handler_began() const { return state_.handler_began; }
   /// Neither PRIMASK nor FAULTMASK holds interrupts back.
-  bool interruptible() const { return !(primask_ | faultmask_); }
-  const RoundCounter<SimTime>& rounds() const { return rounds_; }
+  bool interruptible() const { return !(state_.primask | state_.faultmask); }
+  const RoundCounter<SimTime>& rounds() const { return state_.rounds; }
 
   /// Where lines begin, it is counted how often they run.
   void count(LineCounts& lines);
@@ -165,9 +173,37 @@ class Cpu {
     std::uint32_t value = 0;
   };
 
+  /// All that changes while it runs, but for the monitor of LDREX and STREX, which libunicorn has.
+  struct State {
+    std::array<std::uint32_t, 17> r{};  ///< and one that is always 0; r[15] is what an instruction reads
+    Flags flags;
+    bool saturated = false;
+    std::uint32_t it = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
+    std::uint32_t primask = 0, faultmask = 0, basepri = 0;
+    std::uint32_t other_sp = 0;  ///< of MSP and PSP the one that is not r[13]
+    bool on_process_stack = false;
+    std::uint32_t pc = 0;    ///< of the instruction that runs
+    std::uint32_t next = 0;  ///< and behind it
+    bool returning = false, asleep = false;
+    bool waits_for_event = false;  ///< asleep by WFE
+    int predicated = 0;            ///< instructions left of an IT block
+    std::vector<Handler> handlers;
+    std::uint32_t interrupted_pc = 0;
+    std::optional<Fault> fault;
+    std::array<std::uint32_t, 32> jumps{};
+    std::uint32_t jump_count = 0;
+    std::uint32_t lowest_sp = 0, stack_limit = 0;
+    std::uint32_t stack_watch = 0;  ///< below it check_stack() has something to say
+    std::optional<EarlySet> early;
+    Cycle last_io = 0;
+    std::uint32_t last_io_pc = 0;
+    Cycle handler_began = 0, handler_cycles = 0, sleep_cycles = 0;
+    RoundCounter<SimTime> rounds;
+  };
+
   /// The interpreter's loop: until stop_.
   void run();
-  /// Runs the instruction at pc_ by libunicorn.
+  /// Runs the instruction at state_.pc by libunicorn.
   void emulate();
   /// libunicorn goes on with the instruction at `pc`; false if it shall not.
   bool begins(std::uint32_t pc);
@@ -199,7 +235,7 @@ class Cpu {
   void reached(const Mark& mark);
   void check_stack();
   void watch_stack();
-  void note_jump() { jumps_[jump_count_++ % jumps_.size()] = pc_; }
+  void note_jump() { state_.jumps[state_.jump_count++ % state_.jumps.size()] = state_.pc; }
   /// Those behind the first `count`.
   void forget_jumps(std::uint32_t count);
   void jumped_nowhere(std::uint32_t pc);
@@ -215,12 +251,10 @@ class Cpu {
   std::uint32_t leads_back_to(std::uint32_t pc);
   /// Each store to RAM shall be told to idle_, or no longer.
   void records(bool recording);
-  /// The page of flash that begins at `page` has changed.
-  void forget(Address page);
   std::uint8_t* ram(Address address, unsigned bytes) const;
   /// Whether the bus takes a load or store.
   static bool has_registers(Address address);
-  void set_reg(int number, std::uint32_t value) { r_[static_cast<std::size_t>(number)] = value; }
+  void set_reg(int number, std::uint32_t value) { state_.r[static_cast<std::size_t>(number)] = value; }
 
   const Firmware& firmware_;
   Bus& bus_;
@@ -239,40 +273,23 @@ class Cpu {
   LineCounts* lines_ = nullptr;
   Idle idle_{*this};
   std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write by itself
-
-  std::array<std::uint32_t, 17> r_{};  ///< and one that is always 0; r_[15] is what an instruction reads
-  Flags flags_;
-  bool saturated_ = false, referee_ = false;
-  std::uint32_t it_ = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
-  std::uint32_t primask_ = 0, faultmask_ = 0, basepri_ = 0;
-  std::uint32_t other_sp_ = 0;  ///< of MSP and PSP the one that is not r_[13]
-  bool on_process_stack_ = false;
+  State state_;
 
   std::uint32_t after_ = 0;        ///< where the instruction that runs leads
   bool first_ = false;             ///< libunicorn has not begun its instruction
   std::uint32_t block_bytes_ = 0;  ///< of the IT block that it runs; 0 = none
   bool ends_ = false, falls_asleep_ = false;
-  std::uint32_t pc_ = 0;    ///< of the instruction that runs
-  std::uint32_t next_ = 0;  ///< and behind it
   Cycle stop_ = 0;
-  bool returning_ = false, asleep_ = false;
-  bool waits_for_event_ = false;  ///< asleep by WFE
-  int predicated_ = 0;            ///< instructions left of an IT block
-  std::vector<Handler> handlers_;
-  std::uint32_t interrupted_pc_ = 0;
-  std::optional<Fault> fault_;
-  std::array<std::uint32_t, 32> jumps_{};
-  std::uint32_t jump_count_ = 0;
-  std::uint32_t lowest_sp_ = 0, stack_limit_ = 0;
-  std::uint32_t stack_watch_ = 0;  ///< below it check_stack() has something to say
-  std::optional<EarlySet> early_;
   std::function<void()> watcher_;
   std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; no instruction's address if none is
   bool halting_ = false, at_breakpoint_ = false;
-  Cycle last_io_ = 0;
-  std::uint32_t last_io_pc_ = 0;
-  Cycle handler_began_ = 0, handler_cycles_ = 0, sleep_cycles_ = 0;
-  RoundCounter<SimTime> rounds_;
+  bool referee_ = false;
+};
+
+/// Of what its debugger has set it is without.
+struct Cpu::Saved {
+  State own;
+  std::shared_ptr<const uc_context> monitor;
 };
 
 }  // namespace robosim::exec::stm32

@@ -54,11 +54,11 @@ bool Cpu::store_elsewhere(Address address, unsigned bytes, std::uint32_t value) 
 }
 
 void Cpu::accessed() {
-  if (handlers_.empty()) {
-    last_io_ = clock_.now;
-    last_io_pc_ = pc_;
+  if (state_.handlers.empty()) {
+    state_.last_io = clock_.now;
+    state_.last_io_pc = state_.pc;
   }
-  if (bus_.unmodelled()) return fail(Fault::Kind::unmodelled, pc_, bus_.unmodelled()->address);
+  if (bus_.unmodelled()) return fail(Fault::Kind::unmodelled, state_.pc, bus_.unmodelled()->address);
   if (nvic_.any_pending()) stop_ = 0;
   stop_ = std::min(stop_, bus_.next_event());
   if (const SimTime input = bus_.link().board.next_input(); input != kNever)
@@ -72,73 +72,73 @@ bool Cpu::load_target(Address address, std::uint32_t& target) const {
 }
 
 bool Cpu::load_two(const Step& step) {
-  const std::uint32_t moved = r_[step.n] + step.value;
-  const std::uint32_t address = step.shift & 1 ? moved : r_[step.n];
+  const std::uint32_t moved = state_.r[step.n] + step.value;
+  const std::uint32_t address = step.shift & 1 ? moved : state_.r[step.n];
   const std::uint8_t* const from = address & 3 ? nullptr : memory(address, 8);
   if (!from) return false;
-  std::memcpy(&r_[step.d], from, 4);
-  std::memcpy(&r_[step.m], from + 4, 4);
-  if (step.shift & 2) r_[step.n] = moved;
+  std::memcpy(&state_.r[step.d], from, 4);
+  std::memcpy(&state_.r[step.m], from + 4, 4);
+  if (step.shift & 2) state_.r[step.n] = moved;
   return true;
 }
 
 bool Cpu::store_two(const Step& step) {
-  const std::uint32_t moved = r_[step.n] + step.value;
-  const std::uint32_t address = step.shift & 1 ? moved : r_[step.n];
+  const std::uint32_t moved = state_.r[step.n] + step.value;
+  const std::uint32_t address = step.shift & 1 ? moved : state_.r[step.n];
   std::uint8_t* const to = address & 3 ? nullptr : ram(address, 8);
   if (!to) return false;
   idle_.stores(address, 8);
-  std::memcpy(to, &r_[step.d], 4);
-  std::memcpy(to + 4, &r_[step.m], 4);
-  if (step.shift & 2) r_[step.n] = moved;
+  std::memcpy(to, &state_.r[step.d], 4);
+  std::memcpy(to + 4, &state_.r[step.m], 4);
+  if (step.shift & 2) state_.r[step.n] = moved;
   return true;
 }
 
 bool Cpu::load_many(const Step& step, std::uint32_t registers) {
   const std::uint32_t bytes = 4 * (step.cycles - 1u);
   const bool down = step.shift & 1;
-  const std::uint32_t base = r_[step.n], low = down ? base - bytes : base;
+  const std::uint32_t base = state_.r[step.n], low = down ? base - bytes : base;
   const std::uint8_t* from = low & 3 ? nullptr : memory(low, bytes);
   if (!from) return false;
   for (; registers != 0; registers &= registers - 1, from += 4)
-    std::memcpy(&r_[static_cast<unsigned>(std::countr_zero(registers))], from, 4);
-  if (step.shift & 2) r_[step.n] = down ? low : base + bytes;
+    std::memcpy(&state_.r[static_cast<unsigned>(std::countr_zero(registers))], from, 4);
+  if (step.shift & 2) state_.r[step.n] = down ? low : base + bytes;
   return true;
 }
 
 bool Cpu::store_many(const Step& step) {
   const std::uint32_t bytes = 4 * (step.cycles - 1u);
   const bool down = step.shift & 1;
-  const std::uint32_t base = r_[step.n], low = down ? base - bytes : base;
+  const std::uint32_t base = state_.r[step.n], low = down ? base - bytes : base;
   std::uint8_t* to = low & 3 ? nullptr : ram(low, bytes);
   if (!to) return false;
   idle_.stores(low, bytes);
   for (std::uint32_t registers = step.value; registers != 0; registers &= registers - 1, to += 4)
-    std::memcpy(to, &r_[static_cast<unsigned>(std::countr_zero(registers))], 4);
-  if (step.shift & 2) r_[step.n] = down ? low : base + bytes;
+    std::memcpy(to, &state_.r[static_cast<unsigned>(std::countr_zero(registers))], 4);
+  if (step.shift & 2) state_.r[step.n] = down ? low : base + bytes;
   return true;
 }
 
 void Cpu::multiply_long(const Step& step) {
   const auto op = static_cast<Op>(step.value);
-  const std::uint32_t n = r_[step.n], m = r_[step.m];
+  const std::uint32_t n = state_.r[step.n], m = state_.r[step.m];
   const bool is_signed = op == Op::smull || op == Op::smlal;
   std::uint64_t product = is_signed ? static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(n)} *
                                                                  static_cast<std::int32_t>(m))
                                     : std::uint64_t{n} * m;
-  if (op >= Op::umlal) product += std::uint64_t{r_[step.shift]} << 32 | r_[step.d];
-  r_[step.d] = static_cast<std::uint32_t>(product);
-  r_[step.shift] = static_cast<std::uint32_t>(product >> 32);
+  if (op >= Op::umlal) product += std::uint64_t{state_.r[step.shift]} << 32 | state_.r[step.d];
+  state_.r[step.d] = static_cast<std::uint32_t>(product);
+  state_.r[step.shift] = static_cast<std::uint32_t>(product >> 32);
 }
 
 void Cpu::compute(Op op, const Step& step, std::uint32_t b, std::uint32_t carry, bool sets, Flags& flags) {
-  const std::uint32_t n = r_[step.n];
+  const std::uint32_t n = state_.r[step.n];
   Flags made = flags;
   const auto logical = [&](std::uint32_t result) {
     made.carry = carry;
     return made.logic(result);
   };
-  std::uint32_t& d = r_[step.d];
+  std::uint32_t& d = state_.r[step.d];
   switch (op) {
     case Op::mov:
       d = logical(b);

@@ -13,20 +13,20 @@ void Cpu::run() {
 #undef LABEL
   };
   // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
-  std::uint32_t* const r = r_.data();
+  std::uint32_t* const r = state_.r.data();
   std::uint8_t *const ram = ram_, *const flash = flash_;
   Step* const code = code_.data();
   constexpr std::int64_t kHeld = std::int64_t{1} << 60;
   Step entered;
-  entered.pc = pc_;
-  const Step *i = step_at(next_), *last = &entered, *there = nullptr;
-  Flags flags = flags_;
-  std::int64_t left = 0, held = it_ != 0 || predicated_ != 0 || halting_ ? kHeld : 0;
+  entered.pc = state_.pc;
+  const Step *i = step_at(state_.next), *last = &entered, *there = nullptr;
+  Flags flags = state_.flags;
+  std::int64_t left = 0, held = state_.it != 0 || state_.predicated != 0 || halting_ ? kHeld : 0;
   Cycle end = 0;
   std::uint32_t target = 0, writable = 0;
   bool in_block = false, left_out = false;
 
-  if (!i) return jumped_nowhere(next_);
+  if (!i) return jumped_nowhere(state_.next);
   RESUME_TIME;
   DISPATCH;
 
@@ -245,8 +245,8 @@ void Cpu::run() {
   }
   STEP(it, 1) {
   block:
-    it_ = i->value;
-    predicated_ = i->n;
+    state_.it = i->value;
+    state_.predicated = i->n;
     if (held == 0) {
       held = kHeld;
       left -= held;
@@ -274,15 +274,15 @@ void Cpu::run() {
   }
   STEP(msr, 2) {
     PUT;
-    flags_ = flags;
+    state_.flags = flags;
     if (!write_special(i->value, N)) goto emulated;
-    flags = flags_;
+    flags = state_.flags;
     check_stack();
     masks_changed();
     RESUME_TIME;
     NEXT;
   }
-  TRY(mrs, 2, (flags_ = flags, read_special(i->value, D)));
+  TRY(mrs, 2, (state_.flags = flags, read_special(i->value, D)));
 
 L_reads_pc:
   r[kPc] = i->pc + 4;
@@ -306,22 +306,22 @@ jump:
 
 leave_handler:
   PUT;
-  flags_ = flags;
+  state_.flags = flags;
   after_ = target & ~1u;
-  returning_ = true;
+  state_.returning = true;
   return;
 
   STEP(emulate, i->cycles)
 emulated:
   PUT;
-  flags_ = flags;
+  state_.flags = flags;
   emulate();
-  flags = flags_;
+  flags = state_.flags;
   if (ends_) return;
   RESUME_TIME;
-  entered.pc = pc_;
+  entered.pc = state_.pc;
   last = &entered;
-  if (after_ != next_) {
+  if (after_ != state_.next) {
     left -= kRefill_cycles;
     note_jump();
   }
@@ -339,7 +339,7 @@ L_mark : {
   if (held == 0 && (halting_ || mark.breaks) && halts_at(i->pc)) goto out;
   if (mark.head && held == 0) {
     clock_.now = NOW;
-    flags_ = flags;
+    state_.flags = flags;
     idle_.at_head(i->pc);
     RESUME_TIME;
   }
@@ -351,11 +351,11 @@ leave:
   if (held == 0) goto out;
   if (i->kind == Step::Kind::fetch) MAKE;
   {
-    const std::uint32_t it = it_;
+    const std::uint32_t it = state_.it;
     const std::uint32_t rest = it & 7 ? (it & 0xE0) | (it << 1 & 0x1F) : 0;
     if (it != 0 && !flags.passes(it >> 4)) {
       // It takes no time, but the pipeline is filled anew behind it.
-      it_ = rest;
+      state_.it = rest;
       left_out = true;
       i = BEHIND;
       goto leave;
@@ -364,33 +364,33 @@ leave:
       left -= kRefill_cycles;
       NOTE_JUMP(last->pc);
     }
-    if (left + held <= 0 && (predicated_ == 0 || fault_)) goto out;
+    if (left + held <= 0 && (state_.predicated == 0 || state_.fault)) goto out;
     in_block = it != 0;
-    if (predicated_ == 0 && !in_block && !halting_) {
+    if (state_.predicated == 0 && !in_block && !halting_) {
       left += held;
       end += static_cast<Cycle>(held);
       held = 0;
       GO_TO_STEP(i->kind);
     }
     if ((halting_ || i->kind == Step::Kind::mark) && halts_at(i->pc)) goto out;
-    it_ = rest;
-    if (predicated_ > 0) --predicated_;
+    state_.it = rest;
+    if (state_.predicated > 0) --state_.predicated;
     GO_TO_STEP(in_block ? i->within : i->kind);
   }
 
 nowhere:
-  pc_ = last->pc;
+  state_.pc = last->pc;
   target = i->pc;
 lost:
   clock_.now = NOW;
-  flags_ = flags;
+  state_.flags = flags;
   return jumped_nowhere(target);
 
 out:
   clock_.now = NOW;
-  pc_ = last->pc;
-  next_ = i->pc;
-  flags_ = flags;
+  state_.pc = last->pc;
+  state_.next = i->pc;
+  state_.flags = flags;
 }
 
 }  // namespace robosim::exec::stm32

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/exec/stm32/cpu.h"
+#include "sim/exec/stm32/engine.h"
 #include "sim/exec/stm32/unicorn.h"
 
 namespace robosim::exec::stm32 {
@@ -35,39 +36,41 @@ enum Special : std::uint32_t {
 }  // namespace
 
 std::uint32_t Cpu::status() const {
-  std::uint32_t value = kThumb | flags_.pack();
-  if (saturated_) value |= kSaturated;
-  value |= (it_ & 3) << 25 | (it_ & 0xFC) << 8;
-  if (!handlers_.empty()) value |= static_cast<std::uint32_t>(handlers_.back().exception);
+  std::uint32_t value = kThumb | state_.flags.pack();
+  if (state_.saturated) value |= kSaturated;
+  value |= (state_.it & 3) << 25 | (state_.it & 0xFC) << 8;
+  if (!state_.handlers.empty()) value |= static_cast<std::uint32_t>(state_.handlers.back().exception);
   return value;
 }
 
 void Cpu::set_status(std::uint32_t value) {
-  flags_.unpack(value);
-  saturated_ = value & kSaturated;
-  it_ = (value >> 25 & 3) | (value >> 8 & 0xFC);
+  state_.flags.unpack(value);
+  state_.saturated = value & kSaturated;
+  state_.it = (value >> 25 & 3) | (value >> 8 & 0xFC);
 }
 
 void Cpu::select_stack(bool process) {
-  if (process != on_process_stack_) std::swap(r_[kSp], other_sp_);
-  on_process_stack_ = process;
+  if (process != state_.on_process_stack) std::swap(state_.r[kSp], state_.other_sp);
+  state_.on_process_stack = process;
   watch_stack();
 }
 
-void Cpu::watch_stack() { stack_watch_ = on_process_stack_ ? 0 : std::max(lowest_sp_, stack_limit_); }
+void Cpu::watch_stack() {
+  state_.stack_watch = state_.on_process_stack ? 0 : std::max(state_.lowest_sp, state_.stack_limit);
+}
 
 void Cpu::check_stack() {
-  if (on_process_stack_) return;
+  if (state_.on_process_stack) return;
   const std::uint32_t sp = reg(kSp);
-  lowest_sp_ = std::min(lowest_sp_, sp);
+  state_.lowest_sp = std::min(state_.lowest_sp, sp);
   watch_stack();
-  if (sp < stack_limit_) fail(Fault::Kind::stack, pc_);
+  if (sp < state_.stack_limit) fail(Fault::Kind::stack, state_.pc);
 }
 
 void Cpu::change_masks(std::uint32_t value) {
   const std::uint32_t masks = value >> 4 & 1;
-  if (value & 2) primask_ = masks;
-  if (value & 1) faultmask_ = masks;
+  if (value & 2) state_.primask = masks;
+  if (value & 1) state_.faultmask = masks;
   masks_changed();
 }
 
@@ -84,23 +87,23 @@ bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
   }
   switch (number) {
     case kMsp:
-      value = on_process_stack_ ? other_sp_ : r_[kSp];
+      value = state_.on_process_stack ? state_.other_sp : state_.r[kSp];
       return true;
     case kPsp:
-      value = on_process_stack_ ? r_[kSp] : other_sp_;
+      value = state_.on_process_stack ? state_.r[kSp] : state_.other_sp;
       return true;
     case kPrimask:
-      value = primask_;
+      value = state_.primask;
       return true;
     case kBasepri:
     case kBasepriMax:
-      value = basepri_;
+      value = state_.basepri;
       return true;
     case kFaultmask:
-      value = faultmask_;
+      value = state_.faultmask;
       return true;
     case kControl:
-      value = on_process_stack_ ? kSpSel : 0;
+      value = state_.on_process_stack ? kSpSel : 0;
       return true;
     default:
       return false;
@@ -110,34 +113,35 @@ bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
 bool Cpu::write_special(std::uint32_t number, std::uint32_t value) {
   constexpr std::uint32_t kPriority = 0xF0;
   if (number <= kXpsr) {
-    const std::uint32_t it = it_;
+    const std::uint32_t it = state_.it;
     set_status((value & kFlags) | kThumb);
-    it_ = it;
+    state_.it = it;
     return true;
   }
   switch (number) {
     case kMsp:
-      (on_process_stack_ ? other_sp_ : r_[kSp]) = value & ~3u;
+      (state_.on_process_stack ? state_.other_sp : state_.r[kSp]) = value & ~3u;
       return true;
     case kPsp:
-      (on_process_stack_ ? r_[kSp] : other_sp_) = value & ~3u;
+      (state_.on_process_stack ? state_.r[kSp] : state_.other_sp) = value & ~3u;
       return true;
     case kFaultmask:
-      faultmask_ = value & 1;
+      state_.faultmask = value & 1;
       return true;
     case kControl:
       // All code stays privileged. A handler always uses the main stack.
-      if (handlers_.empty()) select_stack(value & kSpSel);
+      if (state_.handlers.empty()) select_stack(value & kSpSel);
       return true;
     case kPrimask:
-      primask_ = value & 1;
+      state_.primask = value & 1;
       return true;
     case kBasepri:
-      basepri_ = value & kPriority;
+      state_.basepri = value & kPriority;
       return true;
     case kBasepriMax:
-      if (const std::uint32_t limit = value & kPriority; limit != 0 && (basepri_ == 0 || limit < basepri_))
-        basepri_ = limit;
+      if (const std::uint32_t limit = value & kPriority;
+          limit != 0 && (state_.basepri == 0 || limit < state_.basepri))
+        state_.basepri = limit;
       return true;
     default:
       return false;
@@ -145,32 +149,33 @@ bool Cpu::write_special(std::uint32_t number, std::uint32_t value) {
 }
 
 void Cpu::emulate() {
-  const Instruction about = decode(half(pc_), half(pc_ + 2));
+  const Instruction about = decode(half(state_.pc), half(state_.pc + 2));
   if (about.divides && nvic_.traps_division() && about.divisor < kSp && reg(about.divisor) == 0)
-    fail(Fault::Kind::division, pc_);
-  after_ = next_;
+    fail(Fault::Kind::division, state_.pc);
+  after_ = state_.next;
   idle_.interrupted();
   // Its condition holds, and no instruction that comes here cares for more of its IT block.
-  const std::uint32_t it = std::exchange(it_, 0);
+  const std::uint32_t it = std::exchange(state_.it, 0);
   std::uint32_t psr = status();
-  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &r_[i] : &psr);
+  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &state_.r[i] : &psr);
   // Code in RAM may have been written since.
-  if (pc_ >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
+  if (state_.pc >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
   first_ = true;
   block_bytes_ = 0;
   if (about.predicates > 0) {
     block_bytes_ = about.bytes;
     for (int i = 0; i < about.predicates; ++i)
-      block_bytes_ += decode(half(pc_ + block_bytes_), half(pc_ + block_bytes_ + 2)).bytes;
+      block_bytes_ += decode(half(state_.pc + block_bytes_), half(state_.pc + block_bytes_ + 2)).bytes;
   }
-  const uc_err error = uc_emu_start(uc_, pc_ | 1, kNeverAddress, 0, 0);
-  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_read(uc_, kIds[i], i < 15 ? &r_[i] : &psr);
+  engine_.runs();
+  const uc_err error = uc_emu_start(uc_, state_.pc | 1, kNeverAddress, 0, 0);
+  for (unsigned i = 0; i < kRegisters; ++i) uc_reg_read(uc_, kIds[i], i < 15 ? &state_.r[i] : &psr);
   set_status(psr);
-  it_ = it;
+  state_.it = it;
   if (about.grows_stack) check_stack();
   if (about.masks) masks_changed();
-  if (returning_ || fault_) ends_ = true;
-  if (error != UC_ERR_OK && !ends_) fail(Fault::Kind::bad_opcode, pc_, opcode(pc_));
+  if (state_.returning || state_.fault) ends_ = true;
+  if (error != UC_ERR_OK && !ends_) fail(Fault::Kind::bad_opcode, state_.pc, opcode(state_.pc));
 }
 
 Cpu::Mark* Cpu::mark_at(std::uint32_t pc) {

@@ -45,10 +45,10 @@
 
 #define NOW (end - static_cast<Cycle>(left))
 // What the rest of the processor may look at while an instruction runs; RESUME_TIME for what it may change.
-#define PUT         \
-  clock_.now = NOW; \
-  pc_ = i->pc;      \
-  next_ = i->next()
+#define PUT          \
+  clock_.now = NOW;  \
+  state_.pc = i->pc; \
+  state_.next = i->next()
 #define RESUME_TIME                                            \
   writable = writable_;                                        \
   left = static_cast<std::int64_t>(stop_ - clock_.now) - held; \
@@ -96,12 +96,12 @@
   }
 
 // Not by the flags that are kept in registers, whose address nobody shall have.
-#define COMPUTE(op, b, carry, sets)                                 \
-  {                                                                 \
-    flags_ = flags;                                                 \
-    compute(static_cast<Op>(op), *i, (b), (carry), (sets), flags_); \
-    flags = flags_;                                                 \
-    NEXT;                                                           \
+#define COMPUTE(op, b, carry, sets)                                       \
+  {                                                                       \
+    state_.flags = flags;                                                 \
+    compute(static_cast<Op>(op), *i, (b), (carry), (sets), state_.flags); \
+    flags = state_.flags;                                                 \
+    NEXT;                                                                 \
   }
 
 #define READ(bytes, address, use)                                            \
@@ -159,11 +159,11 @@
     clock_.now -= i->cycles; \
     RESUME_TIME;             \
   }
-#define CHECK_STACK                         \
-  if (r[kSp] < stack_watch_) [[unlikely]] { \
-    PUT;                                    \
-    check_stack();                          \
-    RESUME_TIME;                            \
+#define CHECK_STACK                               \
+  if (r[kSp] < state_.stack_watch) [[unlikely]] { \
+    PUT;                                          \
+    check_stack();                                \
+    RESUME_TIME;                                  \
   }
 
 #define SET_STACK(sp) \
@@ -176,7 +176,7 @@
   {                                                                    \
     if (M == 0 && i->m < kSp && nvic_.traps_division()) [[unlikely]] { \
       PUT;                                                             \
-      fail(Fault::Kind::division, pc_);                                \
+      fail(Fault::Kind::division, state_.pc);                          \
       RESUME_TIME;                                                     \
     }                                                                  \
     D = quotient(N, M, is_signed);                                     \
@@ -187,15 +187,15 @@
   {                                                                              \
     const std::int64_t from = static_cast<std::int32_t>(N << i->shift);          \
     const std::int64_t result = std::clamp<std::int64_t>(from, (least), (most)); \
-    if (result != from && !saturated_) [[unlikely]] {                            \
-      saturated_ = true;                                                         \
+    if (result != from && !state_.saturated) [[unlikely]] {                      \
+      state_.saturated = true;                                                   \
       idle_.interrupted();                                                       \
     }                                                                            \
     D = static_cast<std::uint32_t>(result);                                      \
     NEXT;                                                                        \
   }
 
-#define NOTE_JUMP(pc) jumps_[jump_count_++ % jumps_.size()] = (pc)
+#define NOTE_JUMP(pc) state_.jumps[state_.jump_count++ % state_.jumps.size()] = (pc)
 // To a Step of flash that is not the next one.
 #define JUMP_TO_STEP        \
   {                         \
@@ -231,17 +231,17 @@
     JUMP(i->next() + 2 * entry);                                     \
   }
 // If what wakes it is there already, and is not taken, it does not sleep at all.
-#define WAIT_FOR_INTERRUPT                                                           \
-  {                                                                                  \
-    if (left > 0 && nvic_.wakes() && !nvic_.next(primask_ | faultmask_, basepri_)) { \
-      NEXT;                                                                          \
-    }                                                                                \
-    FALL_ASLEEP(false);                                                              \
+#define WAIT_FOR_INTERRUPT                                                                             \
+  {                                                                                                    \
+    if (left > 0 && nvic_.wakes() && !nvic_.next(state_.primask | state_.faultmask, state_.basepri)) { \
+      NEXT;                                                                                            \
+    }                                                                                                  \
+    FALL_ASLEEP(false);                                                                                \
   }
-#define FALL_ASLEEP(by_event)      \
-  {                                \
-    falls_asleep_ = true;          \
-    waits_for_event_ = (by_event); \
-    ADVANCE;                       \
-    goto out;                      \
+#define FALL_ASLEEP(by_event)            \
+  {                                      \
+    falls_asleep_ = true;                \
+    state_.waits_for_event = (by_event); \
+    ADVANCE;                             \
+    goto out;                            \
   }

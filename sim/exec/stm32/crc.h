@@ -7,26 +7,32 @@ namespace robosim::exec::stm32 {
 
 class Crc final : public Peripheral {
  public:
+  explicit Crc(Link& link) { link.kept.add(state_); }
+
   std::uint32_t read(Address address) override {
-    return address == robosim::stm32::kCrc ? remainder_ : address == kIndependent ? kept_ : 0;
+    return address == robosim::stm32::kCrc ? state_.remainder : address == kIndependent ? state_.kept : 0;
   }
   bool write(Address address, std::uint32_t value) override {
-    if (address == kIndependent) kept_ = value & 0xFF;
-    if (address == kControl && value & 1) remainder_ = 0xFFFFFFFF;
+    if (address == kIndependent) state_.kept = value & 0xFF;
+    if (address == kControl && value & 1) state_.remainder = 0xFFFFFFFF;
     if (address != robosim::stm32::kCrc) return true;
-    remainder_ ^= value;
-    for (int bit = 0; bit < 32; ++bit) remainder_ = remainder_ << 1 ^ (remainder_ >> 31 ? 0x04C11DB7u : 0);
+    state_.remainder ^= value;
+    for (int bit = 0; bit < 32; ++bit)
+      state_.remainder = state_.remainder << 1 ^ (state_.remainder >> 31 ? 0x04C11DB7u : 0);
     return true;
   }
   void reset(Address) override {
-    remainder_ = 0xFFFFFFFF;
-    kept_ = 0;
+    state_.remainder = 0xFFFFFFFF;
+    state_.kept = 0;
   }
 
  private:
-  static constexpr Address kIndependent = robosim::stm32::kCrc + 4, kControl = robosim::stm32::kCrc + 8;
+  struct State {
+    std::uint32_t remainder = 0xFFFFFFFF, kept = 0;
+  };
 
-  std::uint32_t remainder_ = 0xFFFFFFFF, kept_ = 0;
+  static constexpr Address kIndependent = robosim::stm32::kCrc + 4, kControl = robosim::stm32::kCrc + 8;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -38,6 +38,7 @@ class DebugPort final : public gdb::DebugPort {
   void poke(std::uint32_t address, std::uint8_t value) override { cpu().set_byte(address, value); }
   void trap(std::uint32_t address, bool set) override { cpu().set_breakpoint(address, set); }
   void resume() override { cpu().pass_breakpoint(); }
+  void resume_again() override {}
 
   Cpu& cpu() const { return machine_->cpu(); }
 

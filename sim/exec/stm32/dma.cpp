@@ -21,17 +21,17 @@ unsigned bytes_of(std::uint32_t size) { return 1u << std::min(size & 3, 2u); }
 }  // namespace
 
 void Dma::flag(int index, std::uint32_t flags) {
-  status_ |= (flags | kGlobal) << (4 * index);
+  state_.status |= (flags | kGlobal) << (4 * index);
   refresh(index);
 }
 
 // The interrupts' bits in CCR are where the flags are in ISR.
 void Dma::refresh(int index) {
-  const Channel& channel = channels_[static_cast<std::size_t>(index)];
-  const std::uint32_t flags = status_ >> (4 * index) & (kComplete | kHalf | kError);
+  const Channel& channel = state_.channels[static_cast<std::size_t>(index)];
+  const std::uint32_t flags = state_.status >> (4 * index) & (kComplete | kHalf | kError);
   link_.nvic.set_line(static_cast<Irq>(kIrqDma1Channel1 + index), flags & channel.control);
   const bool waits = channel.control & kEnable && !(channel.control & kMemToMem) && channel.left > 0;
-  waiting_ = (waiting_ & ~(1u << index)) | (waits ? 1u << index : 0);
+  state_.waiting = (state_.waiting & ~(1u << index)) | (waits ? 1u << index : 0);
 }
 
 std::uint32_t Dma::next_stage(const Channel& channel) const {
@@ -48,7 +48,7 @@ void Dma::begin(Channel& channel) {
 }
 
 void Dma::move(int index) {
-  Channel& channel = channels_[static_cast<std::size_t>(index)];
+  Channel& channel = state_.channels[static_cast<std::size_t>(index)];
   const std::uint32_t control = channel.control;
   const unsigned of_peripheral = bytes_of(control >> 8), of_memory = bytes_of(control >> 10);
   const bool out = control & kToPeripheral;
@@ -79,7 +79,7 @@ int Dma::serve(unsigned channels) {
   int chosen = -1;
   std::uint32_t best = 0;
   for (int i = 0; i < kChannels; ++i) {
-    const std::uint32_t priority = channels_[static_cast<std::size_t>(i)].control >> 12 & 3;
+    const std::uint32_t priority = state_.channels[static_cast<std::size_t>(i)].control >> 12 & 3;
     if (channels >> i & 1 && (chosen < 0 || priority > best)) {
       chosen = i;
       best = priority;
@@ -91,13 +91,13 @@ int Dma::serve(unsigned channels) {
 
 Cycle Dma::next_event() const {
   Cycle next = kNoCycle;
-  for (const Channel& channel : channels_) next = std::min(next, channel.stage_at);
+  for (const Channel& channel : state_.channels) next = std::min(next, channel.stage_at);
   return next;
 }
 
 void Dma::update() {
   for (int i = 0; i < kChannels; ++i) {
-    Channel& channel = channels_[static_cast<std::size_t>(i)];
+    Channel& channel = state_.channels[static_cast<std::size_t>(i)];
     while (link_.clock.now >= channel.stage_at) {
       const Cycle at = channel.stage_at;
       channel.stage_at = kNoCycle;
@@ -110,18 +110,18 @@ void Dma::update() {
 }
 
 void Dma::reset(Address) {
-  channels_ = {};
-  status_ = 0;
+  state_.channels = {};
+  state_.status = 0;
   for (int i = 0; i < kChannels; ++i) refresh(i);
 }
 
 std::uint32_t Dma::read(Address address) {
   update();
-  if (address == kDmaIsr) return status_;
+  if (address == kDmaIsr) return state_.status;
   if (address < kDmaChannels) return 0;
   const std::size_t index = (address - kDmaChannels) / kChannelBytes;
-  if (index >= channels_.size()) return 0;
-  const Channel& channel = channels_[index];
+  if (index >= state_.channels.size()) return 0;
+  const Channel& channel = state_.channels[index];
   switch ((address - kDmaChannels) % kChannelBytes) {
     case 0x0:
       return channel.control;
@@ -141,16 +141,16 @@ bool Dma::write(Address address, std::uint32_t value) {
   if (address == kDmaIfcr) {
     for (int i = 0; i < kChannels; ++i) {
       const std::uint32_t clears = value >> (4 * i) & 15;
-      std::uint32_t flags = status_ >> (4 * i) & 15 & ~(clears & kGlobal ? 15u : clears);
+      std::uint32_t flags = state_.status >> (4 * i) & 15 & ~(clears & kGlobal ? 15u : clears);
       if (flags == kGlobal) flags = 0;
-      status_ = (status_ & ~(15u << (4 * i))) | flags << (4 * i);
+      state_.status = (state_.status & ~(15u << (4 * i))) | flags << (4 * i);
       refresh(i);
     }
     return true;
   }
   const std::size_t index = (address - kDmaChannels) / kChannelBytes;
-  if (address < kDmaChannels || index >= channels_.size()) return true;
-  Channel& channel = channels_[index];
+  if (address < kDmaChannels || index >= state_.channels.size()) return true;
+  Channel& channel = state_.channels[index];
   const bool runs = channel.control & kEnable;
   switch ((address - kDmaChannels) % kChannelBytes) {
     case 0x0:

@@ -24,7 +24,7 @@ class Dma final : public Peripheral {
  public:
   static constexpr int kChannels = 7;
 
-  Dma(Link& link, DmaBus& bus) : link_(link), bus_(bus) {}
+  Dma(Link& link, DmaBus& bus) : link_(link), bus_(bus) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -33,7 +33,7 @@ class Dma final : public Peripheral {
   void update() override;
 
   /// The channels that peripherals' requests would make move something.
-  unsigned waiting() const { return waiting_; }
+  unsigned waiting() const { return state_.waiting; }
   /// Moves an item by one of `channels`, which are waiting; returns its number, 1 to 7.
   int serve(unsigned channels);
 
@@ -44,6 +44,12 @@ class Dma final : public Peripheral {
     Cycle stage_at = kNoCycle;                                     ///< of memory to memory
   };
 
+  struct State {
+    std::array<Channel, kChannels> channels{};
+    std::uint32_t status = 0;
+    unsigned waiting = 0;
+  };
+
   void refresh(int index);
   void begin(Channel& channel);
   void move(int index);
@@ -52,9 +58,7 @@ class Dma final : public Peripheral {
 
   Link& link_;
   DmaBus& bus_;
-  std::array<Channel, kChannels> channels_{};
-  std::uint32_t status_ = 0;
-  unsigned waiting_ = 0;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -25,7 +25,7 @@ struct Cpu::Hooks {
   static void code(uc_engine* uc, std::uint64_t address, std::uint32_t, void* engine) {
     Cpu& c = self(engine);
     const auto pc = static_cast<std::uint32_t>(address);
-    if (std::exchange(c.first_, false) || (pc - c.pc_ < c.block_bytes_ && !c.fault_)) return;
+    if (std::exchange(c.first_, false) || (pc - c.state_.pc < c.block_bytes_ && !c.state_.fault)) return;
     // ARM code, which the chip has none of: it goes wrong at the instruction behind the branch.
     std::uint32_t cpsr = 0;
     uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
@@ -58,18 +58,18 @@ struct Cpu::Hooks {
       case UC_MEM_FETCH_PROT:
         c.after_ = at;
         if (at >= kExceptionReturn)
-          c.returning_ = true;
+          c.state_.returning = true;
         else
           c.jumped_nowhere(at);
         break;
       case UC_MEM_WRITE_PROT:
-        c.fail(Fault::Kind::flash_write, c.pc_, at);
+        c.fail(Fault::Kind::flash_write, c.state_.pc, at);
         break;
       case UC_MEM_WRITE_UNMAPPED:
-        c.fail(Fault::Kind::bad_write, c.pc_, at);
+        c.fail(Fault::Kind::bad_write, c.state_.pc, at);
         break;
       default:
-        c.fail(Fault::Kind::bad_read, c.pc_, at);
+        c.fail(Fault::Kind::bad_read, c.state_.pc, at);
     }
     return false;
   }
@@ -82,20 +82,21 @@ struct Cpu::Hooks {
                             kExit = 8;
     if (number == kExit || (number == kPrefetchAbort && pc >= kExceptionReturn)) {
       c.after_ = pc;
-      c.returning_ = true;
+      c.state_.returning = true;
     } else if (number == kSupervisorCall) {
-      c.next_ = pc;
+      c.state_.next = pc;
       c.nvic_.pend(kSvcall);
     } else if (number == kBreakpoint) {
-      c.fail(Fault::Kind::breakpoint, c.pc_);
+      c.fail(Fault::Kind::breakpoint, c.state_.pc);
     } else if (number == kUndefined) {
-      c.fail(Fault::Kind::bad_opcode, c.pc_, c.opcode(c.pc_));
+      c.fail(Fault::Kind::bad_opcode, c.state_.pc, c.opcode(c.state_.pc));
     } else {
       c.jumped_nowhere(pc);
     }
   }
   static bool undefined(uc_engine*, void* engine) {
-    self(engine).fail(Fault::Kind::bad_opcode, self(engine).pc_, self(engine).opcode(self(engine).pc_));
+    self(engine).fail(Fault::Kind::bad_opcode, self(engine).state_.pc,
+                      self(engine).opcode(self(engine).state_.pc));
     return false;
   }
 };
@@ -119,8 +120,7 @@ Engine::Engine(const FlashMemory& flash) {
     add(UC_HOOK_MEM_INVALID, &Cpu::Hooks::invalid);
     add(UC_HOOK_INTR, &Cpu::Hooks::interrupt);
     add(UC_HOOK_INSN_INVALID, &Cpu::Hooks::undefined);
-    check(uc_context_alloc(uc_, &as_new_));
-    check(uc_context_save(uc_, as_new_));
+    as_new_ = save();
   } catch (...) {
     close();
     throw;
@@ -130,7 +130,8 @@ Engine::Engine(const FlashMemory& flash) {
 Engine::~Engine() { close(); }
 
 void Engine::close() {
-  if (as_new_) uc_context_free(as_new_);
+  as_new_.reset();
+  context_.reset();
   uc_close(uc_);
 }
 
@@ -139,8 +140,23 @@ void Engine::map_registers(std::uint32_t bytes) {
   check(uc_mmio_map(uc_, kBase, bytes, &Cpu::Hooks::load<kBase>, this, &Cpu::Hooks::store<kBase>, this));
 }
 
+Engine::Context Engine::save() const {
+  if (context_) return context_;
+  uc_context* made = nullptr;
+  check(uc_context_alloc(uc_, &made));
+  context_ = Context(made, [](uc_context* context) { uc_context_free(context); });
+  check(uc_context_save(uc_, made));
+  return context_;
+}
+
+void Engine::restore(const Context& saved) {
+  if (context_ == saved) return;
+  check(uc_context_restore(uc_, const_cast<uc_context*>(saved.get())));
+  context_ = saved;
+}
+
 void Engine::begin(Cpu& cpu, std::uint8_t* ram) {
-  check(uc_context_restore(uc_, as_new_));
+  restore(as_new_);
   check(uc_mem_map_ptr(uc_, kRam, kRamBytes, UC_PROT_ALL, ram));
   cpu_ = &cpu;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "sim/exec/stm32/memory.h"
 
@@ -28,6 +29,14 @@ class Engine {
 
   uc_struct* uc() const { return uc_; }
 
+  /// What it knows from one instruction to the next: the monitor of LDREX and STREX. A Cpu gives it
+  /// everything else each time.
+  using Context = std::shared_ptr<const uc_context>;
+  Context save() const;
+  void restore(const Context& saved);
+  /// An instruction is about to run.
+  void runs() { context_.reset(); }
+
  private:
   friend class Cpu;
 
@@ -36,8 +45,9 @@ class Engine {
   void close();
 
   uc_struct* uc_ = nullptr;
-  uc_context* as_new_ = nullptr;
-  Cpu* cpu_ = nullptr;  ///< null = the chip has no power
+  Context as_new_;
+  mutable Context context_;  ///< its present one; null = nobody has asked since an instruction has run
+  Cpu* cpu_ = nullptr;       ///< null = the chip has no power
 };
 
 }  // namespace robosim::exec::stm32

@@ -13,20 +13,20 @@ constexpr SimTime kProgram = 52'500 * kNanosecond, kErase = 30 * kMillisecond;
 }  // namespace
 
 void Flash::reset(Address) {
-  access_ = 0x30;
-  control_ = kFlashLock;
-  status_ = address_ = 0;
-  first_key_ = false;
+  state_.access = 0x30;
+  state_.control = kFlashLock;
+  state_.status = state_.address = 0;
+  state_.first_key = false;
 }
 
 std::uint32_t Flash::read(Address address) {
   switch (address) {
     case kFlashAcr:
-      return access_ | (access_ & kPrefetch) << 1;
+      return state_.access | (state_.access & kPrefetch) << 1;
     case kFlashSr:
-      return status_;
+      return state_.status;
     case kFlashCr:
-      return control_;
+      return state_.control;
     case kFlashIf + 0x1C:
       return 0x03FFFFFC;  // FLASH_OBR: no read protection
     case kFlashIf + 0x20:
@@ -39,23 +39,23 @@ std::uint32_t Flash::read(Address address) {
 bool Flash::write(Address address, std::uint32_t value) {
   switch (address) {
     case kFlashAcr:
-      access_ = value & 0x1F;
+      state_.access = value & 0x1F;
       return true;
     case kFlashKeyr:
-      if (value == kFlashKey2 && first_key_) control_ &= ~kFlashLock;
-      first_key_ = value == kFlashKey1;
+      if (value == kFlashKey2 && state_.first_key) state_.control &= ~kFlashLock;
+      state_.first_key = value == kFlashKey1;
       return true;
     case kFlashSr:
-      status_ &= ~(value & (kFlashPgErr | kFlashDone | 1u << 4));
+      state_.status &= ~(value & (kFlashPgErr | kFlashDone | 1u << 4));
       return true;
     case kFlashCr:
-      if (control_ & kFlashLock) return true;
+      if (state_.control & kFlashLock) return true;
       if (value & ~(kFlashPg | kFlashPer | kFlashStart | kFlashLock)) return false;
-      control_ = value & ~kFlashStart;
+      state_.control = value & ~kFlashStart;
       if (value & kFlashStart && value & kFlashPer) erase();
       return true;
     case kFlashAr:
-      address_ = value;
+      state_.address = value;
       return true;
     default:
       return false;
@@ -63,12 +63,12 @@ bool Flash::write(Address address, std::uint32_t value) {
 }
 
 void Flash::erase() {
-  const Address offset = (address_ - kFlash) / kPageBytes * kPageBytes;
-  if (address_ < kFlash || offset >= kFlashBytes) return;
-  std::fill_n(memory_.data() + offset, kPageBytes, std::uint8_t{0xFF});
+  const Address offset = (state_.address - kFlash) / kPageBytes * kPageBytes;
+  if (state_.address < kFlash || offset >= kFlashBytes) return;
+  memory_.erase(offset);
   changed_ = kFlash + offset;
   link_.clock.now += link_.clock.cycles_in(kErase);
-  status_ |= kFlashDone;
+  state_.status |= kFlashDone;
 }
 
 std::uint32_t Flash::read_memory(Address address, unsigned size) const {
@@ -80,21 +80,20 @@ std::uint32_t Flash::read_memory(Address address, unsigned size) const {
 }
 
 bool Flash::programs(Address address, unsigned size) const {
-  return owns_memory(address) && size == 2 && control_ & kFlashPg && !(control_ & kFlashLock);
+  return owns_memory(address) && size == 2 && state_.control & kFlashPg && !(state_.control & kFlashLock);
 }
 
 void Flash::program(Address address, std::uint32_t value) {
-  std::uint8_t* const half = memory_.data() + (address - kFlash);
+  const std::uint8_t* const half = memory_.data() + (address - kFlash);
   const unsigned before = half[0] | half[1] << 8;
   link_.clock.now += link_.clock.cycles_in(kProgram);
   if (before != 0xFFFF && value != 0) {  // only an erased half, or to zeros
-    status_ |= kFlashPgErr;
+    state_.status |= kFlashPgErr;
     return;
   }
-  half[0] = static_cast<std::uint8_t>(value);
-  half[1] = static_cast<std::uint8_t>(value >> 8);
+  memory_.program(address - kFlash, static_cast<std::uint16_t>(value));
   changed_ = address / kPageBytes * kPageBytes;
-  status_ |= kFlashDone;
+  state_.status |= kFlashDone;
 }
 
 }  // namespace robosim::exec::stm32

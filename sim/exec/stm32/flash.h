@@ -13,7 +13,7 @@ namespace robosim::exec::stm32 {
 
 class Flash final : public Peripheral {
  public:
-  Flash(Link& link, FlashMemory& memory) : link_(link), memory_(memory) {}
+  Flash(Link& link, FlashMemory& memory) : link_(link), memory_(memory) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -33,13 +33,17 @@ class Flash final : public Peripheral {
   const FlashMemory& memory() const { return memory_; }
 
  private:
+  struct State {
+    std::uint32_t access = 0x30, control = robosim::stm32::kFlashLock, status = 0, address = 0;
+    bool first_key = false;
+  };
+
   void erase();
 
   Link& link_;
   FlashMemory& memory_;
   std::optional<Address> changed_;
-  std::uint32_t access_ = 0x30, control_ = robosim::stm32::kFlashLock, status_ = 0, address_ = 0;
-  bool first_key_ = false;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

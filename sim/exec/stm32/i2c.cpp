@@ -22,56 +22,59 @@ constexpr std::uint32_t kMsl = 1u << 0, kBusy = 1u << 1;                  // I2C
 }  // namespace
 
 I2c::I2c(Link& link, const Clocks& clocks, int number)
-    : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kI2c1 : kI2c2) {}
+    : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kI2c1 : kI2c2) {
+  link.kept.add(state_);
+}
 
 // Both lines are open drains, and released.
 bool I2c::drives(ChipPin pin, PinDrive& drive) const {
   const I2cPins pins = i2c_pins(number_, link_.map);
-  if (!(control_ & kPe) || (pin != pins.clock && pin != pins.data)) return false;
+  if (!(state_.control & kPe) || (pin != pins.clock && pin != pins.data)) return false;
   drive.level = true;
   return true;
 }
 
 Cycle I2c::bit_cycles() const {
-  const Cycle ccr = std::max<Cycle>(clock_ & 0xFFF, 1);
-  const Cycle parts = !(clock_ & 1u << 15) ? 2 : clock_ & 1u << 14 ? 25 : 3;
+  const Cycle ccr = std::max<Cycle>(state_.clock & 0xFFF, 1);
+  const Cycle parts = !(state_.clock & 1u << 15) ? 2 : state_.clock & 1u << 14 ? 25 : 3;
   return parts * ccr * clocks_.apb1_divider();
 }
 
 void I2c::begin(Phase phase, Cycle bits) {
-  phase_ = phase;
-  done_at_ = link_.clock.now + bits * bit_cycles();
+  state_.phase = phase;
+  state_.done_at = link_.clock.now + bits * bit_cycles();
 }
 
 void I2c::refresh_lines() {
-  link_.nvic.set_line(number_ == 1 ? kIrqI2c1Event : kIrqI2c2Event, status_ & kSb && control2_ & kItevtEn);
+  link_.nvic.set_line(number_ == 1 ? kIrqI2c1Event : kIrqI2c2Event,
+                      state_.status & kSb && state_.control2 & kItevtEn);
   link_.nvic.set_line(number_ == 1 ? kIrqI2c1Error : kIrqI2c2Error,
-                      status_ & kErrors && control2_ & kIterrEn);
+                      state_.status & kErrors && state_.control2 & kIterrEn);
 }
 
 // What CR1 asks for, when nothing else is on the bus.
 void I2c::go_on() {
-  if (done_at_ != kNoCycle || !(control_ & kPe)) return;
-  if (control_ & kStop && masters())
+  if (state_.done_at != kNoCycle || !(state_.control & kPe)) return;
+  if (state_.control & kStop && masters())
     begin(Phase::stop, 1);
-  else if (control_ & kStart && (phase_ == Phase::idle || phase_ == Phase::refused))
+  else if (state_.control & kStart && (state_.phase == Phase::idle || state_.phase == Phase::refused))
     begin(Phase::start, 1);
 }
 
 void I2c::update() {
-  while (link_.clock.now >= done_at_) {
-    done_at_ = kNoCycle;
-    if (phase_ == Phase::start) {
-      phase_ = Phase::waits_for_address;
-      control_ &= ~kStart;
-      status_ |= kSb;
-    } else if (phase_ == Phase::address) {
-      phase_ = Phase::refused;
-      status_ |= kAf;
+  while (link_.clock.now >= state_.done_at) {
+    state_.done_at = kNoCycle;
+    if (state_.phase == Phase::start) {
+      state_.phase = Phase::waits_for_address;
+      state_.control &= ~kStart;
+      state_.status |= kSb;
+    } else if (state_.phase == Phase::address) {
+      state_.phase = Phase::refused;
+      state_.status |= kAf;
     } else {
-      phase_ = Phase::idle;
-      control_ &= ~kStop;
-      status_ &= ~kSb;
+      state_.phase = Phase::idle;
+      state_.control &= ~kStop;
+      state_.status &= ~kSb;
     }
     go_on();
     refresh_lines();
@@ -79,7 +82,7 @@ void I2c::update() {
 }
 
 void I2c::reset(Address) {
-  static_cast<I2cRegisters&>(*this) = {};
+  state_ = {};
   refresh_lines();
 }
 
@@ -87,23 +90,23 @@ std::uint32_t I2c::read(Address address) {
   update();
   switch (address - base_) {
     case kI2cCr1:
-      return control_;
+      return state_.control;
     case kI2cCr2:
-      return control2_;
+      return state_.control2;
     case kI2cOar1:
-      return own_;
+      return state_.own;
     case kI2cOar2:
-      return own2_;
+      return state_.own2;
     case kI2cDr:
-      return data_;
+      return state_.data;
     case kI2cSr1:
-      return status_;
+      return state_.status;
     case kI2cSr2:
-      return masters() ? kMsl | kBusy : phase_ == Phase::start ? kBusy : 0;
+      return masters() ? kMsl | kBusy : state_.phase == Phase::start ? kBusy : 0;
     case kI2cCcr:
-      return clock_;
+      return state_.clock;
     case kI2cTrise:
-      return rise_;
+      return state_.rise;
     default:
       return 0;
   }
@@ -116,14 +119,14 @@ bool I2c::write(Address address, std::uint32_t value) {
     case kI2cCr1:
       if (value & kSwRst) {
         reset(base_);
-        control_ = kSwRst;
+        state_.control = kSwRst;
         return true;
       }
-      control_ = value;
+      state_.control = value;
       if (!(value & kPe)) {
-        phase_ = Phase::idle;
-        done_at_ = kNoCycle;
-        status_ = 0;
+        state_.phase = Phase::idle;
+        state_.done_at = kNoCycle;
+        state_.status = 0;
       }
       modelled = !(value & kSmBus);
       for (const ChipPin pin : {i2c_pins(number_, link_.map).clock, i2c_pins(number_, link_.map).data})
@@ -131,29 +134,29 @@ bool I2c::write(Address address, std::uint32_t value) {
       go_on();
       break;
     case kI2cCr2:
-      control2_ = value;
+      state_.control2 = value;
       break;
     case kI2cOar1:
-      own_ = value;
+      state_.own = value;
       break;
     case kI2cOar2:
-      own2_ = value;
+      state_.own2 = value;
       break;
     case kI2cDr:
-      data_ = value & 0xFF;
-      if (phase_ == Phase::waits_for_address && done_at_ == kNoCycle) {
-        status_ &= ~kSb;
+      state_.data = value & 0xFF;
+      if (state_.phase == Phase::waits_for_address && state_.done_at == kNoCycle) {
+        state_.status &= ~kSb;
         begin(Phase::address, 9);
       }
       break;
     case kI2cSr1:
-      status_ &= value | ~kErrors;
+      state_.status &= value | ~kErrors;
       break;
     case kI2cCcr:
-      clock_ = value;
+      state_.clock = value;
       break;
     case kI2cTrise:
-      rise_ = value;
+      state_.rise = value;
       break;
     default:
       break;

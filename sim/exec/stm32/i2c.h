@@ -7,17 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset of an I2C resets.
-struct I2cRegisters {
-  enum class Phase { idle, start, waits_for_address, address, refused, stop };
-
-  std::uint32_t control_ = 0, control2_ = 0, own_ = 0, own2_ = 0, data_ = 0, status_ = 0, clock_ = 0,
-                rise_ = 2;
-  Phase phase_ = Phase::idle;
-  Cycle done_at_ = kNoCycle;
-};
-
-class I2c final : public Peripheral, I2cRegisters {
+class I2c final : public Peripheral {
  public:
   /// `number`: 1 or 2.
   I2c(Link& link, const Clocks& clocks, int number);
@@ -26,11 +16,19 @@ class I2c final : public Peripheral, I2cRegisters {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   bool drives(ChipPin pin, PinDrive& drive) const override;
-  Cycle next_event() const override { return done_at_; }
+  Cycle next_event() const override { return state_.done_at; }
   void update() override;
 
  private:
-  bool masters() const { return phase_ != Phase::idle && phase_ != Phase::start; }
+  enum class Phase { idle, start, waits_for_address, address, refused, stop };
+  /// What a reset of an I2C resets.
+  struct State {
+    std::uint32_t control = 0, control2 = 0, own = 0, own2 = 0, data = 0, status = 0, clock = 0, rise = 2;
+    Phase phase = Phase::idle;
+    Cycle done_at = kNoCycle;
+  };
+
+  bool masters() const { return state_.phase != Phase::idle && state_.phase != Phase::start; }
   Cycle bit_cycles() const;
   void begin(Phase phase, Cycle bits);
   void go_on();
@@ -38,8 +36,9 @@ class I2c final : public Peripheral, I2cRegisters {
 
   Link& link_;
   const Clocks& clocks_;
-  int number_;
-  Address base_;
+  const int number_;
+  const Address base_;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -105,9 +105,9 @@ void Idle::at_head(std::uint32_t pc) {
 
 Idle::State Idle::state() const {
   State state;
-  std::copy_n(cpu_.r_.begin(), state.registers.size(), state.registers.begin());
-  state.others = {cpu_.flags_.pack(), cpu_.primask_,  cpu_.faultmask_,
-                  cpu_.basepri_,      cpu_.other_sp_, cpu_.on_process_stack_};
+  std::copy_n(cpu_.state_.r.begin(), state.registers.size(), state.registers.begin());
+  state.others = {cpu_.state_.flags.pack(), cpu_.state_.primask,  cpu_.state_.faultmask,
+                  cpu_.state_.basepri,      cpu_.state_.other_sp, cpu_.state_.on_process_stack};
   return state;
 }
 
@@ -120,7 +120,7 @@ void Idle::begin(Head& head) {
   began_ = cpu_.clock_.now;
   until_ = kNoCycle;
   rounds_ = others_ = looks_ = 0;
-  jumps_before_ = cpu_.jump_count_;
+  jumps_before_ = cpu_.state_.jump_count;
 }
 
 bool Idle::ends() {
@@ -166,6 +166,13 @@ void Idle::runs_anew() {
   tries_ = 0;
 }
 
+void Idle::moved_in_time() {
+  runs_anew();
+  const Cycle now = cpu_.clock_.now;
+  explore_at_ = std::min(explore_at_, now + explore_every_);
+  for (Head& head : heads_) head.credit.moved_in_time(now);
+}
+
 void Idle::skip(Cycle passes, Cycle cycles) {
   Clock& clock = cpu_.clock_;
   if (rounds_ > 0) {
@@ -174,20 +181,22 @@ void Idle::skip(Cycle passes, Cycle cycles) {
     constexpr Cycle kDifferent = 40;
     const Cycle first = round_at_ + cycles;
     const Cycle one_by_one = std::min(passes, kDifferent);
-    for (Cycle i = 0; i < one_by_one; ++i) cpu_.rounds_.began(clock.time_of(first + i * cycles));
+    for (Cycle i = 0; i < one_by_one; ++i) cpu_.state_.rounds.began(clock.time_of(first + i * cycles));
     if (passes > one_by_one)
-      cpu_.rounds_.went_on(clock.time_of(first + (passes - 1) * cycles), passes - one_by_one);
+      cpu_.state_.rounds.went_on(clock.time_of(first + (passes - 1) * cycles), passes - one_by_one);
   }
-  const std::uint32_t jumps = cpu_.jump_count_ - jumps_before_;
-  const auto kept = static_cast<std::uint32_t>(cpu_.jumps_.size());
+  const std::uint32_t jumps = cpu_.state_.jump_count - jumps_before_;
+  const auto kept = static_cast<std::uint32_t>(cpu_.state_.jumps.size());
   if (jumps == 1) {
-    const std::uint32_t from = cpu_.jumps_[(cpu_.jump_count_ - 1) % kept];
-    for (Cycle i = std::min<Cycle>(passes, kept); i > 0; --i) cpu_.jumps_[cpu_.jump_count_++ % kept] = from;
+    const std::uint32_t from = cpu_.state_.jumps[(cpu_.state_.jump_count - 1) % kept];
+    for (Cycle i = std::min<Cycle>(passes, kept); i > 0; --i)
+      cpu_.state_.jumps[cpu_.state_.jump_count++ % kept] = from;
   } else if (jumps > 0 && jumps < kept) {
     const Cycle repeated = std::min<Cycle>(passes, (kept + jumps - 1) / jumps) * jumps;
     for (Cycle i = 0; i < repeated; ++i) {
-      cpu_.jumps_[cpu_.jump_count_ % kept] = cpu_.jumps_[(cpu_.jump_count_ - jumps) % kept];
-      ++cpu_.jump_count_;
+      cpu_.state_.jumps[cpu_.state_.jump_count % kept] =
+          cpu_.state_.jumps[(cpu_.state_.jump_count - jumps) % kept];
+      ++cpu_.state_.jump_count;
     }
   }
   clock.now += passes * cycles;

@@ -51,6 +51,9 @@ class Idle {
   /// Something has come in between.
   void runs_anew();
 
+  /// The processor is at another time.
+  void moved_in_time();
+
  private:
   static constexpr std::size_t kMostHeads = 16;
 

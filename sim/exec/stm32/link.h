@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "sim/base/kept.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/stm32/clock.h"
 #include "sim/exec/stm32/nvic.h"
@@ -40,6 +41,28 @@ struct Link {
   std::function<bool(ChipPin)> pin_level{};
   /// The peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
+  /// What of the chip changes while it runs, but for its processor.
+  Kept kept{};
+};
+
+/// An interrupt of two peripherals: its line is high while either holds it high.
+class SharedLine {
+ public:
+  SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) { link.kept.add(state_); }
+  /// `source`: 0 or 1.
+  void set(int source, bool high) {
+    state_.high[source] = high;
+    nvic_.set_line(irq_, state_.high[0] || state_.high[1]);
+  }
+
+ private:
+  struct State {
+    bool high[2] = {false, false};
+  };
+
+  Nvic& nvic_;
+  const robosim::stm32::Irq irq_;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

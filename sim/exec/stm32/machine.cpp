@@ -23,6 +23,12 @@ void Machine::set_debug_port(DebugPort* port) {
   if (port) port->plug_into(*this);
 }
 
+void Machine::restore(const Saved& saved) {
+  state_ = saved.own;
+  bus_.restore(saved.bus);
+  cpu_.restore(saved.cpu);
+}
+
 void Machine::set_clock(SimTime start) {
   const Symbol* const main = firmware_.symbols.find("main");
   const Symbol* const millis = firmware_.symbols.find("robosim_millis");
@@ -67,7 +73,7 @@ void Machine::look_at_heap() {
 
 void Machine::restart() {
   const SimTime now = bus_.link().clock.time_of(bus_.link().clock.now);
-  if (bus_.link().reset_cause != Reset::software && bites_.add(now))
+  if (bus_.link().reset_cause != Reset::software && state_.bites.add(now))
     return cpu_.fail(Fault::Kind::watchdog, cpu_.pc());
   bus_.reset();
   cpu_.reset();
@@ -78,13 +84,15 @@ void Machine::run_until(SimTime t) {
   clock.limit = t;
   look_at_heap();
   if (debug_port_) debug_port_->begin_tick();
-  while (clock.now < clock.cycle_at(t) && !cpu_.fault() && !off_) {
+  while (clock.now < clock.cycle_at(t) && !cpu_.fault() && !state_.off) {
+    const bool is_due = clock.now >= bus_.next_event();
     bus_.update();
     bus_.take_inputs();
     if (bus_.link().reset_cause != Reset::none) restart();
     cpu_.take_exception();
     const Cycle next = std::min(bus_.next_event(), clock.cycle_at(std::min(board_.next_input(), t)));
-    const bool singly = debug_port_ && debug_port_->steps_singly();
+    // Asleep there are no instructions, and only what was due may have changed RAM.
+    const bool singly = debug_port_ && (!cpu_.is_asleep() || is_due) && debug_port_->steps_singly();
     const Cycle stop = singly ? clock.now + 1 : std::max(std::min(next, clock.cycle_at(t)), clock.now + 1);
     if (cpu_.is_asleep())
       cpu_.sleep_to(stop);

@@ -27,7 +27,20 @@ class Machine {
   /// The calls that are open: words on the stack that are the address behind a BL or BLX, innermost first.
   std::vector<std::uint32_t> open_calls() const;
   /// The firmware sleeps, and nothing will ever wake it.
-  bool is_off() const { return off_; }
+  bool is_off() const { return state_.off; }
+
+  struct State {
+    bool off = false;
+    Bites bites;
+  };
+  /// All that changes while the chip runs, but for its board and what flash holds.
+  struct Saved {
+    State own;
+    Kept::Copy bus;
+    Cpu::Saved cpu;
+  };
+  Saved save() const { return {state_, bus_.save(), cpu_.save()}; }
+  void restore(const Saved& saved);
 
   /// Asked before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
@@ -47,11 +60,10 @@ class Machine {
   ClockedBoard& board_;
   Bus bus_;
   Cpu cpu_;
-  std::uint32_t stack_top_;
+  const std::uint32_t stack_top_;
   Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
-  bool off_ = false;
-  Bites bites_;
   DebugPort* debug_port_ = nullptr;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -1,8 +1,11 @@
 // The chip's flash and RAM (RM0008 3.3), for the processor and for DMA.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "hal/stm32/addresses.h"
@@ -27,6 +30,23 @@ class FlashMemory : public AlignedBytes {
  public:
   /// 0xFF behind `program`.
   explicit FlashMemory(const std::vector<std::uint8_t>& program = {});
+
+  // --- `offset` is from the flash's beginning
+  void program(Address offset, std::uint16_t half);
+  /// The page there.
+  void erase(Address offset);
+
+  using Page = std::array<std::uint8_t, robosim::stm32::kPageBytes>;
+  /// The pages that firmware has changed, by their offsets. Copies share pages.
+  using State = std::map<Address, std::shared_ptr<const Page>>;
+  State save() const;
+  /// Returns the offsets of the pages that hold something else now.
+  std::vector<Address> restore(const State& saved);
+
+ private:
+  const std::vector<std::uint8_t> program_;
+  mutable State state_;                ///< but for
+  mutable std::set<Address> unsaved_;  ///< these pages, which have changed since
 };
 
 /// What the maker has written (RM0008 30, PM0075 2.5): how much flash there is, the chip's unique number,

@@ -75,20 +75,4 @@ class Nvic {
   std::uint32_t vtor_ = 0, scr_ = 0, ccr_ = 0x200, shcsr_ = 0;
 };
 
-/// An interrupt of two peripherals: its line is high while either holds it high.
-class SharedLine {
- public:
-  SharedLine(Nvic& nvic, robosim::stm32::Irq irq) : nvic_(nvic), irq_(irq) {}
-  /// `source`: 0 or 1.
-  void set(int source, bool high) {
-    high_[source] = high;
-    nvic_.set_line(irq_, high_[0] || high_[1]);
-  }
-
- private:
-  Nvic& nvic_;
-  robosim::stm32::Irq irq_;
-  bool high_[2] = {false, false};
-};
-
 }  // namespace robosim::exec::stm32

@@ -22,6 +22,7 @@ Irq irq_of(int line) {
 Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
              std::function<bool(ChipPin)> watched)
     : link_(link), alternate_(std::move(alternate)), pulse_(std::move(pulse)), watched_(std::move(watched)) {
+  link.kept.add(state_);
   for (auto& port : numbers_) port.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin) {
@@ -31,13 +32,13 @@ Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::functi
 }
 
 std::uint32_t Ports::configuration(ChipPin pin) const {
-  const Port& port = ports_[static_cast<std::size_t>(pin.port)];
+  const Port& port = state_.ports[static_cast<std::size_t>(pin.port)];
   return port.configuration[static_cast<std::size_t>(pin.bit / 8)] >> (4 * (pin.bit % 8)) & 15;
 }
 
 PinDrive Ports::drive_of(ChipPin pin) const {
   const std::uint32_t c = configuration(pin);
-  const bool output = ports_[static_cast<std::size_t>(pin.port)].output >> pin.bit & 1;
+  const bool output = state_.ports[static_cast<std::size_t>(pin.port)].output >> pin.bit & 1;
   PinDrive drive;
   if (is_debuggers(pin, link_.map)) {
     drive.mode = pin.bit == 15 || pin.bit == 4 ? PinMode::input_pullup : PinMode::input;  // 9.3.5
@@ -60,7 +61,7 @@ void Ports::refresh(ChipPin pin) {
   if (pin == kNoChipPin) return;
   if (number_of(pin) == kNoPin) return;
   const PinDrive drive = drive_of(pin);
-  std::uint32_t& pwm = ports_[static_cast<std::size_t>(pin.port)].pwm;
+  std::uint32_t& pwm = state_.ports[static_cast<std::size_t>(pin.port)].pwm;
   pwm = (pwm & ~(1u << pin.bit)) | (drive.pwm ? 1u << pin.bit : 0);
   link_.board.set_drive_heard(number_of(pin), drive, link_.clock.time());
 }
@@ -71,15 +72,15 @@ void Ports::refresh_port(int port) {
 
 void Ports::reset(Address block) {
   if (owns_port(block)) {
-    ports_[static_cast<std::size_t>(port_of(block))] = {};
+    state_.ports[static_cast<std::size_t>(port_of(block))] = {};
     refresh_port(port_of(block));
     return;
   }
   if (block == kAfio) {
     change_map(0);
-    sources_ = {};
+    state_.sources = {};
   } else {
-    mask_ = events_ = rising_ = falling_ = pending_ = software_ = 0;
+    state_.mask = state_.events = state_.rising = state_.falling = state_.pending = state_.software = 0;
   }
   watch();
   interrupts_changed();
@@ -93,8 +94,8 @@ bool Ports::level(ChipPin pin) const {
 Pin Ports::note_read(ChipPin pin) {
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return kNoPin;
-  last_read_ = number;
-  last_read_at_ = link_.clock.now;
+  state_.last_read = number;
+  state_.last_read_at = link_.clock.now;
   return number;
 }
 
@@ -124,28 +125,29 @@ Cycle Ports::same_until(Address address) const {
 
 std::uint32_t Ports::read(Address address) {
   if (!owns_port(address)) {
-    if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) return sources_[(address - kAfioExticr1) / 4];
+    if (address >= kAfioExticr1 && address < kAfioExticr1 + 16)
+      return state_.sources[(address - kAfioExticr1) / 4];
     switch (address) {
       case kAfioMapr:
         return link_.map;
       case kExtiImr:
-        return mask_;
+        return state_.mask;
       case kExtiEmr:
-        return events_;
+        return state_.events;
       case kExtiSwier:
-        return software_;
+        return state_.software;
       case kExtiRtsr:
-        return rising_;
+        return state_.rising;
       case kExtiFtsr:
-        return falling_;
+        return state_.falling;
       case kExtiPr:
-        return pending_;
+        return state_.pending;
       default:
         return 0;
     }
   }
   const int number = port_of(address);
-  const Port& port = ports_[static_cast<std::size_t>(number)];
+  const Port& port = state_.ports[static_cast<std::size_t>(number)];
   switch (address - kGpioA - kPortBytes * static_cast<Address>(number)) {
     case kCrl:
       return port.configuration[0];
@@ -174,7 +176,7 @@ bool Ports::write(Address address, std::uint32_t value) {
 }
 
 bool Ports::write_port(int number, Address offset, std::uint32_t value) {
-  Port& port = ports_[static_cast<std::size_t>(number)];
+  Port& port = state_.ports[static_cast<std::size_t>(number)];
   std::uint32_t changed = 0;
   const auto set_output = [&](std::uint32_t output) {
     changed = port.output ^ output;
@@ -206,12 +208,12 @@ bool Ports::write_port(int number, Address offset, std::uint32_t value) {
 }
 
 int Ports::source(int line) const {
-  return static_cast<int>(sources_[static_cast<std::size_t>(line / 4)] >> (4 * (line % 4)) & 15);
+  return static_cast<int>(state_.sources[static_cast<std::size_t>(line / 4)] >> (4 * (line % 4)) & 15);
 }
 
 bool Ports::write_exti(Address address, std::uint32_t value) {
   if (address >= kAfioExticr1 && address < kAfioExticr1 + 16) {
-    sources_[(address - kAfioExticr1) / 4] = value & 0xFFFF;
+    state_.sources[(address - kAfioExticr1) / 4] = value & 0xFFFF;
     watch();
     return true;
   }
@@ -220,26 +222,26 @@ bool Ports::write_exti(Address address, std::uint32_t value) {
       change_map(value);
       return true;
     case kExtiImr:
-      mask_ = value & kLines;
+      state_.mask = value & kLines;
       break;
     case kExtiEmr:
-      events_ = value & kLines;
+      state_.events = value & kLines;
       break;
     case kExtiRtsr:
-      rising_ = value & kLines;
+      state_.rising = value & kLines;
       break;
     case kExtiFtsr:
-      falling_ = value & kLines;
+      state_.falling = value & kLines;
       break;
     case kExtiSwier: {
-      const std::uint32_t set = value & kLines & ~software_;
-      software_ |= set;
+      const std::uint32_t set = value & kLines & ~state_.software;
+      state_.software |= set;
       came(set);
       return true;
     }
     case kExtiPr:
-      pending_ &= ~value;
-      software_ &= ~value;
+      state_.pending &= ~value;
+      state_.software &= ~value;
       break;
     default:
       return value == 0;  // AFIO_EVCR
@@ -260,8 +262,8 @@ void Ports::watch() {
     for (int line = 0; line < kBits; ++line) {
       const Pin number = number_of({port, line});
       if (number == kNoPin) continue;
-      const bool by_line =
-          (mask_ | events_) >> line & 1 && (rising_ | falling_) >> line & 1 && source(line) == port;
+      const bool by_line = (state_.mask | state_.events) >> line & 1 &&
+                           (state_.rising | state_.falling) >> line & 1 && source(line) == port;
       const bool wanted = by_line || watched_({port, line});
       link_.board.set_wants_edges(number, wanted, link_.clock.time());
     }
@@ -272,7 +274,7 @@ void Ports::interrupts_changed() {
                         kIrqPvd, kIrqRtcAlarm, kIrqUsbWakeup}) {
     bool high = false;
     for (int line = 0; line < kExtiLines; ++line)
-      if (irq_of(line) == irq && pending_ & mask_ & 1u << line) high = true;
+      if (irq_of(line) == irq && state_.pending & state_.mask & 1u << line) high = true;
     link_.nvic.set_line(irq, high);
   }
 }
@@ -280,20 +282,20 @@ void Ports::interrupts_changed() {
 void Ports::deliver(const BoardInput& edge) {
   if (edge.pin >= link_.board.spec().pin_count) return;
   const auto& pin = link_.board.spec().pins[edge.pin].chip_pin;
-  if (!((mask_ | events_) >> pin.bit & 1) || source(pin.bit) != pin.port) return;
-  if (!((edge.value ? rising_ : falling_) >> pin.bit & 1)) return;
+  if (!((state_.mask | state_.events) >> pin.bit & 1) || source(pin.bit) != pin.port) return;
+  if (!((edge.value ? state_.rising : state_.falling) >> pin.bit & 1)) return;
   came(1u << pin.bit);
 }
 
 void Ports::alarmed() {
   constexpr std::uint32_t kLine = 1u << 17;
-  if (rising_ & kLine) came(kLine);
+  if (state_.rising & kLine) came(kLine);
 }
 
 // RM0008 10.2.5, figure 21
 void Ports::came(std::uint32_t lines) {
-  pending_ |= lines;
-  if (lines & events_) link_.nvic.set_event();
+  state_.pending |= lines;
+  if (lines & state_.events) link_.nvic.set_event();
   link_.signal((lines & 1u << 11 ? kExti11 : 0) | (lines & 1u << 15 ? kExti15 : 0));
   interrupts_changed();
 }

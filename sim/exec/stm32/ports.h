@@ -47,8 +47,8 @@ class Ports final : public Peripheral {
   void refresh(ChipPin pin);
   void deliver(const BoardInput& edge);
 
-  Pin last_read() const { return last_read_; }
-  Cycle last_read_at() const { return last_read_at_; }
+  Pin last_read() const { return state_.last_read; }
+  Cycle last_read_at() const { return state_.last_read_at; }
   /// The port's letter and the offset of a register of it.
   static int port_of(Address address) {
     return static_cast<int>((address - robosim::stm32::kGpioA) / robosim::stm32::kPortBytes);
@@ -62,12 +62,22 @@ class Ports final : public Peripheral {
     std::uint32_t pwm = 0;  ///< a bit for each pin that makes PWM
   };
 
+  struct State {
+    std::array<Port, kPorts> ports;
+    std::array<std::uint32_t, 4> sources{};
+    std::uint32_t mask = 0, events = 0, rising = 0, falling = 0, pending = 0, software = 0;
+    Pin last_read = kNoPin;
+    Cycle last_read_at = 0;
+  };
+
   std::uint32_t configuration(ChipPin pin) const;
   PinDrive drive_of(ChipPin pin) const;
   Pin number_of(ChipPin pin) const {
     return numbers_[static_cast<std::size_t>(pin.port)][static_cast<std::size_t>(pin.bit)];
   }
-  bool makes_pwm(ChipPin pin) const { return ports_[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1; }
+  bool makes_pwm(ChipPin pin) const {
+    return state_.ports[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1;
+  }
   /// Its number; kNoPin if nothing can be read there.
   Pin note_read(ChipPin pin);
   void refresh_port(int port);
@@ -84,12 +94,8 @@ class Ports final : public Peripheral {
   std::function<PinDrive(ChipPin)> alternate_;
   std::function<Pulse(ChipPin)> pulse_;
   std::function<bool(ChipPin)> watched_;
-  std::array<Port, kPorts> ports_;
   std::array<std::array<Pin, kBits>, kPorts> numbers_;
-  std::array<std::uint32_t, 4> sources_{};
-  std::uint32_t mask_ = 0, events_ = 0, rising_ = 0, falling_ = 0, pending_ = 0, software_ = 0;
-  Pin last_read_ = kNoPin;
-  Cycle last_read_at_ = 0;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -21,14 +21,16 @@ constexpr std::uint32_t kSpiRxne = 1u << 0, kSpiTxe = 1u << 1, kModf = 1u << 5, 
 }  // namespace
 
 Spi::Spi(Link& link, const Clocks& clocks, int number)
-    : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kSpi1 : kSpi2) {}
+    : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kSpi1 : kSpi2) {
+  link.kept.add(state_);
+}
 
-bool Spi::masters() const { return control_ & kSpe && control_ & kMstr; }
+bool Spi::masters() const { return state_.control & kSpe && state_.control & kMstr; }
 
 bool Spi::drives(ChipPin pin, PinDrive& drive) const {
   const SpiPins pins = spi_pins(number_, link_.map);
   if (!masters() || (pin != pins.clock && pin != pins.out)) return false;
-  drive.level = pin == pins.clock && control_ & kCpol;
+  drive.level = pin == pins.clock && state_.control & kCpol;
   return true;
 }
 
@@ -39,50 +41,51 @@ void Spi::refresh_pins() {
 }
 
 void Spi::refresh_line() {
-  const bool high = (status_ & kSpiTxe && control2_ & kSpiTxeie) ||
-                    (status_ & kSpiRxne && control2_ & kSpiRxneie) ||
-                    (status_ & (kOvr | kModf) && control2_ & kErrie);
+  const bool high = (state_.status & kSpiTxe && state_.control2 & kSpiTxeie) ||
+                    (state_.status & kSpiRxne && state_.control2 & kSpiRxneie) ||
+                    (state_.status & (kOvr | kModf) && state_.control2 & kErrie);
   link_.nvic.set_line(number_ == 1 ? kIrqSpi1 : kIrqSpi2, high);
 }
 
 // Table 78
 unsigned Spi::dma_requests() const {
   unsigned requests = 0;
-  if (control2_ & kRxDmaEn && status_ & kSpiRxne) requests |= dma_channel(number_ == 1 ? 2 : 4);
-  if (masters() && control2_ & kTxDmaEn && status_ & kSpiTxe) requests |= dma_channel(number_ == 1 ? 3 : 5);
+  if (state_.control2 & kRxDmaEn && state_.status & kSpiRxne) requests |= dma_channel(number_ == 1 ? 2 : 4);
+  if (masters() && state_.control2 & kTxDmaEn && state_.status & kSpiTxe)
+    requests |= dma_channel(number_ == 1 ? 3 : 5);
   return requests;
 }
 
 void Spi::shift(Cycle at) {
   const Cycle bus = clocks_.bus_divider(base_);
-  const Cycle bits = control_ & kDff ? 16 : 8;
-  shifting_ = true;
-  done_at_ = at + (bits * bus << ((control_ >> 3 & 7) + 1));
-  status_ |= kBsy;
+  const Cycle bits = state_.control & kDff ? 16 : 8;
+  state_.shifting = true;
+  state_.done_at = at + (bits * bus << ((state_.control >> 3 & 7) + 1));
+  state_.status |= kBsy;
 }
 
 void Spi::update() {
-  while (shifting_ && link_.clock.now >= done_at_) {
-    shifting_ = false;
-    const bool receives = !(control_ & kBidiMode);
-    const std::uint32_t all = control_ & kDff ? 0xFFFF : 0xFF;
-    if (receives && status_ & kSpiRxne) status_ |= kOvr;
-    if (receives && !(status_ & kSpiRxne)) {
-      received_ = link_.pin_level(spi_pins(number_, link_.map).in) ? all : 0;
-      status_ |= kSpiRxne;
+  while (state_.shifting && link_.clock.now >= state_.done_at) {
+    state_.shifting = false;
+    const bool receives = !(state_.control & kBidiMode);
+    const std::uint32_t all = state_.control & kDff ? 0xFFFF : 0xFF;
+    if (receives && state_.status & kSpiRxne) state_.status |= kOvr;
+    if (receives && !(state_.status & kSpiRxne)) {
+      state_.received = link_.pin_level(spi_pins(number_, link_.map).in) ? all : 0;
+      state_.status |= kSpiRxne;
     }
-    if (status_ & kSpiTxe) {
-      status_ &= ~kBsy;
+    if (state_.status & kSpiTxe) {
+      state_.status &= ~kBsy;
     } else {
-      status_ |= kSpiTxe;
-      shift(done_at_);
+      state_.status |= kSpiTxe;
+      shift(state_.done_at);
     }
     refresh_line();
   }
 }
 
 void Spi::reset(Address) {
-  static_cast<SpiRegisters&>(*this) = {};
+  state_ = {};
   refresh_line();
   refresh_pins();
 }
@@ -91,21 +94,21 @@ std::uint32_t Spi::read(Address address) {
   update();
   switch (address - base_) {
     case kSpiCr1:
-      return control_;
+      return state_.control;
     case kSpiCr2:
-      return control2_;
+      return state_.control2;
     case kSpiSr: {
-      const std::uint32_t value = status_;
+      const std::uint32_t value = state_.status;
       // A read of the data before this one, and OVR is gone.
-      if (!(status_ & kSpiRxne)) status_ &= ~kOvr;
+      if (!(state_.status & kSpiRxne)) state_.status &= ~kOvr;
       return value;
     }
     case kSpiDr:
-      status_ &= ~kSpiRxne;
+      state_.status &= ~kSpiRxne;
       refresh_line();
-      return received_;
+      return state_.received;
     case kSpiCrcpr:
-      return crc_;
+      return state_.crc;
     default:
       return 0;
   }
@@ -116,39 +119,40 @@ bool Spi::write(Address address, std::uint32_t value) {
   bool modelled = true;
   switch (address - base_) {
     case kSpiCr1: {
-      control_ = value & 0xFFFF;
-      status_ &= ~kModf;
+      state_.control = value & 0xFFFF;
+      state_.status &= ~kModf;
       const bool selected =
           value & kSsm ? !(value & kSsi)
-                       : !(control2_ & kSsoe) && !link_.pin_level(spi_pins(number_, link_.map).select);
+                       : !(state_.control2 & kSsoe) && !link_.pin_level(spi_pins(number_, link_.map).select);
       if (masters() && selected) {  // 25.3.10: another master
-        status_ |= kModf;
-        control_ &= ~(kSpe | kMstr);
+        state_.status |= kModf;
+        state_.control &= ~(kSpe | kMstr);
       }
-      const bool only_receives = control_ & kBidiMode ? !(control_ & kBidiOe) : bool(control_ & kRxOnly);
+      const bool only_receives =
+          state_.control & kBidiMode ? !(state_.control & kBidiOe) : bool(state_.control & kRxOnly);
       modelled = !(value & kCrcEn) && !(masters() && only_receives);
-      if (!(control_ & kSpe)) {
-        shifting_ = false;
-        status_ = (status_ & ~kBsy) | kSpiTxe;
+      if (!(state_.control & kSpe)) {
+        state_.shifting = false;
+        state_.status = (state_.status & ~kBsy) | kSpiTxe;
       }
       refresh_pins();
       break;
     }
     case kSpiCr2:
-      control2_ = value & 0xFF;
+      state_.control2 = value & 0xFF;
       break;
     case kSpiSr:
       break;
     case kSpiDr:
-      if (masters() && !shifting_) {
+      if (masters() && !state_.shifting) {
         shift(link_.clock.now);
       } else {
-        waiting_ = value;
-        status_ &= ~kSpiTxe;
+        state_.waiting = value;
+        state_.status &= ~kSpiTxe;
       }
       break;
     case kSpiCrcpr:
-      crc_ = value & 0xFFFF;
+      state_.crc = value & 0xFFFF;
       break;
     default:
       modelled = (value & 0x0C00) == 0;  // SPI_I2SCFGR: no I2S

@@ -8,15 +8,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset of an SPI resets.
-struct SpiRegisters {
-  std::uint32_t control_ = 0, control2_ = 0, status_ = 2, crc_ = 7;
-  std::uint32_t waiting_ = 0, received_ = 0;
-  bool shifting_ = false;
-  Cycle done_at_ = 0;
-};
-
-class Spi final : public Peripheral, SpiRegisters {
+class Spi final : public Peripheral {
  public:
   /// `number`: 1 or 2.
   Spi(Link& link, const Clocks& clocks, int number);
@@ -25,11 +17,19 @@ class Spi final : public Peripheral, SpiRegisters {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   bool drives(ChipPin pin, PinDrive& drive) const override;
-  Cycle next_event() const override { return shifting_ ? done_at_ : kNoCycle; }
+  Cycle next_event() const override { return state_.shifting ? state_.done_at : kNoCycle; }
   void update() override;
   unsigned dma_requests() const override;
 
  private:
+  /// What a reset of an SPI resets.
+  struct State {
+    std::uint32_t control = 0, control2 = 0, status = 2, crc = 7;
+    std::uint32_t waiting = 0, received = 0;
+    bool shifting = false;
+    Cycle done_at = 0;
+  };
+
   bool masters() const;
   void shift(Cycle at);
   void refresh_line();
@@ -37,8 +37,9 @@ class Spi final : public Peripheral, SpiRegisters {
 
   Link& link_;
   const Clocks& clocks_;
-  int number_;
-  Address base_;
+  const int number_;
+  const Address base_;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

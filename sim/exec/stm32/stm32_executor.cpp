@@ -23,7 +23,7 @@ struct Stm32Executor::Image {
 class Stm32Executor::Running final : public RunningChip {
  public:
   Running(const Image& image, ClockedBoard& board, stm32::FlashMemory& memory, stm32::Engine& engine,
-          SimTime t, stm32::DebugPort* debugger, const stm32::Machine*& seen)
+          SimTime t, stm32::DebugPort* debugger, stm32::Machine*& seen)
       : image_(image),
         machine_(image.firmware, image.loop, board, memory, engine, t),
         debugger_(debugger),
@@ -62,8 +62,11 @@ class Stm32Executor::Running final : public RunningChip {
   }
   void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
-  std::any save() const override { throw InputError(kCannotBeSaved); }
-  void restore(const std::any&) override { throw InputError(kCannotBeSaved); }
+  std::any save() const override { return machine_.save(); }
+  void restore(const std::any& saved) override {
+    machine_.restore(std::any_cast<const stm32::Machine::Saved&>(saved));
+    if (debugger_) debugger_->restored();
+  }
 
  private:
   stm32::Diagnosis diagnosis() const { return {image_.firmware, image_.debug, machine_}; }
@@ -72,7 +75,7 @@ class Stm32Executor::Running final : public RunningChip {
   stm32::Machine machine_;
   std::optional<stm32::DrivenLines> lines_;  ///< nothing = nobody asks
   stm32::DebugPort* debugger_;               ///< null = nobody debugs
-  const stm32::Machine*& seen_;              ///< by whom else wants to know that there is one
+  stm32::Machine*& seen_;                    ///< by whom else wants to know that there is one
 };
 
 class Stm32Executor::Firmware final : public ChipFirmware {
@@ -102,9 +105,14 @@ class Stm32Executor::Firmware final : public ChipFirmware {
 
   void count_lines() override { lines = std::make_unique<LineCounts>(image_.debug); }
   bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
+  std::any save() const override { return flash_.save(); }
+  void restore(const std::any& saved) override {
+    for (const stm32::Address page : flash_.restore(std::any_cast<const stm32::FlashMemory::State&>(saved)))
+      if (machine) machine->cpu().forget(robosim::stm32::kFlash + page);
+  }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
 
-  const stm32::Machine* machine = nullptr;  ///< null while the power is off
+  stm32::Machine* machine = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false, traces_drives = false;
   std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
 

@@ -5,29 +5,29 @@ namespace robosim::exec::stm32 {
 using namespace robosim::stm32;
 
 std::uint32_t SysTick::value() const {
-  if (!runs()) return held_;
-  const Cycle left = zero_at_ - link_.clock.now;  // update() has been called: never negative
+  if (!runs()) return state_.held;
+  const Cycle left = state_.zero_at - link_.clock.now;  // update() has been called: never negative
   const Cycle steps = by_eight() ? (left + 7) / 8 : left;
-  return static_cast<std::uint32_t>(steps > load_ ? 0 : steps);
+  return static_cast<std::uint32_t>(steps > state_.load ? 0 : steps);
 }
 
 void SysTick::set_value(std::uint32_t value) {
-  held_ = value;
+  state_.held = value;
   // From 0 it loads LOAD at the next step.
-  const Cycle steps = value == 0 ? Cycle{load_} + 1 : value;
-  zero_at_ = link_.clock.now + steps * (by_eight() ? 8 : 1);
+  const Cycle steps = value == 0 ? Cycle{state_.load} + 1 : value;
+  state_.zero_at = link_.clock.now + steps * (by_eight() ? 8 : 1);
 }
 
 std::uint32_t SysTick::read(Address address) {
   update();
   switch (address) {
     case kStkCtrl: {
-      const std::uint32_t flag = counted_ ? kCountFlag : 0;
-      counted_ = false;
-      return control_ | flag;
+      const std::uint32_t flag = state_.counted ? kCountFlag : 0;
+      state_.counted = false;
+      return state_.control | flag;
     }
     case kStkLoad:
-      return load_;
+      return state_.load;
     case kStkVal:
       return value();
     default:
@@ -36,9 +36,9 @@ std::uint32_t SysTick::read(Address address) {
 }
 
 void SysTick::reset(Address) {
-  control_ = load_ = held_ = 0;
-  zero_at_ = 0;
-  counted_ = false;
+  state_.control = state_.load = state_.held = 0;
+  state_.zero_at = 0;
+  state_.counted = false;
 }
 
 bool SysTick::write(Address address, std::uint32_t value_written) {
@@ -46,19 +46,19 @@ bool SysTick::write(Address address, std::uint32_t value_written) {
   const std::uint32_t before = value();
   switch (address) {
     case kStkCtrl:
-      control_ = value_written & (kStkEnable | kTickInt | kClkSource);
+      state_.control = value_written & (kStkEnable | kTickInt | kClkSource);
       set_value(before);
       return true;
     case kStkLoad:
-      if (value_written != 0 && load_ != 0 && runs()) {
-        load_ = value_written & 0xFFFFFF;  // counts from the next round on
+      if (value_written != 0 && state_.load != 0 && runs()) {
+        state_.load = value_written & 0xFFFFFF;  // counts from the next round on
         return true;
       }
-      load_ = value_written & 0xFFFFFF;
+      state_.load = value_written & 0xFFFFFF;
       set_value(before);
       return true;
     case kStkVal:
-      counted_ = false;
+      state_.counted = false;
       set_value(0);
       return true;
     default:
@@ -67,18 +67,18 @@ bool SysTick::write(Address address, std::uint32_t value_written) {
 }
 
 Cycle SysTick::same_until(Address address) const {
-  if (address == kStkCtrl) return counted_ ? 0 : runs() ? zero_at_ : kNoCycle;
+  if (address == kStkCtrl) return state_.counted ? 0 : runs() ? state_.zero_at : kNoCycle;
   return address == kStkVal && runs() ? 0 : kNoCycle;
 }
 
-Cycle SysTick::next_event() const { return runs() && control_ & kTickInt ? zero_at_ : kNoCycle; }
+Cycle SysTick::next_event() const { return runs() && state_.control & kTickInt ? state_.zero_at : kNoCycle; }
 
 void SysTick::update() {
-  if (!runs() || link_.clock.now < zero_at_) return;
-  counted_ = true;
-  if (control_ & kTickInt) link_.nvic.pend(robosim::exec::stm32::kSysTick);
-  const Cycle rounds = (link_.clock.now - zero_at_) / period() + 1;
-  zero_at_ += rounds * period();
+  if (!runs() || link_.clock.now < state_.zero_at) return;
+  state_.counted = true;
+  if (state_.control & kTickInt) link_.nvic.pend(robosim::exec::stm32::kSysTick);
+  const Cycle rounds = (link_.clock.now - state_.zero_at) / period() + 1;
+  state_.zero_at += rounds * period();
 }
 
 }  // namespace robosim::exec::stm32

@@ -7,7 +7,7 @@ namespace robosim::exec::stm32 {
 
 class SysTick final : public Peripheral {
  public:
-  explicit SysTick(Link& link) : link_(link) {}
+  explicit SysTick(Link& link) : link_(link) { link.kept.add(state_); }
 
   static bool owns(Address address) {
     return address >= robosim::stm32::kStkCtrl && address <= robosim::stm32::kStkCalib;
@@ -23,17 +23,21 @@ class SysTick final : public Peripheral {
   void update() override;
 
  private:
-  Cycle period() const { return (Cycle{load_} + 1) * (by_eight() ? 8 : 1); }
-  bool by_eight() const { return !(control_ & robosim::stm32::kClkSource); }
-  bool runs() const { return control_ & robosim::stm32::kStkEnable && load_ > 0; }
+  struct State {
+    std::uint32_t control = 0, load = 0;
+    std::uint32_t held = 0;  ///< the value while it stands still
+    Cycle zero_at = 0;       ///< when the counter reaches 0 next, if it runs
+    bool counted = false;    ///< COUNTFLAG
+  };
+
+  Cycle period() const { return (Cycle{state_.load} + 1) * (by_eight() ? 8 : 1); }
+  bool by_eight() const { return !(state_.control & robosim::stm32::kClkSource); }
+  bool runs() const { return state_.control & robosim::stm32::kStkEnable && state_.load > 0; }
   std::uint32_t value() const;
   void set_value(std::uint32_t value);
 
   Link& link_;
-  std::uint32_t control_ = 0, load_ = 0;
-  std::uint32_t held_ = 0;  ///< the value while it stands still
-  Cycle zero_at_ = 0;       ///< when the counter reaches 0 next, if it runs
-  bool counted_ = false;    ///< COUNTFLAG
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -28,14 +28,14 @@ bool Timer::is_pwm(int channel) const { return !captures(channel) && (mode(chann
 // --- comparing
 
 void Timer::captured_or_compared(int channel) {
-  status_ |= channel_event(channel);
+  state_.status |= channel_event(channel);
   const int dma = kChannelDma[index_][channel];
-  if (interrupts_ & channel_dma(channel) && dma > 0) dma_pending_ |= dma_channel(dma);
+  if (state_.interrupts & channel_dma(channel) && dma > 0) state_.dma_pending |= dma_channel(dma);
 }
 
 void Timer::compared(int channel) {
   captured_or_compared(channel);
-  bool& active = active_[static_cast<std::size_t>(channel)];
+  bool& active = state_.active[static_cast<std::size_t>(channel)];
   const bool before = active;
   switch (mode(channel) >> 4 & 7) {
     case 1:
@@ -51,7 +51,7 @@ void Timer::compared(int channel) {
       break;
   }
   if (active != before) link_.pin_changed(pin_of(channel));
-  const std::uint32_t master = control2_ >> kMmsShift & 7;
+  const std::uint32_t master = state_.control2 >> kMmsShift & 7;
   const bool rises = active && !before;
   Signals signals = signal_of(number(), channel + 1);
   if ((master == 3 && channel == 0) ||
@@ -62,9 +62,9 @@ void Timer::compared(int channel) {
 
 // Its part of a period at which a PWM output is active (14.3.10).
 double Timer::share_of(int channel) const {
-  const auto value = static_cast<double>(compare_[static_cast<std::size_t>(channel)]);
-  const double top = static_cast<double>(top_);
-  const double share = centered()      ? (top_ > 0 ? value / top : 1.0)
+  const auto value = static_cast<double>(state_.compare[static_cast<std::size_t>(channel)]);
+  const double top = static_cast<double>(state_.top);
+  const double share = centered()      ? (state_.top > 0 ? value / top : 1.0)
                        : counts_down() ? (value + 1.0) / (top + 1.0)
                                        : value / (top + 1.0);
   return std::min(share, 1.0);
@@ -72,13 +72,13 @@ double Timer::share_of(int channel) const {
 
 std::uint32_t Timer::period_us() const {
   const std::uint64_t cycles =
-      static_cast<std::uint64_t>(period()) * (prescaler_ + 1) * clocks_.timer_divider(base_);
+      static_cast<std::uint64_t>(period()) * (state_.prescaler + 1) * clocks_.timer_divider(base_);
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
 // A complementary output beside its twin is its opposite; alone it is as that would be (table 83).
 bool Timer::inverts(int channel, bool complement) const {
-  const std::uint32_t own = outputs_ >> (4 * channel) & 15;
+  const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;
   return opposite != bool(own & (complement ? 8 : 2));
 }
@@ -86,13 +86,13 @@ bool Timer::inverts(int channel, bool complement) const {
 PinDrive Timer::drive_of(int channel, bool complement) const {
   PinDrive drive;
   drive.mode = PinMode::output;
-  const std::uint32_t own = outputs_ >> (4 * channel) & 15;
+  const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool on = complement ? own & 4 : own & 1;
-  if (!on || captures(channel) || (advanced() && !(dead_time_ & kMoe))) return drive;
+  if (!on || captures(channel) || (advanced() && !(state_.dead_time & kMoe))) return drive;
   const bool inverted = inverts(channel, complement);
   const std::uint32_t how = mode(channel) >> 4 & 7;
   if (how < 6) {
-    const bool active = how == 5 || (how < 4 && active_[static_cast<std::size_t>(channel)]);
+    const bool active = how == 5 || (how < 4 && state_.active[static_cast<std::size_t>(channel)]);
     drive.level = active != inverted;
     return drive;
   }
@@ -117,9 +117,10 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
 
 // 14.3.10: OCxREF of PWM mode 1, and the next count that changes it. Whole periods may have passed unnoticed.
 Pulse Timer::pulse_of(int channel) const {
-  const std::int64_t value = compare_[static_cast<std::size_t>(channel)], top = top_, whole = period();
+  const std::int64_t value = state_.compare[static_cast<std::size_t>(channel)], top = state_.top,
+                     whole = period();
   const bool down = counts_down() && !centered();
-  if (!is_clocked()) return {down ? held_ <= value : held_ < value, 0};
+  if (!is_clocked()) return {down ? state_.held <= value : state_.held < value, 0};
   const std::int64_t falls = down ? whole : value, rises = centered() ? 2 * top - value
                                                            : down     ? top - value
                                                                       : whole;
@@ -128,7 +129,7 @@ Pulse Timer::pulse_of(int channel) const {
   for (const std::int64_t change : {falls, rises})
     if (change > here) next = std::min(next, change);
   return {here >= rises || (!down && here < falls),
-          origin_ + static_cast<Cycle>(passed - here + next) * step_};
+          state_.origin + static_cast<Cycle>(passed - here + next) * state_.step};
 }
 
 Pulse Timer::pulse(ChipPin pin) const {
@@ -155,7 +156,7 @@ void Timer::refresh_pins() {
 bool Timer::watches(ChipPin pin) const {
   for (int input = 0; input < kChannels; ++input) {
     if (pin_of(input) != pin) continue;
-    const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
+    const std::uint32_t slave_mode = state_.slave & 7, from = state_.slave >> 4 & 7;
     if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3 && input < 2) return true;
     if (slave_mode >= kResets &&
         ((input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2)))
@@ -176,13 +177,13 @@ void Timer::edge(ChipPin pin, bool level, Cycle at) {
 }
 
 void Timer::edge_of_input(int input, bool level, Cycle at) {
-  const auto inverted = [&](int channel) { return bool(outputs_ >> (4 * channel) & 2); };
+  const auto inverted = [&](int channel) { return bool(state_.outputs >> (4 * channel) & 2); };
   for (const int channel : {input, input ^ 1}) {
     const std::uint32_t source = channel == input ? 1 : 2;
     if ((mode(channel) & 3) == source && is_on(channel) && level != inverted(channel)) capture(channel, at);
   }
-  if (!enabled() && (slave_ & 7) != kStarts) return;
-  const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
+  if (!enabled() && (state_.slave & 7) != kStarts) return;
+  const std::uint32_t slave_mode = state_.slave & 7, from = state_.slave >> 4 & 7;
   if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3) {
     if (input > 1) return;
     const bool counts = slave_mode == kEncoder3 || (slave_mode == kEncoder1) == (input == 1);
@@ -201,26 +202,26 @@ void Timer::edge_of_input(int input, bool level, Cycle at) {
 }
 
 void Timer::capture(int channel, Cycle at) {
-  std::uint32_t& passed = captures_[static_cast<std::size_t>(channel)];
+  std::uint32_t& passed = state_.captures[static_cast<std::size_t>(channel)];
   const std::uint32_t every = 1u << (mode(channel) >> 2 & 3);
   if (++passed < every) return;
   passed = 0;
-  if (status_ & channel_event(channel)) status_ |= overcapture(channel);
-  compare_[static_cast<std::size_t>(channel)] = waiting_compare_[static_cast<std::size_t>(channel)] =
-      count(at);
+  if (state_.status & channel_event(channel)) state_.status |= overcapture(channel);
+  state_.compare[static_cast<std::size_t>(channel)] =
+      state_.waiting_compare[static_cast<std::size_t>(channel)] = count(at);
   captured_or_compared(channel);
 }
 
 // --- triggers
 
 bool Timer::rises_at_update() const {
-  const std::uint32_t master = control2_ >> kMmsShift & 7;
+  const std::uint32_t master = state_.control2 >> kMmsShift & 7;
   return master >= 4 && (mode(static_cast<int>(master) - 4) >> 4 & 7) == 6;
 }
 
 Signals Timer::listens() const {
-  const std::uint32_t from = slave_ >> 4 & 7;
-  if ((slave_ & 7) < kResets || from >= 4) return 0;
+  const std::uint32_t from = state_.slave >> 4 & 7;
+  if ((state_.slave & 7) < kResets || from >= 4) return 0;
   const int master = kInternalTriggers[index_][from];
   return master > 0 ? signal_of(master, 0) : 0;
 }
@@ -232,22 +233,22 @@ void Timer::heard(Signals) {
 }
 
 void Timer::trigger(Cycle at) {
-  const std::uint32_t slave_mode = slave_ & 7;
+  const std::uint32_t slave_mode = state_.slave & 7;
   if (slave_mode == kClocks) {
     step(!counts_down(), at);
     return;
   }
-  status_ |= kTriggerEvent;
-  if (control2_ & kCcpc && control2_ & kCcus) {
-    status_ |= kComEvent;
+  state_.status |= kTriggerEvent;
+  if (state_.control2 & kCcpc && state_.control2 & kCcus) {
+    state_.status |= kComEvent;
     commutate();
   }
   if (slave_mode == kResets) {
-    update_event(!(control_ & kUrs));
-    start_from(counts_down() && !centered() ? top_ : 0, at);
+    update_event(!(state_.control & kUrs));
+    start_from(counts_down() && !centered() ? state_.top : 0, at);
   } else if (slave_mode == kStarts && !enabled()) {
-    control_ |= kCen;
-    start_from(held_, at);
+    state_.control |= kCen;
+    start_from(state_.held, at);
     refresh_pins();
   }
 }

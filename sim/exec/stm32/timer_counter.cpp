@@ -11,55 +11,56 @@ using namespace robosim::stm32;
 
 // By the internal clock; an encoder's edges or a trigger may count instead.
 bool Timer::is_clocked() const {
-  const std::uint32_t slave_mode = slave_ & 7;
+  const std::uint32_t slave_mode = state_.slave & 7;
   return enabled() && (slave_mode == 0 || (slave_mode >= kResets && slave_mode <= kStarts));
 }
 
 std::int64_t Timer::period() const {
-  return centered() ? std::max<std::int64_t>(2 * std::int64_t{top_}, 1) : std::int64_t{top_} + 1;
+  return centered() ? std::max<std::int64_t>(2 * std::int64_t{state_.top}, 1) : std::int64_t{state_.top} + 1;
 }
 
 std::uint32_t Timer::count_at(std::int64_t place) const {
-  const std::int64_t top = top_, here = std::clamp<std::int64_t>(place, 0, period() - 1);
+  const std::int64_t top = state_.top, here = std::clamp<std::int64_t>(place, 0, period() - 1);
   if (centered()) return static_cast<std::uint32_t>(here <= top ? here : 2 * top - here);
   return static_cast<std::uint32_t>(counts_down() ? top - here : here);
 }
 
-std::uint32_t Timer::count(Cycle at) const { return is_clocked() ? count_at(place(at)) : held_; }
+std::uint32_t Timer::count(Cycle at) const { return is_clocked() ? count_at(place(at)) : state_.held; }
 
 void Timer::start_from(std::uint32_t count, Cycle at) {
-  held_ = count;
+  state_.held = count;
   if (!is_clocked()) return;
-  const std::int64_t top = top_, value = std::min<std::int64_t>(count, top);
+  const std::int64_t top = state_.top, value = std::min<std::int64_t>(count, top);
   std::int64_t here = counts_down() && !centered() ? top - value : value;
-  if (centered() && steps_down_ && value > 0 && value < top) here = 2 * top - value;
-  step_ = (Cycle{prescaler_} + 1) * clocks_.timer_divider(base_);
+  if (centered() && state_.steps_down && value > 0 && value < top) here = 2 * top - value;
+  state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
   // Before the chip began, perhaps: only differences matter.
-  origin_ = at - static_cast<Cycle>(here) * step_;
-  done_ = here;
+  state_.origin = at - static_cast<Cycle>(here) * state_.step;
+  state_.done = here;
 }
 
 std::array<std::int64_t, 2> Timer::places_of(int channel) const {
-  const std::int64_t top = top_, value = compare_[static_cast<std::size_t>(channel)];
+  const std::int64_t top = state_.top, value = state_.compare[static_cast<std::size_t>(channel)];
   if (captures(channel) || value > top) return {-1, -1};
   if (!centered()) return {counts_down() ? top - value : value, -1};
   // CMS: flags while counting down, up, or both.
-  const std::uint32_t aligned = control_ >> 5 & 3;
+  const std::uint32_t aligned = state_.control >> 5 & 3;
   return {aligned & 2 ? value : -1, aligned & 1 && value > 0 ? 2 * top - value : -1};
 }
 
 bool Timer::needs_update_event() const {
-  const bool waits = prescaler_ != waiting_prescaler_ || top_ != waiting_top_ || compare_ != waiting_compare_;
-  const std::uint32_t master = control2_ >> kMmsShift & 7;
-  return interrupts_ & (kUie | kUde) || control_ & kOpm || waits ||
+  const bool waits = state_.prescaler != state_.waiting_prescaler || state_.top != state_.waiting_top ||
+                     state_.compare != state_.waiting_compare;
+  const std::uint32_t master = state_.control2 >> kMmsShift & 7;
+  return state_.interrupts & (kUie | kUde) || state_.control & kOpm || waits ||
          (master >= 2 && link_.listened_to & signal_of(number(), 0));
 }
 
 bool Timer::needs_compare_event(int channel) const {
   if (captures(channel)) return false;
   const bool switches = is_on(channel) && (mode(channel) & 0x70) >= 0x10 && (mode(channel) & 0x70) <= 0x30;
-  const bool master = (control2_ >> kMmsShift & 7) >= 3 && link_.listened_to & signal_of(number(), 0);
-  return switches || master || interrupts_ & (channel_event(channel) | channel_dma(channel)) ||
+  const bool master = (state_.control2 >> kMmsShift & 7) >= 3 && link_.listened_to & signal_of(number(), 0);
+  return switches || master || state_.interrupts & (channel_event(channel) | channel_dma(channel)) ||
          link_.listened_to & signal_of(number(), channel + 1);
 }
 
@@ -68,16 +69,16 @@ Cycle Timer::next_event() const {
   std::int64_t next = std::int64_t{1} << 40;
   const std::int64_t whole = period();
   const auto consider = [&](std::int64_t place) {
-    if (place >= 0) next = std::min(next, place > done_ ? place : place + whole);
+    if (place >= 0) next = std::min(next, place > state_.done ? place : place + whole);
   };
   if (needs_update_event()) {
     consider(whole);
-    if (centered()) consider(top_);
+    if (centered()) consider(state_.top);
   }
   for (int channel = 0; channel < kChannels; ++channel)
     if (needs_compare_event(channel))
       for (const std::int64_t place : places_of(channel)) consider(place);
-  return next == std::int64_t{1} << 40 ? kNoCycle : origin_ + static_cast<Cycle>(next) * step_;
+  return next == std::int64_t{1} << 40 ? kNoCycle : state_.origin + static_cast<Cycle>(next) * state_.step;
 }
 
 // Whole periods in which nobody listened: flags are all that is left of them.
@@ -88,10 +89,10 @@ void Timer::fall_behind(std::int64_t place) {
     if (needs_compare_event(channel)) return;
   for (int channel = 0; channel < kChannels; ++channel)
     if (const auto places = places_of(channel); places[0] >= 0 || places[1] >= 0)
-      status_ |= channel_event(channel);
-  if (!(control_ & kUdis) && repetition_ == 0) status_ |= kUif;
-  origin_ += static_cast<Cycle>(periods * period()) * step_;
-  done_ = -1;
+      state_.status |= channel_event(channel);
+  if (!(state_.control & kUdis) && state_.repetition == 0) state_.status |= kUif;
+  state_.origin += static_cast<Cycle>(periods * period()) * state_.step;
+  state_.done = -1;
 }
 
 void Timer::update() {
@@ -102,74 +103,76 @@ void Timer::update() {
     const std::int64_t whole = period(), here = place(now);
     std::int64_t next = whole;
     const auto consider = [&](std::int64_t place) {
-      if (place > done_) next = std::min(next, place);
+      if (place > state_.done) next = std::min(next, place);
     };
-    if (centered()) consider(top_);
+    if (centered()) consider(state_.top);
     for (int channel = 0; channel < kChannels; ++channel)
       for (const std::int64_t place : places_of(channel)) consider(place);
     if (next > here) break;
-    done_ = next;
-    const Cycle at = origin_ + static_cast<Cycle>(next) * step_;
+    state_.done = next;
+    const Cycle at = state_.origin + static_cast<Cycle>(next) * state_.step;
     for (int channel = 0; channel < kChannels; ++channel)
       for (const std::int64_t place : places_of(channel))
         if (place == next) compared(channel);
     if (next == whole) {
-      origin_ = at;
-      done_ = -1;
+      state_.origin = at;
+      state_.done = -1;
     }
-    if (next == whole || (centered() && next == top_)) overflow(at);
+    if (next == whole || (centered() && next == state_.top)) overflow(at);
   }
   refresh_lines();
 }
 
 // RM0008 14.3.3: an update each RCR + 1 overflows.
 void Timer::overflow(Cycle at) {
-  if (repetitions_left_ > 0) {
-    --repetitions_left_;
+  if (state_.repetitions_left > 0) {
+    --state_.repetitions_left;
     return;
   }
-  const std::int64_t here = done_;
-  const bool one_pulse = control_ & kOpm;
+  const std::int64_t here = state_.done;
+  const bool one_pulse = state_.control & kOpm;
   if (one_pulse) {
-    held_ = counts_down() && !centered() ? top_ : 0;
-    control_ &= ~kCen;
+    state_.held = counts_down() && !centered() ? state_.top : 0;
+    state_.control &= ~kCen;
   }
   update_event(true);
   if (one_pulse) return refresh_pins();
-  step_ = (Cycle{prescaler_} + 1) * clocks_.timer_divider(base_);
-  if (here > 0) origin_ = at - static_cast<Cycle>(here) * step_;
+  state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
+  if (here > 0) state_.origin = at - static_cast<Cycle>(here) * state_.step;
 }
 
 void Timer::load_waiting() {
-  const bool same = top_ == waiting_top_ && compare_ == waiting_compare_ && prescaler_ == waiting_prescaler_;
-  prescaler_ = waiting_prescaler_;
-  top_ = waiting_top_;
-  compare_ = waiting_compare_;
-  repetitions_left_ = repetition_;
+  const bool same = state_.top == state_.waiting_top && state_.compare == state_.waiting_compare &&
+                    state_.prescaler == state_.waiting_prescaler;
+  state_.prescaler = state_.waiting_prescaler;
+  state_.top = state_.waiting_top;
+  state_.compare = state_.waiting_compare;
+  state_.repetitions_left = state_.repetition;
   if (!same) refresh_pins();
 }
 
 void Timer::update_event(bool flag) {
-  if (control_ & kUdis) return;
+  if (state_.control & kUdis) return;
   load_waiting();
   if (flag) {
-    status_ |= kUif;
-    if (interrupts_ & kUde) {
+    state_.status |= kUif;
+    if (state_.interrupts & kUde) {
       constexpr int kDma[] = {5, 2, 3, 7};  // table 78
-      dma_pending_ |= dma_channel(kDma[index_]);
+      state_.dma_pending |= dma_channel(kDma[index_]);
     }
   }
-  if ((control2_ >> kMmsShift & 7) == 2 || rises_at_update()) link_.signal(signal_of(number(), 0));
+  if ((state_.control2 >> kMmsShift & 7) == 2 || rises_at_update()) link_.signal(signal_of(number(), 0));
 }
 
 // By an edge of another clock.
 void Timer::step(bool up, Cycle at) {
-  const bool before = std::exchange(steps_down_, !up);
-  const bool over = up ? held_ >= top_ : held_ == 0;
-  held_ = over ? (up ? 0 : top_) : up ? held_ + 1 : held_ - 1;
-  if (before != steps_down_) control_ = (control_ & ~kDir) | (up ? 0 : kDir);
+  const bool before = std::exchange(state_.steps_down, !up);
+  const bool over = up ? state_.held >= state_.top : state_.held == 0;
+  state_.held = over ? (up ? 0 : state_.top) : up ? state_.held + 1 : state_.held - 1;
+  if (before != state_.steps_down) state_.control = (state_.control & ~kDir) | (up ? 0 : kDir);
   for (int channel = 0; channel < kChannels; ++channel)
-    if (!captures(channel) && held_ == compare_[static_cast<std::size_t>(channel)]) compared(channel);
+    if (!captures(channel) && state_.held == state_.compare[static_cast<std::size_t>(channel)])
+      compared(channel);
   if (over) overflow(at);
   refresh_lines();
 }

@@ -12,6 +12,7 @@ Timer::Timer(Link& link, const Clocks& clocks, int index)
       index_(index),
       base_(kStm32f103c8.timers[index].control),
       irq_(static_cast<Irq>(kStm32f103c8.timers[index].vector)) {
+  link.kept.add(state_);
   usual_pins_.fill(kNoChipPin);
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
     if (const auto& pin = kStm32f103c8.pins[i]; pin.timer == index)
@@ -21,7 +22,7 @@ Timer::Timer(Link& link, const Clocks& clocks, int index)
 // RM0008 table 63: TIM1 has four interrupts, the others have one.
 void Timer::refresh_lines() {
   constexpr std::uint32_t kChannelEvents = 0x1E, kTriggers = kComEvent | kTriggerEvent;
-  const std::uint32_t asks = status_ & interrupts_;
+  const std::uint32_t asks = state_.status & state_.interrupts;
   if (!advanced()) return link_.nvic.set_line(irq_, asks & (kUif | kChannelEvents | kTriggers));
   link_.nvic.set_line(irq_, asks & kUif);
   link_.nvic.set_line(kIrqTim1Trigger, asks & kTriggers);
@@ -30,7 +31,7 @@ void Timer::refresh_lines() {
 }
 
 void Timer::reset(Address) {
-  static_cast<TimerRegisters&>(*this) = {};
+  state_ = {};
   refresh_lines();
   refresh_pins();
   link_.watch_changed();
@@ -42,66 +43,66 @@ std::uint32_t Timer::read(Address address) {
   if (offset >= kTimCcr1 && offset < kTimCcr1 + 16) {
     const auto channel = static_cast<int>((offset - kTimCcr1) / 4);
     if (captures(channel)) {
-      status_ &= ~channel_event(channel);
+      state_.status &= ~channel_event(channel);
       refresh_lines();
     }
-    return waiting_compare_[static_cast<std::size_t>(channel)];
+    return state_.waiting_compare[static_cast<std::size_t>(channel)];
   }
   switch (offset) {
     case kTimCr1: {
-      const bool down = centered() && is_clocked() && place(link_.clock.now) >= std::int64_t{top_};
-      return control_ | (down ? kDir : 0);
+      const bool down = centered() && is_clocked() && place(link_.clock.now) >= std::int64_t{state_.top};
+      return state_.control | (down ? kDir : 0);
     }
     case kTimCr2:
-      return control2_;
+      return state_.control2;
     case kTimSmcr:
-      return slave_;
+      return state_.slave;
     case kTimDier:
-      return interrupts_;
+      return state_.interrupts;
     case kTimSr:
-      return status_;
+      return state_.status;
     case kTimCcmr1:
-      return waiting_modes_[0];
+      return state_.waiting_modes[0];
     case kTimCcmr2:
-      return waiting_modes_[1];
+      return state_.waiting_modes[1];
     case kTimCcer:
-      return waiting_outputs_;
+      return state_.waiting_outputs;
     case kTimCnt:
       return count(link_.clock.now);
     case kTimPsc:
-      return waiting_prescaler_;
+      return state_.waiting_prescaler;
     case kTimArr:
-      return waiting_top_;
+      return state_.waiting_top;
     case kTimRcr:
-      return repetition_;
+      return state_.repetition;
     case kTimBdtr:
-      return dead_time_;
+      return state_.dead_time;
     default:
       return 0;
   }
 }
 
 bool Timer::slave_is_modelled() const {
-  const std::uint32_t slave_mode = slave_ & 7, from = slave_ >> 4 & 7;
-  if (slave_ & kExternalClock) return false;
+  const std::uint32_t slave_mode = state_.slave & 7, from = state_.slave >> 4 & 7;
+  if (state_.slave & kExternalClock) return false;
   return slave_mode < kResets || (slave_mode != kGates && from != kExternal);
 }
 
 bool Timer::write_compare(std::size_t channel, std::uint32_t value) {
-  if (waiting_compare_[channel] == value && compare_[channel] == value) return true;
-  waiting_compare_[channel] = value;
+  if (state_.waiting_compare[channel] == value && state_.compare[channel] == value) return true;
+  state_.waiting_compare[channel] = value;
   if (mode(static_cast<int>(channel)) & kPreload && enabled()) return true;
-  compare_[channel] = value;
+  state_.compare[channel] = value;
   link_.pin_changed(pin_of(static_cast<int>(channel)));
   return true;
 }
 
 void Timer::commutate() {
-  modes_ = waiting_modes_;
-  outputs_ = waiting_outputs_;
+  state_.modes = state_.waiting_modes;
+  state_.outputs = state_.waiting_outputs;
   for (int channel = 0; channel < kChannels; ++channel) {
     const std::uint32_t how = mode(channel) >> 4 & 7;
-    if (how == 4 || how == 5) active_[static_cast<std::size_t>(channel)] = how == 5;
+    if (how == 4 || how == 5) state_.active[static_cast<std::size_t>(channel)] = how == 5;
   }
   refresh_pins();
   link_.watch_changed();
@@ -120,33 +121,33 @@ bool Timer::write_register(Address offset, std::uint32_t value) {
   const std::uint32_t before = count(now);
   switch (offset) {
     case kTimCr1:
-      held_ = before;
-      steps_down_ = value & kDir;
-      control_ = value & (kCen | kUdis | kUrs | kOpm | kDir | kCms | kArpe | kCkd);
+      state_.held = before;
+      state_.steps_down = value & kDir;
+      state_.control = value & (kCen | kUdis | kUrs | kOpm | kDir | kCms | kArpe | kCkd);
       start_from(before, now);
       refresh_pins();
-      if (value & kCen && (control2_ >> kMmsShift & 7) == 1) link_.signal(signal_of(number(), 0));
+      if (value & kCen && (state_.control2 >> kMmsShift & 7) == 1) link_.signal(signal_of(number(), 0));
       return true;
     case kTimCr2:
-      control2_ = value;
+      state_.control2 = value;
       return true;
     case kTimSmcr:
-      held_ = before;
-      slave_ = value;
+      state_.held = before;
+      state_.slave = value;
       start_from(before, now);
       link_.watch_changed();
       return slave_is_modelled();
     case kTimDier:
-      interrupts_ = value;
+      state_.interrupts = value;
       return true;
     case kTimSr:
-      status_ &= value;
+      state_.status &= value;
       return true;
     case kTimEgr:
       if (value & kUg) {
-        update_event(!(control_ & kUrs));
-        if ((control2_ >> kMmsShift & 7) == 0) link_.signal(signal_of(number(), 0));
-        start_from(counts_down() && !centered() ? top_ : 0, now);
+        update_event(!(state_.control & kUrs));
+        if ((state_.control2 >> kMmsShift & 7) == 0) link_.signal(signal_of(number(), 0));
+        start_from(counts_down() && !centered() ? state_.top : 0, now);
       }
       for (int channel = 0; channel < kChannels; ++channel) {
         if (!(value & channel_event(channel))) continue;
@@ -155,38 +156,38 @@ bool Timer::write_register(Address offset, std::uint32_t value) {
         else
           captured_or_compared(channel);
       }
-      status_ |= value & (kComEvent | kTriggerEvent | kBreakEvent);
-      if (value & kComEvent && control2_ & kCcpc) commutate();
-      if (value & kBreakEvent) dead_time_ &= ~kMoe;
+      state_.status |= value & (kComEvent | kTriggerEvent | kBreakEvent);
+      if (value & kComEvent && state_.control2 & kCcpc) commutate();
+      if (value & kBreakEvent) state_.dead_time &= ~kMoe;
       refresh_pins();
       return true;
     case kTimCcmr1:
     case kTimCcmr2:
-      waiting_modes_[offset == kTimCcmr2] = value;
-      if (!(control2_ & kCcpc)) commutate();
+      state_.waiting_modes[offset == kTimCcmr2] = value;
+      if (!(state_.control2 & kCcpc)) commutate();
       return true;
     case kTimCcer:
-      waiting_outputs_ = value;
-      if (!(control2_ & kCcpc)) commutate();
+      state_.waiting_outputs = value;
+      if (!(state_.control2 & kCcpc)) commutate();
       return true;
     case kTimCnt:
       start_from(value, now);
       return true;
     case kTimPsc:
-      waiting_prescaler_ = value;
+      state_.waiting_prescaler = value;
       return true;
     case kTimArr:
-      waiting_top_ = value;
-      if (control_ & kArpe && enabled()) return true;
-      top_ = value;
+      state_.waiting_top = value;
+      if (state_.control & kArpe && enabled()) return true;
+      state_.top = value;
       start_from(before, now);
       refresh_pins();
       return true;
     case kTimRcr:
-      repetition_ = value & 0xFF;
+      state_.repetition = value & 0xFF;
       return advanced() || value == 0;
     case kTimBdtr:
-      dead_time_ = value;
+      state_.dead_time = value;
       refresh_pins();
       return advanced() && (value & 1u << 12) == 0;  // no break input
     default:

@@ -16,29 +16,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset of a timer resets.
-struct TimerRegisters {
-  std::uint32_t control_ = 0, control2_ = 0, slave_ = 0, interrupts_ = 0, status_ = 0, outputs_ = 0,
-                dead_time_ = 0;
-  std::array<std::uint32_t, 2> modes_{}, waiting_modes_{};
-  std::uint32_t waiting_outputs_ = 0;
-  std::uint32_t waiting_prescaler_ = 0, waiting_top_ = 0xFFFF, repetition_ = 0;
-  std::array<std::uint32_t, 4> waiting_compare_{};
-  // As they count
-  std::uint32_t prescaler_ = 0, top_ = 0xFFFF, repetitions_left_ = 0;
-  std::array<std::uint32_t, 4> compare_{};
-  std::array<bool, 4> active_{};             ///< OCxREF of the modes that are no PWM
-  std::array<std::uint32_t, 4> captures_{};  ///< edges that its prescaler has let pass
-  unsigned dma_pending_ = 0;
-
-  std::uint32_t held_ = 0;  ///< the count while no clock drives it
-  Cycle origin_ = 0;        ///< while one does: where the period began
-  Cycle step_ = 1;          ///< cycles of a count
-  std::int64_t done_ = -1;  ///< the place in the period up to which everything has been done
-  bool steps_down_ = false;
-};
-
-class Timer final : public Peripheral, TimerRegisters {
+class Timer final : public Peripheral {
  public:
   /// `index`: among the chip's.
   Timer(Link& link, const Clocks& clocks, int index);
@@ -52,16 +30,38 @@ class Timer final : public Peripheral, TimerRegisters {
   void edge(ChipPin pin, bool level, Cycle at) override;
   Cycle next_event() const override;
   void update() override;
-  unsigned dma_requests() const override { return dma_pending_; }
-  void dma_served(int channel) override { dma_pending_ &= ~dma_channel(channel); }
+  unsigned dma_requests() const override { return state_.dma_pending; }
+  void dma_served(int channel) override { state_.dma_pending &= ~dma_channel(channel); }
   Signals listens() const override;
   void heard(Signals signals) override;
 
  private:
+  /// What a reset of a timer resets.
+  struct State {
+    std::uint32_t control = 0, control2 = 0, slave = 0, interrupts = 0, status = 0, outputs = 0,
+                  dead_time = 0;
+    std::array<std::uint32_t, 2> modes{}, waiting_modes{};
+    std::uint32_t waiting_outputs = 0;
+    std::uint32_t waiting_prescaler = 0, waiting_top = 0xFFFF, repetition = 0;
+    std::array<std::uint32_t, 4> waiting_compare{};
+    // As they count
+    std::uint32_t prescaler = 0, top = 0xFFFF, repetitions_left = 0;
+    std::array<std::uint32_t, 4> compare{};
+    std::array<bool, 4> active{};             ///< OCxREF of the modes that are no PWM
+    std::array<std::uint32_t, 4> captures{};  ///< edges that its prescaler has let pass
+    unsigned dma_pending = 0;
+
+    std::uint32_t held = 0;  ///< the count while no clock drives it
+    Cycle origin = 0;        ///< while one does: where the period began
+    Cycle step = 1;          ///< cycles of a count
+    std::int64_t done = -1;  ///< the place in the period up to which everything has been done
+    bool steps_down = false;
+  };
+
   static constexpr int kChannels = 4;
 
   // --- registers
-  bool enabled() const { return control_ & robosim::stm32::kCen; }
+  bool enabled() const { return state_.control & robosim::stm32::kCen; }
   bool advanced() const { return index_ == stm32f103c8::kTim1; }
   int number() const { return index_ + 1; }
   bool write_register(Address offset, std::uint32_t value);
@@ -75,10 +75,10 @@ class Timer final : public Peripheral, TimerRegisters {
 
   // --- counter
   bool is_clocked() const;
-  bool centered() const { return control_ >> 5 & 3; }
-  bool counts_down() const { return control_ & 1u << 4; }
+  bool centered() const { return state_.control >> 5 & 3; }
+  bool counts_down() const { return state_.control & 1u << 4; }
   std::int64_t period() const;
-  std::int64_t place(Cycle at) const { return static_cast<std::int64_t>((at - origin_) / step_); }
+  std::int64_t place(Cycle at) const { return static_cast<std::int64_t>((at - state_.origin) / state_.step); }
   std::uint32_t count_at(std::int64_t place) const;
   std::uint32_t count(Cycle at) const;
   void start_from(std::uint32_t count, Cycle at);
@@ -94,10 +94,10 @@ class Timer final : public Peripheral, TimerRegisters {
 
   // --- channels
   std::uint32_t mode(int channel) const {
-    return modes_[static_cast<std::size_t>(channel / 2)] >> (8 * (channel % 2)) & 0xFF;
+    return state_.modes[static_cast<std::size_t>(channel / 2)] >> (8 * (channel % 2)) & 0xFF;
   }
   bool captures(int channel) const { return mode(channel) & 3; }
-  bool is_on(int channel) const { return outputs_ >> (4 * channel) & 1; }
+  bool is_on(int channel) const { return state_.outputs >> (4 * channel) & 1; }
   bool is_pwm(int channel) const;
   ChipPin pin_of(int channel) const;
   void compared(int channel);
@@ -115,10 +115,11 @@ class Timer final : public Peripheral, TimerRegisters {
 
   Link& link_;
   const Clocks& clocks_;
-  int index_;
-  Address base_;
-  robosim::stm32::Irq irq_;
+  const int index_;
+  const Address base_;
+  const robosim::stm32::Irq irq_;
   std::array<ChipPin, kChannels> usual_pins_{};
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -20,30 +20,30 @@ bool Tracing::owns(Address address) {
 }
 
 std::uint32_t Tracing::cycles() const {
-  return counts_ ? static_cast<std::uint32_t>(link_.clock.now - zero_at_) : held_;
+  return state_.counts ? static_cast<std::uint32_t>(link_.clock.now - state_.zero_at) : state_.held;
 }
 
 std::uint32_t Tracing::read(Address address) {
   if (address < kItmPortsEnd) return 1;  // ready
   if (address == kDbgmcuIdcode) return kMediumDensity;
   if (address == kDwtCyccnt) return cycles();
-  const auto found = kept_.find(address);
-  return found == kept_.end() ? 0 : found->second;
+  const auto found = state_.kept.find(address);
+  return found == state_.kept.end() ? 0 : found->second;
 }
 
 bool Tracing::write(Address address, std::uint32_t value) {
   if (address < kItmPortsEnd || address == kDbgmcuIdcode) return true;
-  held_ = address == kDwtCyccnt ? value : cycles();
-  if (address != kDwtCyccnt) kept_[address] = value;
-  counts_ = kept_[kDwtCtrl] & kCycCntEna && kept_[kDemcr] & kTrcEna;
-  zero_at_ = link_.clock.now - held_;
+  state_.held = address == kDwtCyccnt ? value : cycles();
+  if (address != kDwtCyccnt) state_.kept[address] = value;
+  state_.counts = state_.kept[kDwtCtrl] & kCycCntEna && state_.kept[kDemcr] & kTrcEna;
+  state_.zero_at = link_.clock.now - state_.held;
   return true;
 }
 
 void Tracing::reset(Address) {
-  kept_.clear();
-  counts_ = false;
-  held_ = 0;
+  state_.kept.clear();
+  state_.counts = false;
+  state_.held = 0;
 }
 
 }  // namespace robosim::exec::stm32

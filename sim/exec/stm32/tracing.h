@@ -11,7 +11,7 @@ namespace robosim::exec::stm32 {
 
 class Tracing final : public Peripheral {
  public:
-  explicit Tracing(Link& link) : link_(link) {}
+  explicit Tracing(Link& link) : link_(link) { link.kept.add(state_); }
 
   static bool owns(Address address);
   std::uint32_t read(Address address) override;
@@ -19,13 +19,17 @@ class Tracing final : public Peripheral {
   void reset(Address block) override;
 
  private:
+  struct State {
+    std::map<Address, std::uint32_t> kept;
+    bool counts = false;
+    std::uint32_t held = 0;
+    Cycle zero_at = 0;
+  };
+
   std::uint32_t cycles() const;
 
   Link& link_;
-  std::map<Address, std::uint32_t> kept_;
-  bool counts_ = false;
-  std::uint32_t held_ = 0;
-  Cycle zero_at_ = 0;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -25,7 +25,9 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
       clocks_(clocks),
       spec_(stm32f103c8::kUarts[index]),
       pin_(pin_named(spec_.tx)),
-      connected_(index == link.board.spec().serial_line) {}
+      connected_(index == link.board.spec().serial_line) {
+  link.kept.add(state_);
+}
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {
   if (!sends() || pin != pin_now()) return false;
@@ -36,32 +38,33 @@ bool Usart::drives(ChipPin pin, PinDrive& drive) const {
 ChipPin Usart::pin_now() const { return usart_pin(spec_.number, link_.map, pin_); }
 
 Cycle Usart::byte_cycles() const {
-  const unsigned bits = 1 + (control_ & kM ? 9 : 8) + ((control2_ & kStop2) == kStop2 ? 2 : 1);
+  const unsigned bits = 1 + (state_.control & kM ? 9 : 8) + ((state_.control2 & kStop2) == kStop2 ? 2 : 1);
   const std::uint32_t bus = clocks_.bus_divider(base());
-  return Cycle{bits} * bus * (divider_ > 0 ? divider_ : 16);
+  return Cycle{bits} * bus * (state_.divider > 0 ? state_.divider : 16);
 }
 
 void Usart::listen() {
   if (!connected_) return;
-  const bool listens = on() && control_ & kRe;
+  const bool listens = on() && state_.control & kRe;
   const auto byte_time =
       static_cast<SimTime>(byte_cycles()) * kSecond / static_cast<SimTime>(link_.clock.hz());
   link_.board.listen(listens ? byte_time : 0, link_.clock.time());
 }
 
 void Usart::refresh_line() {
-  const bool high = (status_ & kTxe && control_ & kTxeie) || (status_ & kTc && control_ & kTcie) ||
-                    (status_ & (kRxne | kOre) && control_ & kRxneie) ||
-                    (status_ & kIdleLine && control_ & kIdleie);
+  const bool high = (state_.status & kTxe && state_.control & kTxeie) ||
+                    (state_.status & kTc && state_.control & kTcie) ||
+                    (state_.status & (kRxne | kOre) && state_.control & kRxneie) ||
+                    (state_.status & kIdleLine && state_.control & kIdleie);
   link_.nvic.set_line(static_cast<Irq>(spec_.vector), on() && high);
 }
 
 void Usart::send(std::uint8_t byte) {
   if (!sends()) return;
-  status_ &= ~kTc;
-  if (shifting_) {
-    waiting_ = byte;  // instead of one that waits already
-    status_ &= ~kTxe;
+  state_.status &= ~kTc;
+  if (state_.shifting) {
+    state_.waiting = byte;  // instead of one that waits already
+    state_.status &= ~kTxe;
     return;
   }
   shift(byte, link_.clock.now);
@@ -69,24 +72,24 @@ void Usart::send(std::uint8_t byte) {
 
 void Usart::shift(std::uint8_t byte, Cycle at) {
   if (connected_) link_.board.send_byte(byte, link_.clock.time_of(at));
-  shifting_ = true;
-  sent_at_ = at + byte_cycles();
+  state_.shifting = true;
+  state_.sent_at = at + byte_cycles();
 }
 
 void Usart::update() {
-  while (shifting_ && link_.clock.now >= sent_at_) {
-    if (status_ & kTxe) {
-      shifting_ = false;
-      status_ |= kTc;
+  while (state_.shifting && link_.clock.now >= state_.sent_at) {
+    if (state_.status & kTxe) {
+      state_.shifting = false;
+      state_.status |= kTc;
     } else {
-      status_ |= kTxe;
-      shift(waiting_, sent_at_);
+      state_.status |= kTxe;
+      shift(state_.waiting, state_.sent_at);
     }
     refresh_line();
   }
-  if (link_.clock.now >= idle_at_) {
-    idle_at_ = kNoCycle;
-    status_ |= kIdleLine;
+  if (link_.clock.now >= state_.idle_at) {
+    state_.idle_at = kNoCycle;
+    state_.status |= kIdleLine;
     refresh_line();
   }
 }
@@ -96,26 +99,26 @@ unsigned Usart::dma_requests() const {
   constexpr int kSends[] = {4, 7, 2}, kReceives[] = {5, 6, 3};
   const int index = spec_.number - 1;
   unsigned requests = 0;
-  if (sends() && control3_ & kDmaT && status_ & kTxe) requests |= dma_channel(kSends[index]);
-  if (on() && control3_ & kDmaR && status_ & kRxne) requests |= dma_channel(kReceives[index]);
+  if (sends() && state_.control3 & kDmaT && state_.status & kTxe) requests |= dma_channel(kSends[index]);
+  if (on() && state_.control3 & kDmaR && state_.status & kRxne) requests |= dma_channel(kReceives[index]);
   return requests;
 }
 
 void Usart::receive(std::uint8_t byte) {
-  if (!connected_ || !on() || !(control_ & kRe)) return;
-  if (status_ & kRxne) {
-    status_ |= kOre;
+  if (!connected_ || !on() || !(state_.control & kRe)) return;
+  if (state_.status & kRxne) {
+    state_.status |= kOre;
   } else {
-    received_ = byte;
-    status_ |= kRxne;
+    state_.received = byte;
+    state_.status |= kRxne;
   }
   // A whole frame and a bit without another.
-  idle_at_ = link_.clock.now + byte_cycles() / 10 * 11;
+  state_.idle_at = link_.clock.now + byte_cycles() / 10 * 11;
   refresh_line();
 }
 
 void Usart::reset(Address) {
-  static_cast<UsartRegisters&>(*this) = {};
+  state_ = {};
   listen();
   refresh_line();
   link_.pin_changed(pin_now());
@@ -125,19 +128,19 @@ std::uint32_t Usart::read(Address address) {
   update();
   switch (address - base() + kUsart1) {
     case kUsartSr:
-      return status_;
+      return state_.status;
     case kUsartDr:
-      status_ &= ~(kRxne | kOre | kIdleLine);
+      state_.status &= ~(kRxne | kOre | kIdleLine);
       refresh_line();
-      return received_;
+      return state_.received;
     case kUsartBrr:
-      return divider_;
+      return state_.divider;
     case kUsartCr1:
-      return control_;
+      return state_.control;
     case kUsartCr2:
-      return control2_;
+      return state_.control2;
     case kUsartCr3:
-      return control3_;
+      return state_.control3;
     default:
       return 0;
   }
@@ -149,27 +152,27 @@ bool Usart::write(Address address, std::uint32_t value) {
   bool modelled = true;
   switch (address - base() + kUsart1) {
     case kUsartSr:
-      status_ &= value | ~(kTc | kRxne);
+      state_.status &= value | ~(kTc | kRxne);
       break;
     case kUsartDr:
       send(static_cast<std::uint8_t>(value));
       break;
     case kUsartBrr:
-      divider_ = value & 0xFFFF;
+      state_.divider = value & 0xFFFF;
       listen();
       break;
     case kUsartCr1:
-      control_ = value;
+      state_.control = value;
       modelled = (value & ~(kUe | kTe | kRe | kIdleie | kRxneie | kTcie | kTxeie | kM | kPce | kPs)) == 0;
       listen();
       break;
     case kUsartCr2:
-      control2_ = value;
+      state_.control2 = value;
       modelled = (value & ~kStop2) == 0;
       listen();
       break;
     case kUsartCr3:
-      control3_ = value;
+      state_.control3 = value;
       modelled = (value & ~(kDmaR | kDmaT | kErrors)) == 0;  // no hardware flow control
       break;
     default:

@@ -8,16 +8,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// What a reset of a USART resets.
-struct UsartRegisters {
-  std::uint32_t status_ = robosim::stm32::kTxe | robosim::stm32::kTc;
-  std::uint32_t control_ = 0, control2_ = 0, control3_ = 0, divider_ = 0;
-  bool shifting_ = false;
-  Cycle sent_at_ = 0, idle_at_ = kNoCycle;
-  std::uint8_t received_ = 0, waiting_ = 0;
-};
-
-class Usart final : public Peripheral, UsartRegisters {
+class Usart final : public Peripheral {
  public:
   /// `index`: among the chip's.
   Usart(Link& link, const Clocks& clocks, int index);
@@ -27,7 +18,9 @@ class Usart final : public Peripheral, UsartRegisters {
   void reset(Address block) override;
   /// Its TX pin, while it sends.
   bool drives(ChipPin pin, PinDrive& drive) const override;
-  Cycle next_event() const override { return std::min(shifting_ ? sent_at_ : kNoCycle, idle_at_); }
+  Cycle next_event() const override {
+    return std::min(state_.shifting ? state_.sent_at : kNoCycle, state_.idle_at);
+  }
   // Reading USART_DR clears flags.
   Cycle same_until(Address address) const override {
     return address == base() + robosim::stm32::kUsartDr - robosim::stm32::kUsart1 ? 0 : next_event();
@@ -37,9 +30,18 @@ class Usart final : public Peripheral, UsartRegisters {
   void receive(std::uint8_t byte);
 
  private:
+  /// What a reset of a USART resets.
+  struct State {
+    std::uint32_t status = robosim::stm32::kTxe | robosim::stm32::kTc;
+    std::uint32_t control = 0, control2 = 0, control3 = 0, divider = 0;
+    bool shifting = false;
+    Cycle sent_at = 0, idle_at = kNoCycle;
+    std::uint8_t received = 0, waiting = 0;
+  };
+
   Address base() const { return spec_.address; }
-  bool sends() const { return on() && control_ & robosim::stm32::kTe; }
-  bool on() const { return control_ & robosim::stm32::kUe; }
+  bool sends() const { return on() && state_.control & robosim::stm32::kTe; }
+  bool on() const { return state_.control & robosim::stm32::kUe; }
   ChipPin pin_now() const;
   Cycle byte_cycles() const;
   void send(std::uint8_t byte);
@@ -50,8 +52,9 @@ class Usart final : public Peripheral, UsartRegisters {
   Link& link_;
   const Clocks& clocks_;
   const UartSpec& spec_;
-  ChipPin pin_;     ///< by which it sends after a reset
-  bool connected_;  ///< to the board's serial port
+  const ChipPin pin_;     ///< by which it sends after a reset
+  const bool connected_;  ///< to the board's serial port
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

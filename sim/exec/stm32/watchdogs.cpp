@@ -17,30 +17,30 @@ constexpr std::uint32_t kActivate = 1u << 7, kEarlyWakeup = 1u << 9, kCounter = 
 
 }  // namespace
 
-SimTime IndependentWatchdog::step() const { return kLsiPeriod * (4 << std::min(prescaler_, 6u)); }
+SimTime IndependentWatchdog::step() const { return kLsiPeriod * (4 << std::min(state_.prescaler, 6u)); }
 
 std::uint32_t IndependentWatchdog::read(Address address) {
-  return address == kIwdgPr ? prescaler_ : address == kIwdgRlr ? reload_ : 0;
+  return address == kIwdgPr ? state_.prescaler : address == kIwdgRlr ? state_.reload : 0;
 }
 
 bool IndependentWatchdog::write(Address address, std::uint32_t value) {
   const SimTime now = link_.clock.time_of(link_.clock.now);
-  const auto start = [&] { ends_ = now + step() * (SimTime{reload_} + 1); };
+  const auto start = [&] { state_.ends = now + step() * (SimTime{state_.reload} + 1); };
   switch (address) {
     case kIwdgKr:
-      unlocked_ = value == kUnlock;
-      if (value == kStart && !std::exchange(runs_, true)) start();
+      state_.unlocked = value == kUnlock;
+      if (value == kStart && !std::exchange(state_.runs, true)) start();
       if (value == kReload) start();
       return true;
     case kIwdgPr: {
-      if (!unlocked_) return true;
-      const SimTime left = (ends_ - now + step() - 1) / step();
-      prescaler_ = value & 7;
-      ends_ = now + left * step();
+      if (!state_.unlocked) return true;
+      const SimTime left = (state_.ends - now + step() - 1) / step();
+      state_.prescaler = value & 7;
+      state_.ends = now + left * step();
       return true;
     }
     case kIwdgRlr:
-      if (unlocked_) reload_ = value & 0xFFF;
+      if (state_.unlocked) state_.reload = value & 0xFFF;
       return true;
     default:
       return true;
@@ -48,9 +48,9 @@ bool IndependentWatchdog::write(Address address, std::uint32_t value) {
 }
 
 void IndependentWatchdog::reset(Address) {
-  runs_ = unlocked_ = false;
-  prescaler_ = 0;
-  reload_ = 0xFFF;
+  state_.runs = state_.unlocked = false;
+  state_.prescaler = 0;
+  state_.reload = 0xFFF;
 }
 
 void IndependentWatchdog::update() {
@@ -58,67 +58,67 @@ void IndependentWatchdog::update() {
 }
 
 Cycle WindowWatchdog::step() const {
-  return Cycle{4096} * clocks_.apb1_divider() << (configuration_ >> 7 & 3);
+  return Cycle{4096} * clocks_.apb1_divider() << (state_.configuration >> 7 & 3);
 }
 
 std::uint32_t WindowWatchdog::count() const {
-  const Cycle steps = (link_.clock.now - written_at_) / step();
-  return static_cast<std::uint32_t>((written_ + 0x80 - steps % 0x80) & kCounter);
+  const Cycle steps = (link_.clock.now - state_.written_at) / step();
+  return static_cast<std::uint32_t>((state_.written + 0x80 - steps % 0x80) & kCounter);
 }
 
 Cycle WindowWatchdog::reaches(std::uint32_t value) const {
-  return written_ < value ? kNoCycle : written_at_ + (written_ - value) * step();
+  return state_.written < value ? kNoCycle : state_.written_at + (state_.written - value) * step();
 }
 
 Cycle WindowWatchdog::next_event() const {
-  if (!on_) return kNoCycle;
+  if (!state_.on) return kNoCycle;
   const Cycle end = reaches(kLast - 1);
-  return told_ ? end : std::min(end, reaches(kLast));
+  return state_.told ? end : std::min(end, reaches(kLast));
 }
 
 void WindowWatchdog::update() {
-  if (!on_) return;
-  if (!told_ && link_.clock.now >= reaches(kLast)) {
-    told_ = early_ = true;
-    link_.nvic.set_line(kIrqWwdg, configuration_ & kEarlyWakeup);
+  if (!state_.on) return;
+  if (!state_.told && link_.clock.now >= reaches(kLast)) {
+    state_.told = state_.early = true;
+    link_.nvic.set_line(kIrqWwdg, state_.configuration & kEarlyWakeup);
   }
   if (link_.clock.now >= reaches(kLast - 1)) link_.reset_cause = Reset::window_watchdog;
 }
 
 std::uint32_t WindowWatchdog::read(Address address) {
   update();
-  if (address == kWwdgCr) return count() | (on_ ? kActivate : 0);
-  return address == kWwdgCfr ? configuration_ : early_;
+  if (address == kWwdgCr) return count() | (state_.on ? kActivate : 0);
+  return address == kWwdgCfr ? state_.configuration : state_.early;
 }
 
 bool WindowWatchdog::write(Address address, std::uint32_t value) {
   update();
   switch (address) {
     case kWwdgCr: {
-      const bool too_early = on_ && count() > (configuration_ & kCounter);
-      on_ = on_ || value & kActivate;
-      written_ = value & kCounter;
-      written_at_ = link_.clock.now;
-      told_ = false;
-      if (on_ && (too_early || written_ < kLast)) link_.reset_cause = Reset::window_watchdog;
+      const bool too_early = state_.on && count() > (state_.configuration & kCounter);
+      state_.on = state_.on || value & kActivate;
+      state_.written = value & kCounter;
+      state_.written_at = link_.clock.now;
+      state_.told = false;
+      if (state_.on && (too_early || state_.written < kLast)) link_.reset_cause = Reset::window_watchdog;
       return true;
     }
     case kWwdgCfr:
       // EWI can only be set by software (20.6.2).
-      written_ = count();
-      written_at_ = link_.clock.now;
-      configuration_ = (value & 0x3FF) | (configuration_ & kEarlyWakeup);
+      state_.written = count();
+      state_.written_at = link_.clock.now;
+      state_.configuration = (value & 0x3FF) | (state_.configuration & kEarlyWakeup);
       return true;
     default:
-      early_ = early_ && value & 1;
-      link_.nvic.set_line(kIrqWwdg, early_ && configuration_ & kEarlyWakeup);
+      state_.early = state_.early && value & 1;
+      link_.nvic.set_line(kIrqWwdg, state_.early && state_.configuration & kEarlyWakeup);
       return true;
   }
 }
 
 void WindowWatchdog::reset(Address) {
-  configuration_ = written_ = 0x7F;
-  on_ = early_ = told_ = false;
+  state_.configuration = state_.written = 0x7F;
+  state_.on = state_.early = state_.told = false;
   link_.nvic.set_line(kIrqWwdg, false);
 }
 

@@ -14,27 +14,31 @@ namespace robosim::exec::stm32 {
 
 class IndependentWatchdog final : public Peripheral {
  public:
-  explicit IndependentWatchdog(Link& link) : link_(link) {}
+  explicit IndependentWatchdog(Link& link) : link_(link) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
-  Cycle next_event() const override { return runs_ ? link_.clock.cycle_at(ends_) : kNoCycle; }
+  Cycle next_event() const override { return state_.runs ? link_.clock.cycle_at(state_.ends) : kNoCycle; }
   void update() override;
 
  private:
+  struct State {
+    bool runs = false, unlocked = false;
+    std::uint32_t prescaler = 0, reload = 0xFFF;
+    SimTime ends = 0;  ///< when it resets the chip
+  };
+
   /// A count of it.
   SimTime step() const;
 
   Link& link_;
-  bool runs_ = false, unlocked_ = false;
-  std::uint32_t prescaler_ = 0, reload_ = 0xFFF;
-  SimTime ends_ = 0;  ///< when it resets the chip
+  State state_;
 };
 
 class WindowWatchdog final : public Peripheral {
  public:
-  WindowWatchdog(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) {}
+  WindowWatchdog(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -43,6 +47,13 @@ class WindowWatchdog final : public Peripheral {
   void update() override;
 
  private:
+  struct State {
+    std::uint32_t configuration = 0x7F;
+    bool on = false, early = false, told = false;
+    std::uint32_t written = 0x7F;
+    Cycle written_at = 0;
+  };
+
   Cycle step() const;
   std::uint32_t count() const;
   /// When it will have counted down to `value`; kNoCycle if it is below.
@@ -50,10 +61,7 @@ class WindowWatchdog final : public Peripheral {
 
   Link& link_;
   const Clocks& clocks_;
-  std::uint32_t configuration_ = 0x7F;
-  bool on_ = false, early_ = false, told_ = false;
-  std::uint32_t written_ = 0x7F;
-  Cycle written_at_ = 0;
+  State state_;
 };
 
 }  // namespace robosim::exec::stm32

@@ -195,7 +195,7 @@ TEST_F(AgentsTest, CannotBeSavedWhereTheirFirmwareCannot) {
   Simulation simulation(setup);
   EXPECT_THAT(
       [&] { simulation.save(); },
-      testing::ThrowsMessage<InputError>(testing::HasSubstr("only a run on the target avr can be saved")));
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("only a run on an emulated chip can be saved")));
 }
 
 }  // namespace

@@ -2,45 +2,27 @@
 // tick, and the trace.
 #include <gtest/gtest.h>
 
-#include "sim/exec/stm32/machine.h"
 #include "sim/exec/stm32/stm32_executor.h"
 #include "tests/support/noted_run.h"
 #include "tests/support/require_target.h"
+#include "tests/support/stm32_sum.h"
 
 namespace robosim::run {
 namespace {
 
 using exec::stm32::Machine;
 
-std::uint64_t sum_of(const Machine& machine) {
-  using namespace robosim::stm32;
-  const auto& cpu = machine.cpu();
-  Sum sum;
-  for (int number = 0; number < 15; ++number) sum.add(cpu.reg(number));
-  for (const std::uint32_t value : {cpu.status(), cpu.pc(), cpu.next_pc(), cpu.last_io_pc(), cpu.lowest_sp()})
-    sum.add(value);
-  for (const std::uint64_t value : {machine.bus().link().clock.now, cpu.last_io(), cpu.handler_cycles(),
-                                    cpu.sleep_cycles(), machine.bus().ports().last_read_at()})
-    sum.add(value);
-  sum.add(cpu.rounds().count());
-  sum.add(static_cast<std::uint64_t>(cpu.rounds().total()));
-  sum.add(static_cast<std::uint64_t>(cpu.rounds().longest(0)));
-  for (const std::uint32_t jump : cpu.last_jumps()) sum.add(jump);
-  for (Address at = kRam; at < kRam + kRamBytes; at += 4) sum.add(cpu.word(at));
-  return sum.value();
-}
-
-struct Case : StockRun {
+struct PillRun : StockRun {
   bool waits;  ///< in loops, not asleep as in delay()
 };
 
-class WaitingLoopsOfPills : public testing::TestWithParam<Case> {
+class WaitingLoopsOfPills : public testing::TestWithParam<PillRun> {
  protected:
   void SetUp() override { ROBOSIM_NEEDS_TARGET("stm32"); }
 };
 
 TEST_P(WaitingLoopsOfPills, AreLeftOutWithoutATrace) {
-  const Case& what = GetParam();
+  const PillRun& what = GetParam();
   const std::filesystem::path image = NotedRun::image_of(what, "stm32");
   const BoardSpec& board = *robot::load_description(what.robot).board;
   exec::Stm32Executor skips(board, image), runs(board, image);
@@ -62,11 +44,11 @@ TEST_P(WaitingLoopsOfPills, AreLeftOutWithoutATrace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stock, WaitingLoopsOfPills,
-                         testing::Values(Case{{"PidFollower", "bluepill5", "oval", 2 * kSecond}, false},
-                                         Case{{"LeftPath", "bluepill3", "d", 2 * kSecond}, false},
-                                         Case{{"RightPath", "bluepill3", "a", 2 * kSecond}, false},
-                                         Case{{"AiNavigator", "bluepill5", "b", kSecond}, true},
-                                         Case{{"PonyNavigator", "bluepony", "city", 2 * kSecond}, false}),
+                         testing::Values(PillRun{{"PidFollower", "bluepill5", "oval", 2 * kSecond}, false},
+                                         PillRun{{"LeftPath", "bluepill3", "d", 2 * kSecond}, false},
+                                         PillRun{{"RightPath", "bluepill3", "a", 2 * kSecond}, false},
+                                         PillRun{{"AiNavigator", "bluepill5", "b", kSecond}, true},
+                                         PillRun{{"PonyNavigator", "bluepony", "city", 2 * kSecond}, false}),
                          [](const auto& parameter) { return std::string(parameter.param.sketch); });
 
 }  // namespace

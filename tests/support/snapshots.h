@@ -1,0 +1,306 @@
+// A run that goes on from a snapshot is the run that was not interrupted: its trace, its events, its result.
+// At 100 random moments of each stock sketch, and of sketches for other chips, with noise, and with a script
+// that does to the robot what scripts can do. ROBOSIM_TEST_MOMENTS=1000 tries more, in longer runs.
+//
+// For tests of one target. Who includes it has declared before, in an anonymous namespace of robosim::run:
+//
+//   struct Target {
+//     using Executor = …;
+//     static constexpr const char *kName, *kFive, *kThree (robots with so many sensors, on the same chip);
+//   };
+#pragma once
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "sim/build/sketch.h"
+#include "sim/robot/description.h"
+#include "sim/run/simulation.h"
+#include "sim/wire/json_writer.h"
+#include "tests/support/effort.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::run {
+namespace {
+
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+
+/// Each so many-th run goes on to the end, the others for a while.
+constexpr std::size_t kToTheEnd = 10;
+
+struct Case {
+  const char* sketch;
+  const char* robot;
+  const char* map;
+  const char* ahead;  ///< a cell in front of the robot
+  const char* script;
+  bool is_driven = false;  ///< step by step
+};
+
+/// What is the same for each robot: it is in its way, held up, without power, broken.
+const std::string kScript = R"(
+at 230ms fault left weak 0.6 for 300ms
+at 350ms lift for 80ms
+at 900ms power off for 15ms
+at 1100ms fault power sag 4V
+at 1140ms fault power ok
+at 1200ms fault clock drift 300ppm
+at 1300ms fault serial corrupted 50%
+after boot 2 wait 100ms send "x1\n2\n"
+after boot 2 wait 400ms send "2\n"
+)";
+
+constexpr const char* kObstacles = R"(
+at 160ms obstacle {} radius 20mm for 500ms
+at 760ms obstacle {} radius 50mm
+)";
+
+const std::string kFiveSensors = R"(
+at 100ms press start 60ms
+at 260ms press start for 40ms
+at 400ms fault S2 swapped S4
+at 520ms cover S3 50ms
+at 600ms fault S1 noisy 0.2 for 200ms
+at 1000ms press start 70ms
+at 1250ms fault encoder_left dead for 100ms
+at 1400ms fault S5 stuck 300
+)";
+
+const std::string kThreeSensors = R"(
+at 400ms fault left_sensor swapped right_sensor for 90ms
+at 520ms cover middle_sensor 50ms
+at 600ms fault left_sensor noisy 0.2 for 200ms
+at 1400ms fault right_sensor stuck 1
+)";
+
+struct Told final : Listener {
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    lines.push_back(fmt::format("{} byte {}", t, byte));
+  }
+  void happened(const wire::RunEvent& event) override {
+    lines.push_back(fmt::format("{} {}", event.t_ns, wire::text_of(event)));
+  }
+  std::vector<std::string> lines;
+};
+
+/// Does to the robot what the state asks for, and keeps nothing in mind.
+struct Hands final : StepController {
+  Leg next(Standstill& standstill) override {
+    const State& now = standstill.state();
+    const SimTime ms = now.t / kTick;
+    constexpr const char* kActs[] = {"cover S3 20ms", "fault S2 noisy 0.2 for 60ms", "send \"1\\n\"",
+                                     "press start 30ms", "lift for 20ms"};
+    const auto chosen = static_cast<std::size_t>(ms + now.stop) + now.serial_bytes;
+    if (now.t > 0)
+      standstill.add(
+          scenario::parse_scenario(fmt::format("at {}ms {}", ms, kActs[chosen % std::size(kActs)]), "hands"));
+    return {.until = now.t + (20 + ms % 50) * kTick,
+            .stops = {Stop::motors(!now.driven), Stop::serial("\n", now.serial_bytes),
+                      Stop::event("collision_began"), Stop::reading("S1", ms % 2 == 0)}};
+  }
+};
+
+std::string text_of(const judge::Outcome& o) {
+  std::string text = fmt::format("{} {} {} ({}, {}, {}) {}\n{}\n{}\n", o.trace_hash, o.why, o.time,
+                                 o.end.position.x, o.end.position.y, o.end.heading.y, o.eeprom_writes,
+                                 wire::to_json(o.metrics).dump(), wire::to_json(*o.resources).dump());
+  for (const wire::RunEvent& event : o.events)
+    text += fmt::format("{} {}\n", event.t_ns, wire::text_of(event));
+  return text + o.serial;
+}
+
+/// Set from outside; 0 = not.
+int wanted_moments() {
+  const char* text = ::getenv("ROBOSIM_TEST_MOMENTS");
+  return text ? std::stoi(text) : 0;
+}
+
+class ChipSnapshots : public testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET(Target::kName);
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  void use(const char* sketch, const char* robot, const char* map) {
+    map_ = grid::read_map(grid::find_map(map));
+    robot_ = robot::load_description(robot);
+    std::filesystem::path folder = std::filesystem::path(ROBOSIM_EXAMPLES) / sketch;
+    if (!exists(folder)) folder = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / sketch;
+    build::Request request{folder, *robot_.board};
+    request.target = Target::kName;
+    image_ = build::build(request).image;
+  }
+  AgentSetup agent(exec::Executor& executor, const char* goal, const std::string& script,
+                   Listener* listener = nullptr) {
+    return {.robot = &robot_,
+            .executor = &executor,
+            .goal = judge::parse_goal(goal),
+            .scenario = scenario::parse_scenario(script, "s.txt"),
+            .listener = listener};
+  }
+  run::Setup setup(std::vector<AgentSetup> agents, SimTime limit) {
+    run::Setup setup;
+    setup.map = &map_;
+    setup.agents = std::move(agents);
+    setup.limit = limit;
+    setup.seed = 5;
+    return setup;
+  }
+
+  grid::Map map_;
+  robot::Description robot_;
+  std::filesystem::path image_;
+};
+
+class Snapshots : public ChipSnapshots, public testing::WithParamInterface<Case> {
+ protected:
+  void SetUp() override {
+    ChipSnapshots::SetUp();
+    if (!IsSkipped()) use(GetParam().sketch, GetParam().robot, GetParam().map);
+  }
+  static bool longer() { return wanted_moments() > 0; }
+  static int moments() { return longer() ? wanted_moments() : test::rounds(100); }
+  run::Setup setup(exec::Executor& executor, Listener* listener = nullptr) {
+    const std::string script =
+        kScript + GetParam().script + fmt::format(kObstacles, GetParam().ahead, GetParam().ahead);
+    run::Setup setup = ChipSnapshots::setup({agent(executor, "none", script, listener)},
+                                            longer() ? 10 * kSecond : 1600 * kMillisecond);
+    if (GetParam().is_driven) setup.controller = &hands_;
+    return setup;
+  }
+
+  Hands hands_;
+};
+
+TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
+  Target::Executor untouched(*robot_.board, image_), executor(*robot_.board, image_);
+  Told told;
+  const run::Setup setup = this->setup(executor, &told);
+
+  struct Moment {
+    SimTime t;
+    std::string result;  ///< of a run that ends here
+    std::size_t told = 0;
+    Simulation::Snapshot snapshot;
+  };
+  std::mt19937 random(17);
+  std::vector<SimTime> times;
+  for (int i = 0; i < moments(); ++i)
+    times.push_back(static_cast<SimTime>(random() % (setup.limit / kTick)) * kTick);
+  times.push_back(setup.limit);
+  std::sort(times.begin(), times.end());
+  Simulation simulation(setup);
+  std::vector<Moment> moments;
+  for (const SimTime t : times) {
+    simulation.run_until(t);
+    ASSERT_EQ(simulation.now(), t);
+    moments.push_back({t, "", told.lines.size(), simulation.save()});
+    moments.back().result = text_of(simulation.end().front());
+    simulation.restore(moments.back().snapshot);
+  }
+  ASSERT_EQ(moments.back().result, text_of(simulate(this->setup(untouched)).front()));
+  const std::vector<std::string> all = told.lines;
+
+  std::vector<std::size_t> order(moments.size() - 1);
+  std::iota(order.begin(), order.end(), 0u);
+  const std::size_t a_while = std::max<std::size_t>(order.size() / 12, 1);
+  std::shuffle(order.begin(), order.end(), random);
+  for (const std::size_t i : order) {
+    const Moment& from = moments[i];
+    const Moment& to =
+        i % kToTheEnd == 0 || longer() ? moments.back() : moments[std::min(i + a_while, moments.size() - 1)];
+    simulation.restore(from.snapshot);
+    told.lines.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(from.told));
+    simulation.run_until(to.t);
+    ASSERT_EQ(text_of(simulation.end().front()), to.result) << "from " << from.t / kTick << " ms on";
+    ASSERT_THAT(told.lines, ElementsAreArray(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(to.told)))
+        << "from " << from.t / kTick << " ms on";
+  }
+}
+
+const std::string kPony = R"(
+at 100ms press scan 60ms
+at 130ms send radio 3
+at 980ms press scan 60ms
+at 1000ms send radio 0b1101
+at 1150ms fault radio noisy 0.3
+at 1160ms send radio 200
+)" + kThreeSensors;
+
+TEST_F(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
+  use("PidFollower", Target::kFive, "oval");
+  Target::Executor first(*robot_.board, image_), second(*robot_.board, image_);
+  run::Setup setup =
+      this->setup({agent(first, "still", "at 200ms fault left dead\nat 200ms fault right dead"),
+                   agent(second, "none", "")},
+                  2500 * kMillisecond);
+  setup.agents[1].start = grid::parse_start(map_, "20,2,W");
+  Simulation simulation(setup);
+  std::vector<Simulation::Snapshot> snapshots;
+  for (const SimTime t : {100, 1000, 2000}) {
+    simulation.run_until(t * kMillisecond);
+    snapshots.push_back(simulation.save());
+  }
+  const auto the_end = [&] {
+    simulation.run_until(setup.limit);
+    std::string text;
+    for (const judge::Outcome& outcome : simulation.end()) text += text_of(outcome) + '\n';
+    return text;
+  };
+  const std::string due = the_end();
+  EXPECT_THAT(due, HasSubstr("The goal still was reached"));
+  for (const int i : {2, 0, 1}) {
+    simulation.restore(snapshots[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(the_end(), due) << "from snapshot " << i;
+  }
+}
+
+TEST_F(ChipSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
+  struct Run {
+    const char* script;
+    SimTime first, second;  ///< of snapshots
+    const char* verdict;
+  };
+  use("LeftPath", Target::kThree, "a");
+  for (const Run& run :
+       {Run{"at 300ms place 18,5,N\nat 500ms place 4,4,E", 200, 400, "The goal tour was reached"},
+        Run{"at 200ms fault left stuck\nat 200ms fault right stuck", 100, 2000, "The robot is stuck"}}) {
+    Target::Executor executor(*robot_.board, image_);
+    const run::Setup setup = this->setup({agent(executor, "tour", run.script)}, 5 * kSecond);
+    Simulation simulation(setup);
+    std::vector<Simulation::Snapshot> snapshots;
+    for (const SimTime t : {run.first, run.second}) {
+      simulation.run_until(t * kMillisecond);
+      snapshots.push_back(simulation.save());
+    }
+    simulation.run_until(setup.limit);
+    const std::string due = text_of(simulation.end().front());
+    EXPECT_THAT(due, HasSubstr(run.verdict));
+    for (const std::size_t i : {0u, 1u}) {
+      simulation.restore(snapshots[0]);
+      simulation.run_until((run.first + 50) * kMillisecond);
+      simulation.restore(snapshots[i]);
+      simulation.run_until(setup.limit);
+      EXPECT_EQ(text_of(simulation.end().front()), due) << "from snapshot " << i;
+    }
+  }
+}
+
+TEST_F(ChipSnapshots, AreNoOtherSimulations) {
+  use("PidFollower", Target::kFive, "oval");
+  Target::Executor first(*robot_.board, image_), second(*robot_.board, image_);
+  const run::Setup one = setup({agent(first, "none", "")}, kSecond);
+  const run::Setup two = setup({agent(second, "none", "")}, kSecond);
+  Simulation simulation(one), other(two);
+  EXPECT_THROW(other.restore(simulation.save()), std::logic_error);
+}
+
+}  // namespace
+}  // namespace robosim::run

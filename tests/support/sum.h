@@ -1,0 +1,18 @@
+// What runs are compared by.
+#pragma once
+
+#include <cstdint>
+
+namespace robosim::run {
+
+/// A number that is made of many.
+class Sum {
+ public:
+  void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 1099511628211u; }
+  std::uint64_t value() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 1469598103934665603u;
+};
+
+}  // namespace robosim::run
