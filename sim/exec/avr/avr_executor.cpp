@@ -5,6 +5,7 @@
 #include "sim/exec/avr/detect/heap.h"
 #include "sim/exec/avr/detect/losses.h"
 #include "sim/exec/avr/detect/lost_pwm.h"
+#include "sim/exec/avr/detect/nested_loop.h"
 #include "sim/exec/avr/detect/reference_change.h"
 #include "sim/exec/avr/detect/stack_margin.h"
 #include "sim/exec/avr/detect/watchdog_margin.h"
@@ -59,6 +60,7 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(std::make_unique<avr::LostPwm>(machine_, program));
     detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
     detectors_.push_back(std::make_unique<avr::StackMargin>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::NestedLoop>(machine_, program));
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;

@@ -1,0 +1,46 @@
+#include "sim/exec/avr/detect/nested_loop.h"
+
+#include <fmt/format.h>
+
+#include "sim/exec/avr/detect/call_site.h"
+
+namespace robosim::exec::avr {
+namespace {
+
+constexpr std::size_t kFewest = 3, kMost = 64;  // open at once: told; looked at
+
+}  // namespace
+
+NestedLoop::NestedLoop(Machine& machine, const Program& program) : machine_(machine), program_(program) {
+  // Where nobody but main() calls it, it is a part of that.
+  if (const auto begin = program.firmware.find("loop")) machine.chip().show(*this, *begin);
+}
+
+void NestedLoop::visited(std::uint32_t, Cycle) {
+  const robosim::avr::Cpu& cpu = machine_.chip().chip().cpu();
+  const std::uint16_t sp = cpu.sp();
+  while (!open_.empty() && open_.back() <= sp) open_.pop_back();
+  if (open_.size() < kMost) open_.push_back(sp);
+  if (open_.size() <= deepest_) return;
+  deepest_ = open_.size();
+  if (deepest_ < kFewest) return;
+  const double now_s = 1e-9 * static_cast<double>(machine_.now());
+  const int bytes = (open_.front() - sp) / static_cast<int>(deepest_ - 1);
+  const int left = static_cast<int>(machine_.stack().room_bytes()) - (program_.firmware.last_ram - sp);
+  const double first_s = deepest_ == kFewest ? now_s : seen_.first_s;
+  seen_ = {"nested_loop",
+           fmt::format(
+               "loop() is called out of itself, and does not come back: {} are open at {:.2f} s, each takes "
+               "{} bytes of the stack, and {} are left until it reaches the variables",
+               deepest_, now_s, bytes, left > 0 ? left : 0),
+           "Return: main() calls loop() again and again.",
+           program_.debug.place(call_site(cpu)),
+           first_s,
+           static_cast<int>(deepest_ - 1)};
+}
+
+std::vector<Detected> NestedLoop::found() const {
+  return deepest_ < kFewest ? std::vector<Detected>{} : std::vector<Detected>{seen_};
+}
+
+}  // namespace robosim::exec::avr
