@@ -63,7 +63,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),
       state_{.listener = own.listener ? own.listener : &nobody()},
-      stops_({state_.serial, progress_, body_, robot_, board_, number}) {
+      stops_({serial_.text(), progress_, body_, robot_, board_, number}) {
   state_.went_high.resize(board_.spec().pin_count);
   state_.was_output.resize(board_.spec().pin_count);
   state_.was_pulled_up.resize(board_.spec().pin_count);
@@ -85,8 +85,8 @@ bool Agent::may_take_turns() const {
 }
 
 Agent::Saved Agent::save() const {
-  Saved saved{state_, progress_,     judge_,        steering_,      {},
-              hash_,  stops_.save(), robot_.save(), player_.save(), executor_.save()};
+  Saved saved{state_, serial_.save(), progress_,     judge_,         steering_,       {},
+              hash_,  stops_.save(),  robot_.save(), player_.save(), executor_.save()};
   if (board_detectors_) saved.board_detectors = board_detectors_->save();
   return saved;
 }
@@ -101,6 +101,7 @@ void Agent::restore(const Saved& saved) {
   steering_ = saved.steering;
   if (board_detectors_ && saved.board_detectors) board_detectors_->restore(*saved.board_detectors);
   progress_ = saved.progress;
+  serial_.restore(saved.serial);
   state_ = saved.own;
 }
 
@@ -128,7 +129,7 @@ void Agent::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
 void Agent::byte_sent(std::uint8_t byte, SimTime t) {
   hash_.serial(byte, t);
   state_.sent_at = t;
-  if (state_.serial.size() < judge::kSerialKept) state_.serial += static_cast<char>(byte);
+  if (serial_.text().size() < judge::kSerialKept) serial_.add(static_cast<char>(byte));
   player_.hear(byte);
   state_.listener->byte_sent(byte, t);
 }
@@ -240,7 +241,7 @@ void Agent::stand_still(SimTime t, int stop_met) {
   shown.stop = stop_met;
   shown.powered = player_.powered();
   shown.driven = robot_.driven();
-  shown.serial_bytes = state_.serial.size();
+  shown.serial_bytes = serial_.text().size();
   shown.metrics = finished() ? state_.outcome->metrics : metrics();
   shown.resources = finished() ? state_.outcome->resources : executor_.resources();
   state_.sample = sample_at(t);
@@ -369,7 +370,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());
-  outcome.serial = state_.serial;
+  outcome.serial = serial_.text();
   outcome.shown = state_.told;
   outcome.end = body_.pose();
   outcome.eeprom_writes = player_.eeprom_writes();

@@ -15,6 +15,7 @@
 #include "sim/judge/judge.h"
 #include "sim/judge/steering_detectors.h"
 #include "sim/run/board_detectors.h"
+#include "sim/run/kept_text.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
 #include "sim/scenario/scenario_player.h"
@@ -126,7 +127,6 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
-    std::string serial;
     SimTime sent_at = -1;  ///< when its last byte was
     std::string told;      ///< what parts have told, a line each
     run::State shown;
@@ -137,6 +137,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// All that changes during a run, but for its body.
   struct Saved {
     State own;
+    KeptText::Copy serial;
     judge::Progress progress;
     judge::Judge judge;
     std::optional<judge::SteeringDetectors> steering;
@@ -195,6 +196,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
+  KeptText serial_;
   Sample sample_;                         ///< made again and again
   std::vector<robot::Reading> readings_;  ///< for it
   StopConditions stops_;

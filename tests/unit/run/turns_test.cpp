@@ -72,8 +72,8 @@ class Roaming final : public exec::Executor {
 };
 
 /// Of one robot; what all are told comes to one text.
-struct Noting final : Listener {
-  explicit Noting(std::string& text) : all(text) {}
+struct NotingTurns final : Listener {
+  explicit NotingTurns(std::string& text) : all(text) {}
   void sampled(const Sample& s) override {
     all += fmt::format("{} {} {} {} {}\n", s.t, s.pose.position.x, s.pose.heading.y, s.cross_track, s.left);
   }
@@ -97,7 +97,7 @@ robot::Description seeing_robot() {
 class Turns : public testing::TestWithParam<unsigned> {};
 
 // Two of them in each of three streets, which they leave as they like.
-std::string run_of(unsigned seed, bool takes_turns) {
+std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const grid::Map map = grid::read_map(grid::find_map("city"));
   const robot::Description plain = robot::load_description("uno5");
@@ -108,7 +108,7 @@ std::string run_of(unsigned seed, bool takes_turns) {
   if (random() % 4 == 0) scripts[5] = "after serial \"abc\" place 20,15,E\n";
   std::string told;
   std::vector<std::unique_ptr<Roaming>> firmware;
-  std::vector<std::unique_ptr<Noting>> listeners;
+  std::vector<std::unique_ptr<NotingTurns>> listeners;
   Setup setup;
   setup.map = &map;
   setup.seed = seed;
@@ -118,7 +118,7 @@ std::string run_of(unsigned seed, bool takes_turns) {
   const bool some_see = random() % 2;
   for (unsigned i = 0; i < 6; ++i) {
     firmware.push_back(std::make_unique<Roaming>(static_cast<unsigned>(random())));
-    listeners.push_back(std::make_unique<Noting>(told));
+    listeners.push_back(std::make_unique<NotingTurns>(told));
     const std::string start = fmt::format("{},{},E", 8 + random() % 4 + i % 2 * 6, 7 + i / 2 * 4);
     setup.agents.push_back({.robot = some_see && i % 3 == 0 ? &seeing : &plain,
                             .executor = firmware.back().get(),
@@ -140,7 +140,7 @@ std::string run_of(unsigned seed, bool takes_turns) {
 
 TEST_P(Turns, LeaveNoTrace) {
   for (unsigned seed = 10 * GetParam(); seed < 10 * GetParam() + 10; ++seed)
-    ASSERT_EQ(run_of(seed, true), run_of(seed, false)) << "seed " << seed;
+    ASSERT_EQ(turning_run_of(seed, true), turning_run_of(seed, false)) << "seed " << seed;
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
