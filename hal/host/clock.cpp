@@ -40,7 +40,9 @@ SimTime next_due(bool pending) {
   return next < event ? next : event;
 }
 
-void set_deadline(SimTime due) { deadline = state.limit < due ? state.limit : due; }
+void set_deadline(SimTime due) {
+  deadline = polling.again ? state.now : state.limit < due ? state.limit : due;
+}
 
 }  // namespace
 
@@ -53,6 +55,7 @@ void refresh_deadline() {
 
 void reach_deadline() {
   settle_registers();
+  polling.again = false;
   // A low level raises its interrupt again and again: then the firmware's own code still gets a block in
   // between.
   for (int served = 0; served < kVectors;) {

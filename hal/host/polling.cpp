@@ -39,7 +39,8 @@ void break_off() {
   leave();
   if (state.now >= deadline) return;
   polling.known = polling.sure = false;
-  deadline = state.now;  // the next block looks again
+  polling.again = true;
+  deadline = state.now;
 }
 
 void begin_round() {

@@ -29,6 +29,7 @@ struct Polling {
   bool pins = false;   ///< or pins,
   bool once = false;   ///< the round comes to `place` once
   bool calls = false;  ///< or calls something at all
+  bool again = false;  ///< broken off: the next block looks again, whatever is due
   bool sure = false;   ///< the state is on the round of `length`: since it was there it got the same answers
   int patience = 0;    ///< calls that may still break a look off before looks become rarer
   int wait = 0,
