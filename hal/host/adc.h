@@ -60,6 +60,7 @@ class Adc {
   void sync() {
     if (converting_) sync_conversion();
   }
+  bool converts() const { return converting_; }
   bool pending() const { return (control_ & 0x18) == 0x18; }
   bool may_interrupt() const { return control_ & 0x08 && (converting_ || control_ & 0x20); }
   SimTime next() const { return converting_ && control_ & 0x08 ? ready_ : kNever; }

@@ -249,6 +249,14 @@ SimTime next_interrupt(bool with_timer0_overflow) {
   return earlier(earlier(next, wave_due), earlier(timer1.due(), timer2.due()));
 }
 
+SimTime next_alone() {
+  if (rare_used || adc.converts() || uart.sends_by_interrupt()) return 0;
+  if (timer0.pending() | timer1.pending() | timer2.pending() | uart.pending() | pending_external()) return 0;
+  if (watchdog.pending() || adc.pending()) return 0;
+  SimTime next = earlier(earlier(state.next_input, watchdog.due()), earlier(tone_end(), wave_due));
+  return earlier(next, earlier(timer0.due_to_match(), earlier(timer1.due(), timer2.due())));
+}
+
 bool may_interrupt(bool held_back) {
   if (watchdog.may_bite()) return true;
   if (!held_back && !interrupts_enabled()) return false;

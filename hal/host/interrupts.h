@@ -52,6 +52,9 @@ void take_inputs();
 uint32_t pending_interrupts();
 /// When the next enabled flag will be raised; with or without the overflow of Timer 0 that millis() counts.
 SimTime next_interrupt(bool with_timer0_overflow);
+/// If nothing is raised and enabled, and no conversion goes on: when the next thing happens by itself but for
+/// the overflow of Timer 0, whether it interrupts or not. Else 0.
+SimTime next_alone();
 /// Whether an interrupt is enabled that may come though firmware touches no register any more. Those of the
 /// core's clock and of its Serial do not count: they change nothing that a sketch could see without a call.
 /// With `held_back` those count that come only once the I flag is set again.

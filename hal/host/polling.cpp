@@ -1,5 +1,6 @@
 #include "hal/host/polling.h"
 
+#include "hal/host/adc.h"
 #include "hal/host/interrupts.h"
 #include "hal/host/register_memory.h"
 #include "hal/host/timers.h"
@@ -49,14 +50,34 @@ void begin_round() {
   polling.clock = polling.pins = polling.calls = polling.sure = false;
   polling.high = polling.low = PinSet();
   polling.promised = kNever;
+  polling.points = 0;
+}
+
+/// Rounds that call nothing go on through Timer 0's overflow, of which the sketch sees nothing: it is served
+/// at the first of their points behind it, and makes them so much later. False, and nothing is done, unless
+/// that happens in the round that begins now, and nothing else until it has ended; `next` is when that does.
+bool pass_overflow(SimTime next) {
+  int point = 0;
+  while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
+  if (point >= polling.points) return false;
+  const SimTime ends = state.now + polling.length + kOverflowTakes;
+  if (ends >= next || ends >= state.limit) return false;
+  state.now += polling.at[point];
+  timer0.take_overflows();
+  ++handlers_run;
+  __vector_16();
+  state.now = ends;
+  return true;
 }
 
 /// Leaves out rounds; false if there is no time for one.
 bool skip() {
   leave();
-  const SimTime began = state.now, due = next_due();
+  const SimTime began = state.now, next = polling.calls || !interrupts_enabled() ? 0 : next_alone();
+  SimTime due = next_due();
   for (;;) {
     SimTime end = earlier(earlier(due, state.next_input), polling.promised);
+    if (state.late_from > state.now) end = earlier(end, state.late_from);
     // The world may change with each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
@@ -65,11 +86,13 @@ bool skip() {
     const SimTime last = state.now + rounds * polling.length;
     if (last < state.limit) {
       state.now = last;
-      break;
+      if (next == 0 || !pass_overflow(earlier(next, state.next_input))) break;
+      due = earlier(next, timer0.due());
+      continue;
     }
     state.polls = true;
     state.polls_by_calls = polling.calls;
-    state.wake = last;
+    state.wake = next == 0 || polling.points < 0 ? last : next;
     executor->yield();
     state.polls = false;
   }
@@ -106,6 +129,7 @@ bool come_round() {
 
 void begin_look() {
   if (!state.may_skip || polling.on || state.watched || unsettled || in_handler()) return;
+  if (adc.converts() && adc.next() == kNever) return;  // the next conversion begins when it is looked at
   if (state.now >= deadline) return;
   if (polling.left > 0 && --polling.left > 0) return;
   polling.on = true;
@@ -124,6 +148,15 @@ bool look_wants_state() {
   return true;
 }
 
+void add_point() {
+  if (polling.points < 0) return;
+  if (polling.points == Polling::kMostPoints) {
+    polling.points = -1;
+    return;
+  }
+  polling.at[polling.points++] = state.now - polling.since;
+}
+
 bool look_at_block() {
   if (state.now >= polling.until) {
     break_off();
@@ -133,6 +166,7 @@ bool look_at_block() {
     find_nothing();
     return true;
   }
+  note_point();
   if (state.place != polling.place) {
     if (polling.blocks == kFarAway) polling.known = polling.sure = false;
     // Until a place has been met again, a later one is tried after 1, 2, 4, … blocks.

@@ -20,6 +20,8 @@ namespace robosim {
 namespace host {
 
 struct Polling {
+  static constexpr int kMostPoints = 6;
+
   bool on = false;     ///< a look goes on; `deadline` is always over then, and the true one is `until`
   bool known = false;  ///< the executor has the state at `place`
   bool going = false;  ///< a round has begun at `since`
@@ -39,9 +41,13 @@ struct Polling {
   SimTime until = 0;
   SimTime since = 0, length = 0;
   SimTime call_ago = 0, read_ago = 0;  ///< at `place`: since the last call and the last read
-  SimTime promised = kNever;           ///< until when pins are sure to give what they have given
-  uint64_t millis = 0;                 ///< of the round of `length`,
-  PinSet high, low;                    ///< and its pins
+  // Where the round may be interrupted: so long after it has begun, and how often; below 0: more often than
+  // that. Kept of rounds that call nothing.
+  SimTime at[kMostPoints] = {};
+  int points = 0;
+  SimTime promised = kNever;  ///< until when pins are sure to give what they have given
+  uint64_t millis = 0;        ///< of the round of `length`,
+  PinSet high, low;           ///< and its pins
 };
 extern Polling polling;
 
@@ -74,11 +80,17 @@ inline void spend_asking(int count) {
   if (__builtin_expect(state.now >= deadline, 0) && !(polling.on && state.now < polling.until)) spend_late();
 }
 
+void add_point();
+/// A round may be interrupted here.
+inline void note_point() {
+  if (polling.going && !polling.sure && !polling.calls) add_point();
+}
 /// Between two calls of loop(), which is no place to look at: it has none of its own in the sketch.
 inline void spend_between_loops(int count) {
   state.now += cycles(count);
-  if (__builtin_expect(state.now >= deadline, 0) && !(polling.on && state.now < polling.until))
-    block_at_deadline();
+  if (__builtin_expect(state.now < deadline, 1)) return;
+  if (polling.on && state.now < polling.until) return note_point();
+  block_at_deadline();
 }
 
 }  // namespace host

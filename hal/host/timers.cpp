@@ -349,9 +349,9 @@ PinDrive Timer::drive(int channel) const {
 }  // namespace host
 }  // namespace robosim
 
-/// The core's handler of Timer 0's overflow (wiring.c).
+// As in the core's wiring.c.
 static_assert(robosim::host::kTimer0Overflow == 16, "the handler's name");
 extern "C" void __vector_16() {
-  robosim::host::state.now += robosim::host::cycles(robosim::host::cost::kTimer0Overflow);
+  robosim::host::state.now += robosim::host::kOverflowTakes;
   robosim::host::count_overflows(1);
 }

@@ -70,6 +70,8 @@ class Timer {
   SimTime due() const { return due_; }
   /// Of timer 0: the same without the overflow.
   SimTime due_to_match() const { return due_to_match_; }
+  /// Whether its overflow is due, and no match. take_overflows() then lets its handler start at once.
+  bool overflows_next() const { return state.now >= due_of_[0] && state.now < due_to_match_; }
   /// Flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
   /// The handler of `flag` starts.
@@ -242,6 +244,10 @@ struct Timer0Count {
   uint64_t overflows;  ///< what micros() counts
 };
 extern Timer0Count timer0_count;
+constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);
 
 }  // namespace host
 }  // namespace robosim
+
+/// The handler of Timer 0's overflow, which takes kOverflowTakes.
+extern "C" void __vector_16();

@@ -46,6 +46,7 @@ class Uart {
     if (control_ & (kTxcie | kUdrie)) return pending_to_send();
     return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
   }
+  bool sends_by_interrupt() const { return control_ & (kTxcie | kUdrie); }
   SimTime next() const { return control_ & (kTxcie | kUdrie) ? next_to_send() : kNever; }
   /// Whether there may be one whose handler is not Serial's.
   bool may_interrupt() const;

@@ -7,10 +7,10 @@
 namespace robosim::exec {
 namespace {
 
-/// A level that changes now and then, and says when next.
+/// A level that changes now and then, and says when next; of volts each sample is another one.
 class Changing final : public PinSource {
  public:
-  double volts(SimTime t) override { return level(t) ? 5.0 : 0.0; }
+  double volts(SimTime t) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
   bool level(SimTime t) override {
     ++asked;
     return t / kHalf % 2 != 0;
@@ -18,7 +18,7 @@ class Changing final : public PinSource {
   SimTime same_until(SimTime t) override { return (t / kHalf + 1) * kHalf; }
 
   static constexpr SimTime kHalf = 7'300'001;
-  int asked = 0;
+  int asked = 0, measured = 0;
 };
 
 class Polling : public HostTest {
@@ -37,9 +37,10 @@ class Polling : public HostTest {
     host_ = std::make_unique<HostExecutor>(*find_board("uno"), build(text));
     host_->skip_waiting(skips);
     Changing changing;
-    board().connect(4, changing);
+    for (const Pin pin : {4, 18}) board().connect(pin, changing);
     for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
     board().watch_serial(*this);
+    host_->set_lateness({{50'200'000, 3'300'000}, {110'100'000, -2'000'000}, {250'700'000, 700'000}});
     host_->power_on(0);
     Run run;
     for (int tick = 0; tick < 400; ++tick) {
@@ -127,6 +128,40 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "= "
       "_BV(OCIE1A); }\n"
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
+}
+
+// Timer 0 overflows again and again meanwhile, and its handler makes the rounds later, wherever in one it
+// comes.
+TEST_F(Polling, OfAFlagThatIsSeldomSet) {
+  const std::string begin =
+      "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"
+      "ISR(TIMER1_COMPA_vect) { flag = true; }\n"
+      "__attribute__((noinline)) bool is_set() { return flag; }\n"
+      "void setup() {\n"
+      "  Serial.begin(115200); TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS12); OCR1A = 4321; TIMSK1 = "
+      "_BV(OCIE1A);\n"
+      "}\n";
+  const std::string end = "  flag = false; Serial.println(micros()); Serial.println(millis());\n}\n";
+  for (const char* const wait :
+       {"while (!flag);", "while (!is_set()) { if (other) rounds = 3; else rounds = 5; }",
+        "if (!flag) return;", "while (!flag) rounds ^= 1;",
+        "while (!flag) for (rounds = 0; rounds < 4; ++rounds);",
+        "while (!flag) for (rounds = 0; rounds < 9; ++rounds);"}) {
+    same(begin + "void loop() {\n" + wait + end);
+    EXPECT_THAT(numbers(), testing::SizeIs(testing::Gt(8))) << wait;
+  }
+}
+
+// It converts whether somebody asks or not; each conversion begins when the last one is seen to be over.
+TEST_F(Polling, WhileTheConverterRunsFreely) {
+  same(
+      "unsigned long last, sum;\n"
+      "void setup() { Serial.begin(9600); ADMUX = _BV(REFS0); ADCSRA = _BV(ADEN) | _BV(ADSC) | _BV(ADATE) | "
+      "5; }\n"
+      "void loop() {\n"
+      "  if (millis() - last < 26) return;\n"
+      "  last = millis(); sum += analogRead(4); Serial.println(sum); Serial.println(micros());\n"
+      "}\n");
 }
 
 TEST_F(Polling, OfSerial) {
