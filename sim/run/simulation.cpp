@@ -40,6 +40,7 @@ struct Simulation::Inside final : Standstill {
   bool stand_still(SimTime t);
   bool leg_ends(SimTime t);
   bool tick(SimTime t);
+  void go_alone(SimTime end);
   bool look_of(Agent& agent, SimTime end);
   SimTime turns_end(SimTime t, SimTime end) const;
   bool take_turns(SimTime t, SimTime end);
@@ -160,6 +161,27 @@ inline bool Simulation::Inside::tick(SimTime t) {
   const bool left = look(end);
   if (end % kRestSpan == 0) rests_until = rest_from(end);
   return left;
+}
+
+// Ticks of a lone robot that no controller drives, from clock.t up to the next look whether it rests, or less:
+// clock.t is then the last of them.
+void Simulation::Inside::go_alone(SimTime end) {
+  Agent& agent = *agents.front();
+  const SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
+  if (rested) catch_up(clock.t);
+  note_acting(0);
+  const bool plane = !world.ground();
+  for (;; clock.t += kTick) {
+    if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
+    agent.act(clock.t);
+    agent.run_firmware(clock.t + kTick);
+    if (plane)
+      world.step_alone(0);
+    else
+      world.step();
+    if (agent.look(clock.t + kTick) || clock.t + kTick >= until || wants_to_stop()) break;
+  }
+  if ((clock.t + kTick) % kRestSpan == 0) rests_until = rest_from(clock.t + kTick);
 }
 
 // The same, of agents at rest.
@@ -317,7 +339,13 @@ void Simulation::Inside::run_until(SimTime end) {
       if (take_turns(clock.t, turns_end(clock.t, end))) continue;
       turns_from = clock.t - clock.t % kRestSpan + kRestSpan;
     }
-    const bool left = clock.t < rests_until ? rest(clock.t) : tick(clock.t);
+    bool left = false;
+    if (clock.t < rests_until)
+      left = rest(clock.t);
+    else if (agents.size() == 1 && !setup.controller)
+      go_alone(end);
+    else
+      left = tick(clock.t);
     if (rested) rest_on(end);
     if (wants_to_stop() && clock.t >= rests_until) interrupt(clock.t + kTick);
     clock.leg_over = setup.controller && (leg_ends(clock.t + kTick) || left);

@@ -80,6 +80,8 @@ class HostExecutor::Instance final : public host::Host {
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
+  /// Nobody wants to know, and nothing is known.
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
@@ -361,6 +363,7 @@ void HostExecutor::restart() {
 
 void HostExecutor::look_at_silence() {
   const SimTime since = last_call();
+  if (reached_ - since < Silence::kFirstLook && reached_ >= watch_until_ && instance_->is_unwatched()) return;
   if (!silence_.lasts_since(since)) instance_->has_called();
   if (silence_.is_time(since, reached_)) watch_until_ = reached_ + kWatch;
   instance_->watch(reached_ < watch_until_ && !instance_->hangs());
