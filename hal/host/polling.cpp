@@ -44,24 +44,36 @@ void break_off() {
   deadline = state.now;
 }
 
+void look_on() {
+  polling.on = true;
+  polling.until = deadline;
+  polling.blocks = polling.visits = 0;
+  polling.next_place = polling.next_take = 1;
+  deadline = -1;
+  unsettled = break_off;
+}
+
 void begin_round() {
   polling.going = polling.once = true;
   polling.since = state.now;
   polling.clock = polling.pins = polling.calls = polling.sure = false;
   polling.high = polling.low = PinSet();
   polling.promised = kNever;
-  polling.points = 0;
+  polling.points = polling.reads = 0;
 }
 
-/// Rounds that call nothing go on through Timer 0's overflow, of which the sketch sees nothing: it is served
-/// at the first of their points behind it, and makes them so much later. False, and nothing is done, unless
-/// that happens in the round that begins now, and nothing else until it has ended; `next` is when that does.
-bool pass_overflow(SimTime next) {
-  int point = 0;
+/// Rounds go on through Timer 0's overflow where they see nothing of it: it is served at the first of their
+/// points behind it, and makes what follows so much later. False, and nothing is done, unless that happens in
+/// the round that begins now, and nothing else until it has ended; `next` is when that does. Else `shift` is
+/// by how much more than its end the round's last call is late.
+bool pass_overflow(SimTime next, SimTime& shift) {
+  int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
   if (point >= polling.points) return false;
+  if (polling.reads > 0 && timer0.due() <= state.now + polling.at[polling.reads - 1]) return false;
   const SimTime ends = state.now + polling.length + kOverflowTakes;
   if (ends >= next || ends >= state.limit) return false;
+  shift = polling.length - polling.call_ago < polling.at[point] ? kOverflowTakes : 0;
   state.now += polling.at[point];
   timer0.take_overflows();
   ++handlers_run;
@@ -70,14 +82,18 @@ bool pass_overflow(SimTime next) {
   return true;
 }
 
+/// Whether what Timer 0's interrupt counts is no longer what the round has read.
+bool reads_anew() { return polling.clock && timer0_count.millis != polling.millis; }
+
 /// Leaves out rounds; false if there is no time for one.
 bool skip() {
   leave();
-  const SimTime began = state.now, next = polling.calls || !interrupts_enabled() ? 0 : next_alone();
-  SimTime due = next_due();
+  const SimTime began = state.now, next = polling.pins || !interrupts_enabled() ? 0 : next_alone();
+  SimTime due = next > 0 ? earlier(next, timer0.due()) : next_due(), shift = 0;
   for (;;) {
-    SimTime end = earlier(earlier(due, state.next_input), polling.promised);
-    if (state.late_from > state.now) end = earlier(end, state.late_from);
+    const SimTime others =
+        state.late_from > state.now ? earlier(state.next_input, state.late_from) : state.next_input;
+    SimTime end = earlier(earlier(due, others), polling.promised);
     // The world may change with each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
@@ -85,28 +101,30 @@ bool skip() {
     if (polling.pins && rounds > 0) --rounds;
     const SimTime last = state.now + rounds * polling.length;
     if (last < state.limit) {
+      if (rounds > 0) shift = 0;
       state.now = last;
-      if (next == 0 || !pass_overflow(earlier(next, state.next_input))) break;
+      if (next == 0 || !pass_overflow(earlier(next, others), shift)) break;
       due = earlier(next, timer0.due());
+      if (reads_anew()) break;
       continue;
     }
     state.polls = true;
     state.polls_by_calls = polling.calls;
-    state.wake = next == 0 || polling.points < 0 ? last : next;
+    state.wake = next == 0 || polling.points < 0 || polling.clock ? last : next;
     executor->yield();
     state.polls = false;
   }
   deadline = earlier(due, state.limit);
   if (interrupts_enabled()) deadline = earlier(deadline, state.next_input);
   if (state.now == began) return false;
-  if (polling.calls) state.last_call = state.now - polling.call_ago;
+  if (polling.calls) state.last_call = state.now - polling.call_ago - shift;
   if (polling.read_ago < polling.length) state.read_at = state.now - polling.read_ago;
   return true;
 }
 
 /// It is at `place` in the same state again.
 bool come_round() {
-  if (polling.clock && timer0_count.millis != polling.millis) {
+  if (reads_anew()) {
     begin_round();
     return true;
   }
@@ -118,6 +136,11 @@ bool come_round() {
   if (skip()) {
     polling.wait = polling.left = 0;
     polling.patience = kPatience;
+    if (reads_anew() && state.now < deadline) {
+      look_on();
+      begin_round();
+      return true;
+    }
   } else {
     polling.until = deadline;
     find_nothing();
@@ -132,14 +155,9 @@ void begin_look() {
   if (adc.converts() && adc.next() == kNever) return;  // the next conversion begins when it is looked at
   if (state.now >= deadline) return;
   if (polling.left > 0 && --polling.left > 0) return;
-  polling.on = true;
-  polling.until = deadline;
   polling.going = false;
-  polling.blocks = polling.visits = 0;
-  polling.next_place = polling.next_take = 1;
   if (!polling.known) polling.place = nullptr;
-  deadline = -1;
-  unsettled = break_off;
+  look_on();
 }
 
 bool look_wants_state() {

@@ -42,9 +42,9 @@ struct Polling {
   SimTime since = 0, length = 0;
   SimTime call_ago = 0, read_ago = 0;  ///< at `place`: since the last call and the last read
   // Where the round may be interrupted: so long after it has begun, and how often; below 0: more often than
-  // that. Kept of rounds that call nothing.
+  // that. Up to the first of them behind `reads` it may see what Timer 0's interrupt counts.
   SimTime at[kMostPoints] = {};
-  int points = 0;
+  int points = 0, reads = 0;
   SimTime promised = kNever;  ///< until when pins are sure to give what they have given
   uint64_t millis = 0;        ///< of the round of `length`,
   PinSet high, low;           ///< and its pins
@@ -71,20 +71,23 @@ inline void note_level(Pin pin, bool high) {
 /// It has asked for what Timer 0's interrupt counts.
 inline void note_clock() {
   polling.clock = true;
+  polling.reads = polling.points + 1;  // when its time is spent
   if (timer0_count.millis != polling.millis) leave_round();
+}
+void add_point();
+/// A round may be interrupted here.
+inline void note_point() {
+  if (polling.going && !polling.sure && !polling.pins) add_point();
 }
 void spend_late();
 /// Work in a call that changes nothing.
 inline void spend_asking(int count) {
   state.now += cycles(count);
-  if (__builtin_expect(state.now >= deadline, 0) && !(polling.on && state.now < polling.until)) spend_late();
+  if (__builtin_expect(state.now < deadline, 1)) return;
+  if (polling.on && state.now < polling.until) return note_point();
+  spend_late();
 }
 
-void add_point();
-/// A round may be interrupted here.
-inline void note_point() {
-  if (polling.going && !polling.sure && !polling.calls) add_point();
-}
 /// Between two calls of loop(), which is no place to look at: it has none of its own in the sketch.
 inline void spend_between_loops(int count) {
   state.now += cycles(count);

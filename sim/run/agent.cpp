@@ -44,6 +44,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
       setup_(stage.setup),
       number_(number),
       executor_(*own.executor),
+      crash_(executor_.crash()),
       start_(own.start ? *own.start : grid::default_start(*setup_.map)),
       network_(grid::trace_reachable(*setup_.map, start_)),
       goal_(own.goal ? *own.goal : judge::default_goal(*setup_.map, network_)),
@@ -272,7 +273,7 @@ bool Agent::exceeds_budget() {
 
 inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   if (progress_.reached()) return judge::Verdict::reached;
-  if (executor_.crash()) return judge::Verdict::crashed;
+  if (crash_) return judge::Verdict::crashed;
   if (end % kBudgetEvery == 0 && exceeds_budget()) return judge::Verdict::over_budget;
   const bool powered = player_.powered();
   judge::Situation now{end,

@@ -79,7 +79,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
   void begin_rest(SimTime t) { robot_.begin_tick(t); }
-  bool has_crashed() const { return executor_.crash().has_value(); }
+  bool has_crashed() const { return crash_.has_value(); }
   /// 4, at the end of one.
   void rest(SimTime end);
   /// Behind such ticks, before anything else happens at `t`: as if it had looked all the time.
@@ -180,6 +180,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   const Setup& setup_;
   const int number_;
   exec::Executor& executor_;
+  const std::optional<exec::Crash>& crash_;  ///< the executor's
   const grid::Start start_;
   const grid::Network network_;
   const judge::Goal goal_;

@@ -12,7 +12,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.goal = &goal_;
   e.progress = &progress_;
   e.judge = &judge_;
-  e.crash = executor_.crash();
+  e.crash = crash_;
   e.divisions_by_zero = executor_.divisions_by_zero();
   e.exceeded = state_.exceeded;
   e.int_bits = executor_.int_bits();

@@ -3,85 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
-#include <tuple>
 
-#include "sim/run/agent.h"
-#include "sim/world/world.h"
+#include "sim/run/inside.h"
 
 namespace robosim::run {
-namespace {
-
-constexpr SimTime kTurn = 5 * kRestSpan;  // at most: so that robots need not be far apart
-
-}  // namespace
-
-struct Simulation::Inside final : Standstill {
-  explicit Inside(const Setup& from);
-
-  const Agent& agent(int number) const;
-  int agent_count() const override { return static_cast<int>(agents.size()); }
-  const State& state(int number) const override { return agent(number).state(); }
-  const Sample& sample(int number) const override { return agent(number).sample(); }
-  const judge::Outcome* outcome(int number) const override { return agent(number).outcome(); }
-  std::vector<std::uint8_t> eeprom(int number) const override { return agent(number).eeprom(); }
-  void add(std::vector<scenario::Step> steps, int number) override {
-    if (agent(number).finished())
-      throw InputError("the robot has its verdict: nothing more can be done to it");
-    agents[static_cast<std::size_t>(number)]->add(std::move(steps));
-  }
-  void check(const Leg& leg) const override;
-
-  void add_agent(const AgentSetup& own);
-  void note_acting(std::size_t number) const {
-    if (setup.acting) setup.acting->store(static_cast<int>(number), std::memory_order_relaxed);
-  }
-  bool stand_still(SimTime t);
-  bool leg_ends(SimTime t);
-  bool tick(SimTime t);
-  void go_alone(SimTime end);
-  bool look_of(Agent& agent, SimTime end);
-  SimTime turns_end(SimTime t, SimTime end) const;
-  bool take_turns(SimTime t, SimTime end);
-  void take_turn(std::size_t number, SimTime t, SimTime end);
-  void go_together(SimTime t, SimTime end);
-  void tell_in_order();
-  bool rest(SimTime t);
-  void rest_on(SimTime end);
-  bool look(SimTime end);
-  void catch_up(SimTime t);
-  SimTime rest_from(SimTime end) const;
-  bool wants_to_stop() const {
-    return setup.interrupted && setup.interrupted->load(std::memory_order_relaxed);
-  }
-  void interrupt(SimTime t);
-  void run_until(SimTime end);
-  bool over() const {
-    for (const auto& agent : agents)
-      if (!agent->finished()) return false;
-    return true;
-  }
-
-  struct Clock {
-    SimTime t = 0;
-    bool leg_over = true;
-  };
-
-  const Setup& setup;
-  const grid::Stripes stripes;
-  world::World world;
-  std::vector<std::unique_ptr<Agent>> agents;
-  Clock clock;
-  SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does
-  bool rested = false;      // the last tick was such a one, and nothing did
-  bool takes_turns;
-  SimTime turns_from = 0;      // before, it is not tried
-  std::vector<double> sights;  // of the agents
-  std::vector<std::size_t> together;
-  std::vector<Agent::Untold> untold;
-};
-
 struct Simulation::Snapshot::Saved {
   const Inside* of = nullptr;
   Inside::Clock clock;
@@ -163,8 +89,8 @@ inline bool Simulation::Inside::tick(SimTime t) {
   return left;
 }
 
-// Ticks of a lone robot that no controller drives, from clock.t up to the next look whether it rests, or less:
-// clock.t is then the last of them.
+// Ticks of a lone robot that no controller drives, from clock.t up to the next look whether it rests, or
+// less: clock.t is then the last of them.
 void Simulation::Inside::go_alone(SimTime end) {
   Agent& agent = *agents.front();
   const SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
@@ -198,107 +124,16 @@ bool Simulation::Inside::rest(SimTime t) {
     rested = true;
     return false;
   }
+  return stir(t);
+}
+
+// Something has happened in the tick at `t`. Whether somebody left while others go on.
+bool Simulation::Inside::stir(SimTime t) {
+  const SimTime end = t + kTick;
   if (rested) catch_up(t);
   const bool left = look(end);
   if (!world.is_still()) rests_until = end;
   return left;
-}
-
-inline bool Simulation::Inside::look(SimTime end) {
-  world.step();
-  bool left = false;
-  for (const auto& agent : agents) left |= look_of(*agent, end);
-  return left;
-}
-
-// Whether it has its verdict now, while others go on.
-inline bool Simulation::Inside::look_of(Agent& agent, SimTime end) {
-  if (agent.finished() || !agent.look(end) || over()) return false;
-  agent.leave(end);
-  return true;
-}
-
-// Until when robots that are apart may go on from `t`, each by itself: up to then no script does anything,
-// and nobody wants to see all of them at one time. `t`: not at all.
-SimTime Simulation::Inside::turns_end(SimTime t, SimTime end) const {
-  if (wants_to_stop()) return t;
-  SimTime until = std::min(end, t - t % kTurn + kTurn);
-  for (const auto& agent : agents) until = std::min(until, agent->acts_at(t));
-  return until;
-}
-
-// The same as ticks from `t` up to `end`, or less: those that are apart from all others go there one by one,
-// then the others in step. So a robot's state and its copy of the firmware are used again while they are in
-// caches. False, and nothing is done, where they are not apart.
-bool Simulation::Inside::take_turns(SimTime t, SimTime end) {
-  if (end < t + 2 * kTick) return false;
-  const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
-  const auto most = static_cast<std::ptrdiff_t>(agents.size() / 2);
-  if (const SimTime soon = t - t % kRestSpan + kRestSpan;
-      soon < end && std::count(apart->begin(), apart->end(), true) < most) {
-    end = soon;
-    apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
-  }
-  together.clear();
-  for (std::size_t i = 0; i < agents.size(); ++i)
-    if (!(*apart)[i]) together.push_back(i);
-  if (together.size() == agents.size()) return false;
-  if (rested) catch_up(t);
-  for (std::size_t i = 0; i < agents.size(); ++i)
-    if ((*apart)[i]) take_turn(i, t, end);
-  if (!together.empty()) go_together(t, end);
-  if (!untold.empty()) tell_in_order();
-  clock.t = end - kTick;
-  if (over()) {
-    clock.t = 0;
-    for (const auto& agent : agents) clock.t = std::max(clock.t, agent->outcome()->time - kTick);
-  } else if (end % kRestSpan == 0) {
-    rests_until = rest_from(end);
-  }
-  return true;
-}
-
-void Simulation::Inside::take_turn(std::size_t number, SimTime t, SimTime end) {
-  Agent& agent = *agents[number];
-  agent.tell_later(&untold);
-  note_acting(number);
-  for (bool goes_on = true; t < end && goes_on; t += kTick) {
-    if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
-    agent.act(t);
-    agent.run_firmware(t + kTick);
-    world.step_alone(number);
-    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // or it is the last
-  }
-  agent.tell_later(nullptr);
-}
-
-void Simulation::Inside::go_together(SimTime t, SimTime end) {
-  for (const std::size_t i : together) agents[i]->tell_later(&untold);
-  for (; t < end; t += kTick) {
-    if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
-    for (const std::size_t i : together) agents[i]->act(t);
-    for (const std::size_t i : together) {
-      note_acting(i);
-      agents[i]->run_firmware(t + kTick);
-    }
-    world.step_together(together);
-    for (const std::size_t i : together) look_of(*agents[i], t + kTick);
-    if (over()) break;
-  }
-  for (const std::size_t i : together) agents[i]->tell_later(nullptr);
-}
-
-void Simulation::Inside::tell_in_order() {
-  std::stable_sort(untold.begin(), untold.end(), [](const Agent::Untold& one, const Agent::Untold& other) {
-    return std::tuple(one.tick, one.step, one.agent) < std::tuple(other.tick, other.step, other.agent);
-  });
-  for (const Agent::Untold& one : untold) {
-    if (const auto* event = std::get_if<wire::RunEvent>(&one.what))
-      one.listener->happened(*event);
-    else
-      one.listener->sampled(std::get<Sample>(one.what));
-  }
-  untold.clear();
 }
 
 void Simulation::Inside::catch_up(SimTime t) {
@@ -320,10 +155,21 @@ void Simulation::Inside::interrupt(SimTime t) {
 
 // The ticks behind a tick of rest, as long as they are of rest, too.
 void Simulation::Inside::rest_on(SimTime end) {
-  while (rested && clock.t + kTick < rests_until && clock.t + 2 * kTick < end && !wants_to_stop()) {
+  const SimTime until = std::min(rests_until, end - kTick);
+  Agent* const lone = agents.size() == 1 ? agents.front().get() : nullptr;
+  while (rested && clock.t + kTick < until && !wants_to_stop()) {
     clock.t += kTick;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    rest(clock.t);
+    if (!lone) {
+      rest(clock.t);
+      continue;
+    }
+    lone->begin_rest(clock.t);
+    if (lone->run_firmware(clock.t + kTick) || lone->has_crashed()) {
+      stir(clock.t);
+      return;
+    }
+    lone->rest(clock.t + kTick);
   }
 }
 

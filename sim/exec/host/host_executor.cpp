@@ -61,9 +61,7 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   static void catch_faults();
-
   const host::FirmwareState& state() const { return state_; }
-
   void count(host::CounterSink& sink) const {
     if (image_.entry().counters) image_.entry().counters(sink);
   }
@@ -80,8 +78,7 @@ class HostExecutor::Instance final : public host::Host {
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
-  /// Nobody wants to know, and nothing is known.
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and nothing is known
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }

@@ -1,0 +1,95 @@
+// The inside of a simulation: its agents, and the ways in which they go from tick to tick (simulation.cpp;
+// turns.cpp).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "sim/run/agent.h"
+#include "sim/run/simulation.h"
+#include "sim/world/world.h"
+
+namespace robosim::run {
+
+struct Simulation::Inside final : Standstill {
+  explicit Inside(const Setup& from);
+
+  const Agent& agent(int number) const;
+  int agent_count() const override { return static_cast<int>(agents.size()); }
+  const State& state(int number) const override { return agent(number).state(); }
+  const Sample& sample(int number) const override { return agent(number).sample(); }
+  const judge::Outcome* outcome(int number) const override { return agent(number).outcome(); }
+  std::vector<std::uint8_t> eeprom(int number) const override { return agent(number).eeprom(); }
+  void add(std::vector<scenario::Step> steps, int number) override {
+    if (agent(number).finished())
+      throw InputError("the robot has its verdict: nothing more can be done to it");
+    agents[static_cast<std::size_t>(number)]->add(std::move(steps));
+  }
+  void check(const Leg& leg) const override;
+
+  void add_agent(const AgentSetup& own);
+  void note_acting(std::size_t number) const {
+    if (setup.acting) setup.acting->store(static_cast<int>(number), std::memory_order_relaxed);
+  }
+  bool stand_still(SimTime t);
+  bool leg_ends(SimTime t);
+  bool tick(SimTime t);
+  void go_alone(SimTime end);
+  bool look_of(Agent& agent, SimTime end);
+  SimTime turns_end(SimTime t, SimTime end) const;
+  bool take_turns(SimTime t, SimTime end);
+  void take_turn(std::size_t number, SimTime t, SimTime end);
+  void go_together(SimTime t, SimTime end);
+  void tell_in_order();
+  bool rest(SimTime t);
+  bool stir(SimTime t);
+  void rest_on(SimTime end);
+  bool look(SimTime end);
+  void catch_up(SimTime t);
+  SimTime rest_from(SimTime end) const;
+  bool wants_to_stop() const {
+    return setup.interrupted && setup.interrupted->load(std::memory_order_relaxed);
+  }
+  void interrupt(SimTime t);
+  void run_until(SimTime end);
+  bool over() const {
+    for (const auto& agent : agents)
+      if (!agent->finished()) return false;
+    return true;
+  }
+
+  struct Clock {
+    SimTime t = 0;
+    bool leg_over = true;
+  };
+
+  const Setup& setup;
+  const grid::Stripes stripes;
+  world::World world;
+  std::vector<std::unique_ptr<Agent>> agents;
+  Clock clock;
+  SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does
+  bool rested = false;      // the last tick was such a one, and nothing did
+  bool takes_turns;
+  SimTime turns_from = 0;      // before, it is not tried
+  std::vector<double> sights;  // of the agents
+  std::vector<std::size_t> together;
+  std::vector<Agent::Untold> untold;
+};
+
+inline bool Simulation::Inside::look(SimTime end) {
+  world.step();
+  bool left = false;
+  for (const auto& agent : agents) left |= look_of(*agent, end);
+  return left;
+}
+
+// Whether it has its verdict now, while others go on.
+inline bool Simulation::Inside::look_of(Agent& agent, SimTime end) {
+  if (agent.finished() || !agent.look(end) || over()) return false;
+  agent.leave(end);
+  return true;
+}
+
+}  // namespace robosim::run
