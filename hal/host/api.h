@@ -24,6 +24,7 @@ __attribute__((always_inline)) inline void note_arguments(const char* name, Pin 
 __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
                                                      int32_t first = 0, int32_t second = 0) {
   if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
+  state.touched = true;
   state.place = __builtin_return_address(0);
   if (!in_handler()) note_arguments(name, pin, arguments, first, second);
 }

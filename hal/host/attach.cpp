@@ -13,7 +13,7 @@ using robosim::Pin;
 namespace {
 
 void (*attached[host::kExternals])();
-void (*attached_to_line[host::kPins])();
+ROBOSIM_SETTINGS void (*attached_to_line[host::kPins])();
 
 void run_attached(int number) {
   host::spend(cost::kAttachedHandler);

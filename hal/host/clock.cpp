@@ -30,7 +30,7 @@ void yield_to_executor(SimTime wake) {
 }
 
 /// When the next thing happens that does not ask whether interrupts are enabled.
-SimTime next_event() { return watchdog.due() < tone_end() ? watchdog.due() : tone_end(); }
+SimTime next_event() { return watchdog.due() < tone_end ? watchdog.due() : tone_end; }
 
 /// `pending`: an interrupt waits to be served.
 SimTime next_due(bool pending) {

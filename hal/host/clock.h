@@ -8,6 +8,8 @@
 
 /// Of variables that image.h calls the clockwork: they lie together.
 #define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
+/// Of large ones that image.h calls settings.
+#define ROBOSIM_SETTINGS __attribute__((section("robosim_settings")))
 /// What few sketches come to, or seldom, is made small: images are read, and hashed, whenever a run begins.
 #define ROBOSIM_RARE __attribute__((cold))
 

@@ -63,7 +63,10 @@ void set_level(uint8_t pin, bool level) {
 int timer_cost(uint8_t pin) { return host::timer_of(pin).timer < 0 ? 0 : cost::kTimerPin; }
 
 bool get_level(uint8_t pin) {
-  if (disconnect(pin)) host::refresh_pin(pin);
+  if (disconnect(pin)) {
+    host::state.touched = true;
+    host::refresh_pin(pin);
+  }
   return host::read_pin(pin);
 }
 

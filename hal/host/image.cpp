@@ -23,6 +23,9 @@ extern const char _end[] __attribute__((visibility("hidden")));
 // Those of its clockwork.
 extern const char __start_robosim_clockwork[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_clockwork[] __attribute__((visibility("hidden")));
+// And of its settings.
+extern const char __start_robosim_settings[] __attribute__((visibility("hidden")));
+extern const char __stop_robosim_settings[] __attribute__((visibility("hidden")));
 }
 
 /// The core's main() unless the sketch has its own.
@@ -92,6 +95,8 @@ const host::Image robosim_image = {host::kImageVersion,
                                    _end,
                                    __start_robosim_clockwork,
                                    __stop_robosim_clockwork,
+                                   __start_robosim_settings,
+                                   __stop_robosim_settings,
                                    host::may_interrupt,
                                    host::kCounters};
 

@@ -20,7 +20,7 @@ namespace robosim {
 namespace host {
 
 /// Incremented with every change of what is declared here: an image of another version is refused.
-constexpr uint32_t kImageVersion = 15;
+constexpr uint32_t kImageVersion = 16;
 
 /// Something that reaches the chip from outside, whether or not firmware is looking.
 struct Input {
@@ -137,6 +137,7 @@ struct FirmwareState {
   bool polls = false;                ///< at a yield: it goes rounds that change nothing until `wake`,
   bool polls_by_calls = false;       ///< in which it calls the API
   size_t heap_used = 0;              ///< bytes of the arena that malloc has ever given, with all before them
+  bool touched = true;               ///< more has been done than to ask, since the executor cleared this
   bool endless = false;              ///< in a loop without any block
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };
@@ -166,6 +167,9 @@ struct Image {
   /// change.
   const char* clockwork_begin;
   const char* clockwork_end;
+  /// Variables of the core that stay as they are unless FirmwareState::touched.
+  const char* settings_begin;
+  const char* settings_end;
   /// Whether an interrupt is enabled, other than those of the core's clock and its Serial, that may come
   /// though firmware calls nothing; or would be, were the I flag set, with `held_back`. It is clear in
   /// handlers and where firmware reads what handlers write. To be called outside the fiber, as is the next.

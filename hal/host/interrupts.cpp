@@ -219,6 +219,7 @@ void take_inputs() {
 }
 
 void sync_peripherals() {
+  state.touched = true;
   sync_waves();
   timer0.sync();
   timer1.sync();
@@ -253,7 +254,7 @@ SimTime next_alone() {
   if (rare_used || adc.converts() || uart.sends_by_interrupt()) return 0;
   if (timer0.pending() | timer1.pending() | timer2.pending() | uart.pending() | pending_external()) return 0;
   if (watchdog.pending() || adc.pending()) return 0;
-  SimTime next = earlier(earlier(state.next_input, watchdog.due()), earlier(tone_end(), wave_due));
+  SimTime next = earlier(earlier(state.next_input, watchdog.due()), earlier(tone_end, wave_due));
   return earlier(next, earlier(timer0.due_to_match(), earlier(timer1.due(), timer2.due())));
 }
 

@@ -160,21 +160,6 @@ void begin_look() {
   look_on();
 }
 
-bool look_wants_state() {
-  if (polling.sure || state.now >= polling.until || state.place != polling.place) return false;
-  polling.take = !polling.known;
-  return true;
-}
-
-void add_point() {
-  if (polling.points < 0) return;
-  if (polling.points == Polling::kMostPoints) {
-    polling.points = -1;
-    return;
-  }
-  polling.at[polling.points++] = state.now - polling.since;
-}
-
 bool look_at_block() {
   if (state.now >= polling.until) {
     break_off();

@@ -55,7 +55,11 @@ extern Polling polling;
 void begin_look();
 /// A block begins during a look. Whether the executor is to compare the state or, as `polling.take` says, to
 /// take it; what follows from that: false if the look is over, and what is due has to be done.
-bool look_wants_state();
+inline bool look_wants_state() {
+  if (polling.sure || state.now >= polling.until || state.place != polling.place) return false;
+  polling.take = !polling.known;
+  return true;
+}
 bool look_at_block();
 void look_at_level(Pin pin, bool high);
 /// It has got another answer than in the round of `length`, or a handler has run.
@@ -74,10 +78,13 @@ inline void note_clock() {
   polling.reads = polling.points + 1;  // when its time is spent
   if (timer0_count.millis != polling.millis) leave_round();
 }
-void add_point();
 /// A round may be interrupted here.
 inline void note_point() {
-  if (polling.going && !polling.sure && !polling.pins) add_point();
+  if (!polling.going || polling.sure || polling.pins || polling.points < 0) return;
+  if (polling.points == Polling::kMostPoints)
+    polling.points = -1;
+  else
+    polling.at[polling.points++] = state.now - polling.since;
 }
 void spend_late();
 /// Work in a call that changes nothing.

@@ -11,19 +11,19 @@ namespace host {
 PortRegisters ports[kPorts];
 ROBOSIM_CLOCKWORK Place places[kNumbers];  // they never change
 
-PinDrive driven[kPins];
+ROBOSIM_SETTINGS PinDrive driven[kPins];
 uint16_t inputs_off;
 
 namespace {
 
-uint32_t tone_hz[kPins];
-uint8_t pwm_values[kPins];  // of pins without a timer
+ROBOSIM_SETTINGS uint32_t tone_hz[kPins];
+ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // of pins without a timer
 
-// The pins of each port, by bit, and of each timer, by channel.
-Pin port_pins[kPorts][kBits];
-Pin timer_pins[kTimers][2];
-Pin external_pins[kChip.external_count];
-Pin capture_pin, comparator_pins[2];
+// The pins of each port, by bit, and of each timer, by channel. They never change.
+ROBOSIM_CLOCKWORK Pin port_pins[kPorts][kBits];
+ROBOSIM_CLOCKWORK Pin timer_pins[kTimers][2];
+ROBOSIM_CLOCKWORK Pin external_pins[kChip.external_count];
+ROBOSIM_CLOCKWORK Pin capture_pin, comparator_pins[2];
 
 bool is_same(const char* a, const char* b) {
   while (*a && *a == *b) ++a, ++b;

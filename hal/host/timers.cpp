@@ -9,7 +9,7 @@ namespace robosim {
 namespace host {
 
 ROBOSIM_CLOCKWORK Timer timer0(0);
-Timer timer1(1), timer2(2);
+ROBOSIM_SETTINGS Timer timer1(1), timer2(2);
 ROBOSIM_CLOCKWORK Timer0Count timer0_count;
 
 namespace {
@@ -323,10 +323,16 @@ void Timer::raise_due() {
 int64_t Timer::take_overflows() {
   if (state.now < due_of_[0]) return 0;
   const int64_t until = ticks();
-  const int64_t ahead = period_ - overflows_at();
-  const int64_t count = (until + ahead) / period_ - (overflows_seen_ + ahead) / period_;
+  int64_t count = 0;
+  if (__builtin_expect(counts_bytes() && until >= 0, 1)) {
+    count = until / 256 - overflows_seen_ / 256;
+    due_of_[0] = time_of((until / 256 + 1) * 256);
+  } else {
+    const int64_t ahead = period_ - overflows_at();
+    count = (until + ahead) / period_ - (overflows_seen_ + ahead) / period_;
+    due_of_[0] = next(0, until);
+  }
   overflows_seen_ = until;
-  due_of_[0] = next(0, until);
   due_ = due_of_[0] < due_to_match_ ? due_of_[0] : due_to_match_;
   return count;
 }

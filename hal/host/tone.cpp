@@ -17,7 +17,6 @@ using robosim::SimTime;
 namespace {
 
 Pin sounding = kNoPin;
-SimTime end = kNever;
 // The pin is toggled every so many cycles from then on, when it had a level.
 int64_t half_period = 1;
 SimTime began = 0;
@@ -32,7 +31,7 @@ void stop() {
   host::timer2.set_compare(0, 0);
   const Pin pin = sounding;
   sounding = kNoPin;
-  end = kNever;
+  host::tone_end = kNever;
   host::ports[host::port_of(pin)].output &= static_cast<uint8_t>(~host::mask_of(pin));
   host::set_tone(pin, 0);
 }
@@ -42,7 +41,7 @@ void stop() {
 namespace robosim {
 namespace host {
 
-SimTime tone_end() { return end; }
+SimTime tone_end = kNever;
 
 bool tone_level(SimTime at) { return level_then != (kCycles.whole(at - began, half_period) % 2 != 0); }
 
@@ -52,9 +51,7 @@ SimTime next_tone_edge(SimTime after) {
 
 bool sounds() { return sounding != kNoPin; }
 
-void sync_tone() {
-  if (state.now >= end) stop();
-}
+void end_tone() { stop(); }
 
 }  // namespace host
 }  // namespace robosim
@@ -85,7 +82,8 @@ void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
   const int64_t period = 2 * half_period;
   host::set_tone(pin, static_cast<uint32_t>((host::kClockHz + period / 2) / period));
   const uint64_t toggles = 2 * static_cast<uint64_t>(frequency) * duration / 1000;
-  end = duration > 0 ? host::state.now + host::cycles(static_cast<int64_t>(toggles) * period / 2) : kNever;
+  host::tone_end =
+      duration > 0 ? host::state.now + host::cycles(static_cast<int64_t>(toggles) * period / 2) : kNever;
   host::refresh_waves();
   host::refresh_deadline();
 }

@@ -2,19 +2,23 @@
 #pragma once
 
 #include "hal/board/sim_time.h"
+#include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
 
 /// When the tone that sounds ends; kNever if none does, or it has no end.
-SimTime tone_end();
+extern SimTime tone_end;
 /// Whether one does.
 bool sounds();
 /// The level of its pin at a moment since it was last changed, and when behind that it changes next.
 bool tone_level(SimTime at);
 SimTime next_tone_edge(SimTime after);
-/// Ends it if its time has come.
-void sync_tone();
+/// It is ended where its time has come.
+ROBOSIM_RARE void end_tone();
+inline void sync_tone() {
+  if (state.now >= tone_end) end_tone();
+}
 
 }  // namespace host
 }  // namespace robosim

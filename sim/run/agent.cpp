@@ -185,8 +185,8 @@ inline void Agent::observe(SimTime end) {
     state_.shown.worst_t = end;
     state_.shown.worst_at = body_.pose().position;
   }
-  if (end / kTick % kLookEvery == 0) state_.sees_line = robot_.sees_line();
-  if (state_.sees_line && end / kTick % kSideEvery == 0) look_to_the_side();
+  if (end % (kLookEvery * kTick) == 0) state_.sees_line = robot_.sees_line();
+  if (state_.sees_line && end % (kSideEvery * kTick) == 0) look_to_the_side();
   count_tick(end);
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();

@@ -74,8 +74,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- ticks of a robot at rest (resting.cpp) ---
   /// Whether act(), but for its parts, and look() would find the same again in the ticks that begin between
-  /// `end`, a multiple of kRestSpan, and the time that this returns, as long as the world is still and
-  /// nothing happens: look() has just been asked at `end`. `end`: none.
+  /// `end` and the time that this returns, as long as the world is still and nothing happens: look() has just
+  /// been asked at `end`. `end`: none.
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
   void begin_rest(SimTime t) { robot_.begin_tick(t); }

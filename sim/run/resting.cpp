@@ -11,7 +11,7 @@ namespace robosim::run {
 SimTime Agent::rests_until(SimTime end) const {
   if (setup_.controller || setup_.detect || robot_.has_tellers() || robot_.fed_volts()) return end;
   if (finished()) return kNever;
-  const SimTime next_look = end + kRestSpan;
+  const SimTime next_look = end - end % kRestSpan + kRestSpan;
   if (!progress_.is_settled(body_) || next_look - judge_.stuck_since() >= judge::kStuckAfter ||
       next_look - executor_.last_call() >= judge::kSilentAfter)
     return end;
@@ -23,7 +23,7 @@ SimTime Agent::rests_until(SimTime end) const {
 void Agent::rest(SimTime end) {
   if (finished()) return;
   hash_.pose(body_.pose());
-  if (state_.sees_line && end / kTick % kSideEvery == 0) look_to_the_side();
+  if (state_.sees_line && end % (kSideEvery * kTick) == 0) look_to_the_side();
   count_tick(end);
 }
 

@@ -93,12 +93,15 @@ inline bool Simulation::Inside::tick(SimTime t) {
 // less: clock.t is then the last of them.
 void Simulation::Inside::go_alone(SimTime end) {
   Agent& agent = *agents.front();
-  const SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
+  SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
+  if (const SimTime every = setup.samples_every; every > 0)
+    until = std::min(until, clock.t - clock.t % every + every);
   if (rested) catch_up(clock.t);
   note_acting(0);
   const bool plane = !world.ground();
+  std::atomic<SimTime>* const reached = setup.reached;
   for (;; clock.t += kTick) {
-    if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
+    if (reached) reached->store(clock.t, std::memory_order_relaxed);
     agent.act(clock.t);
     agent.run_firmware(clock.t + kTick);
     if (plane)
@@ -107,7 +110,7 @@ void Simulation::Inside::go_alone(SimTime end) {
       world.step();
     if (agent.look(clock.t + kTick) || clock.t + kTick >= until || wants_to_stop()) break;
   }
-  if ((clock.t + kTick) % kRestSpan == 0) rests_until = rest_from(clock.t + kTick);
+  if (clock.t + kTick == until) rests_until = rest_from(until);
 }
 
 // The same, of agents at rest.
@@ -157,9 +160,10 @@ void Simulation::Inside::interrupt(SimTime t) {
 void Simulation::Inside::rest_on(SimTime end) {
   const SimTime until = std::min(rests_until, end - kTick);
   Agent* const lone = agents.size() == 1 ? agents.front().get() : nullptr;
+  std::atomic<SimTime>* const reached = setup.reached;
   while (rested && clock.t + kTick < until && !wants_to_stop()) {
     clock.t += kTick;
-    if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
+    if (reached) reached->store(clock.t, std::memory_order_relaxed);
     if (!lone) {
       rest(clock.t);
       continue;

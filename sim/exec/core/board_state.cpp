@@ -218,8 +218,7 @@ bool BoardState::take_input(SimTime until, BoardInput& input) {
   return true;
 }
 
-void BoardState::forget_edges(SimTime t) {
-  if (state_.edges.empty()) return;
+void BoardState::forget_all_edges(SimTime t) {
   std::erase_if(state_.edges,
                 [&](const BoardInput& edge) { return edge.at < t && !state_.pins[edge.pin].wants_edges; });
 }

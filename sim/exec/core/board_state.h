@@ -83,7 +83,9 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Takes it if it arrives at or before `until`.
   bool take_input(SimTime until, BoardInput& input);
   /// Forgets edges before `t` that nobody wanted.
-  void forget_edges(SimTime t);
+  void forget_edges(SimTime t) {
+    if (!state_.edges.empty()) forget_all_edges(t);
+  }
 
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
   struct PinState {
@@ -113,6 +115,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void restore(const State& saved) { state_ = saved; }
 
  private:
+  void forget_all_edges(SimTime t);
   /// What is connected to a pin.
   struct Wire {
     PinSource* source = nullptr;

@@ -130,8 +130,8 @@ class HostExecutor::Instance final : public host::Host {
     if (goes_round_ || alive) state_.watched = false;
   }
 
-  void take_state(const std::uint8_t* stack) override { kept_.take(used_heap(state_), from(stack)); }
-  bool has_state(const std::uint8_t* stack) override { return kept_.is_like(used_heap(state_), from(stack)); }
+  void take_state(const std::uint8_t* stack) override { kept_.take(state_, from(stack)); }
+  bool has_state(const std::uint8_t* stack) override { return kept_.is_like(state_, from(stack)); }
   SimTime same_until(Pin pin, SimTime now) override { return owner_.clocked_.same_until(pin, now); }
 
   bool take_input(SimTime until, host::Input& input) override {

@@ -34,39 +34,68 @@ void copy(KeptState::Memory memory, std::vector<std::byte>& to) {
 }
 #endif
 
+KeptState::Memory memory_of(const char* begin, const char* end) {
+  return {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)};
+}
+
+// What malloc has given, in whole pages: a sketch may write a little past the end of its own.
+KeptState::Memory used_heap(const host::FirmwareState& state) {
+  constexpr std::size_t kPage = 4096;
+  const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;
+  return {reinterpret_cast<const std::byte*>(state.heap), std::min(whole, state.heap_bytes)};
+}
+
+void leave_out(KeptState::Memory part, std::vector<KeptState::Memory>& of) {
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const KeptState::Memory whole = of[i];
+    if (part.data() < whole.data() || part.data() + part.size() > whole.data() + whole.size()) continue;
+    of[i] = {whole.begin(), part.begin()};
+    of.emplace_back(part.end(), whole.end());
+    return;
+  }
+}
+
 }  // namespace
 
 KeptState::KeptState(const LoadedImage& image) {
-  const auto* const begin = reinterpret_cast<const std::byte*>(image.entry().clockwork_begin);
-  const auto* const end = reinterpret_cast<const std::byte*>(image.entry().clockwork_end);
-  for (const MemoryRange& variables : image.variables()) {
-    if (begin < variables.begin || end > variables.end) {
-      variables_.push_back({variables.begin, variables.end});
-      continue;
-    }
-    variables_.push_back({variables.begin, begin});
-    variables_.push_back({end, variables.end});
-  }
-  copies_.resize(variables_.size());
+  const host::Image& entry = image.entry();
+  settings_.memory = memory_of(entry.settings_begin, entry.settings_end);
+  std::vector<Memory> all;
+  for (const MemoryRange& variables : image.variables()) all.emplace_back(variables.begin, variables.end);
+  leave_out(memory_of(entry.clockwork_begin, entry.clockwork_end), all);
+  leave_out(settings_.memory, all);
+  for (const Memory& memory : all)
+    if (!memory.empty()) variables_.push_back({memory});
 }
 
 void KeptState::take(Memory heap, Memory stack) {
   copy(heap, heap_);
   copy(stack, stack_);
-  for (std::size_t i = 0; i < variables_.size(); ++i) copy(variables_[i], copies_[i]);
+  copy(settings_.memory, settings_.copy);
+  for (Part& part : variables_) copy(part.memory, part.copy);
 }
 
-bool KeptState::is_like(Memory heap, Memory stack) const {
+bool KeptState::all_but_settings_are_like(Memory heap, Memory stack) const {
   if (!is_like_copy(stack, stack_) || !is_like_copy(heap, heap_)) return false;
-  for (std::size_t i = 0; i < variables_.size(); ++i)
-    if (!is_like_copy(variables_[i], copies_[i])) return false;
+  for (const Part& part : variables_)
+    if (!is_like_copy(part.memory, part.copy)) return false;
   return true;
 }
 
-KeptState::Memory used_heap(const host::FirmwareState& state) {
-  constexpr std::size_t kPage = 4096;
-  const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;
-  return {reinterpret_cast<const std::byte*>(state.heap), std::min(whole, state.heap_bytes)};
+bool KeptState::is_like(Memory heap, Memory stack) const {
+  return all_but_settings_are_like(heap, stack) && is_like_copy(settings_.memory, settings_.copy);
+}
+
+void KeptState::take(host::FirmwareState& state, Memory stack) {
+  take(used_heap(state), stack);
+  state.touched = false;
+}
+
+bool KeptState::is_like(host::FirmwareState& state, Memory stack) const {
+  if (!all_but_settings_are_like(used_heap(state), stack)) return false;
+  if (state.touched && !is_like_copy(settings_.memory, settings_.copy)) return false;
+  state.touched = false;
+  return true;
 }
 
 }  // namespace robosim::exec

@@ -21,13 +21,21 @@ class KeptState {
   /// Whether all is now as it was taken.
   bool is_like(Memory heap, Memory stack) const;
 
+  // The same with what malloc has given as the heap. What image.h calls settings is only looked at if it may
+  // have changed since the last of these calls that gave true: there can be one such keeper of an image.
+  void take(host::FirmwareState& state, Memory stack);
+  bool is_like(host::FirmwareState& state, Memory stack) const;
+
  private:
-  std::vector<Memory> variables_;
-  std::vector<std::vector<std::byte>> copies_;
+  bool all_but_settings_are_like(Memory heap, Memory stack) const;
+
+  struct Part {
+    Memory memory;
+    std::vector<std::byte> copy = {};
+  };
+  std::vector<Part> variables_;  ///< but for the settings
+  Part settings_;
   std::vector<std::byte> heap_, stack_;
 };
-
-/// What malloc has given, in whole pages: a sketch may write a little past the end of its own.
-KeptState::Memory used_heap(const host::FirmwareState& state);
 
 }  // namespace robosim::exec
