@@ -8,7 +8,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 class Adc {
  public:
@@ -83,5 +83,5 @@ class Adc {
 
 extern Adc adc;
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

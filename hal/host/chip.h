@@ -11,6 +11,10 @@
 #include "hal/board/atmega328p.h"
 #include "hal/board/board.h"
 
+/// Of a namespace's declarations: nobody outside the image has such a name, so that gcc reaches the variables
+/// without a table (-fvisibility=hidden holds for definitions alone).
+#define ROBOSIM_WITHIN __attribute__((visibility("hidden")))
+
 namespace robosim {
 namespace host {
 

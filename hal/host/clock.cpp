@@ -141,10 +141,10 @@ __attribute__((noinline)) void block_is_due() {
   begin_look();
 }
 
-// What it keeps itself would be looked at, too: that is nothing, in a frame without gaps.
+// What it keeps itself would be looked at, too: that is nothing, in a frame without gaps, which one with a
+// frame pointer and nothing else is.
 __attribute__((noinline)) void block_in_look() {
-  uint64_t gap[3] = {};
-  __asm__ volatile("" : "+m"(gap));
+  __asm__ volatile("" : : "r"(__builtin_frame_address(0)));
   if (look_wants_state()) {
     wipe_stack();
     hand_registers();

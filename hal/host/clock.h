@@ -14,7 +14,7 @@
 #define ROBOSIM_RARE __attribute__((cold))
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 extern FirmwareState state;
 extern FirmwarePort* board;
@@ -78,5 +78,5 @@ void wait_for_interrupt(bool timer0_counts);
 /// Firmware has ended itself; `how` as the sketch would write it. Does not return.
 __attribute__((noreturn)) void stop_for_ever(const char* how);
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -9,7 +9,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 class Comparator {
  public:
@@ -38,5 +38,5 @@ class Comparator {
 
 extern Comparator comparator;
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -8,7 +8,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 class Eeprom {
  public:
@@ -42,5 +42,5 @@ class Eeprom {
 
 extern Eeprom eeprom;
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -9,7 +9,7 @@
 #include "hal/host/ports.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 struct ExternalRegisters {
   uint8_t sense = 0;           ///< EICRA: two bits each: 0 low level, 1 any edge, 2 falling, 3 rising
@@ -88,5 +88,5 @@ void acknowledge_external(int vector);
 /// Whether one of them is enabled.
 bool external_may_interrupt();
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -8,7 +8,7 @@
 #include "hal/host/chip.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 enum Vector : uint8_t {
   kExternal0 = kChip.external_vector,  // the others follow
@@ -62,5 +62,5 @@ bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt; false if there is none, or I is clear.
 bool serve_interrupt();
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

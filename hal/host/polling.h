@@ -17,7 +17,7 @@
 #include "hal/host/timers.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 struct Polling {
   static constexpr int kMostPoints = 6;
@@ -103,5 +103,5 @@ inline void spend_between_loops(int count) {
   block_at_deadline();
 }
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -11,7 +11,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 /// Index of a port: those of ChipSpec::ports come first.
 using Port = uint8_t;
@@ -96,5 +96,5 @@ void refresh_timer_pins(int timer);
 /// `pin` carries a square wave by tone(); 0 = none.
 void set_tone(Pin pin, uint32_t hz);
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

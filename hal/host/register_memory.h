@@ -9,9 +9,10 @@
 #pragma once
 
 #include "hal/board/sim_time.h"
+#include "hal/host/chip.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 /// Settles the register that was written last; null = that is done. A pointer, so that images without such
 /// registers have none of this.
@@ -21,5 +22,5 @@ inline void settle_registers() {
   if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
 }
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

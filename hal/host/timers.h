@@ -16,7 +16,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 class Timer {
  public:
@@ -246,7 +246,7 @@ struct Timer0Count {
 extern Timer0Count timer0_count;
 constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim
 
 /// The handler of Timer 0's overflow, which takes kOverflowTakes.

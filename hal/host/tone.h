@@ -5,7 +5,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 /// When the tone that sounds ends; kNever if none does, or it has no end.
 extern SimTime tone_end;
@@ -20,5 +20,5 @@ inline void sync_tone() {
   if (state.now >= tone_end) end_tone();
 }
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

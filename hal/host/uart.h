@@ -9,7 +9,7 @@
 #include "hal/host/interrupts.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 /// Bits of UCSR0A and UCSR0B.
 enum : uint8_t { kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02 };
@@ -74,5 +74,5 @@ bool serial_receives();
 /// At a reset: also empties the buffers of Serial.
 void reset_uart();
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -9,7 +9,7 @@
 #include "hal/host/clock.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 class Watchdog {
  public:
@@ -45,5 +45,5 @@ class Watchdog {
 
 extern Watchdog watchdog;
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

@@ -8,7 +8,7 @@
 #include "hal/host/external.h"
 
 namespace robosim {
-namespace host {
+namespace host ROBOSIM_WITHIN {
 
 /// Of a pin that is one now: its level, and until when that surely stays; kNever if it does not change.
 bool wave_level(Pin pin);
@@ -30,5 +30,5 @@ inline void refresh_waves() {
 }
 void refresh_wave(Pin pin);
 
-}  // namespace host
+}  // namespace ROBOSIM_WITHIN
 }  // namespace robosim
