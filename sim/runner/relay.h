@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -43,7 +44,9 @@ class Relay {
   /// Is to be told how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
   /// Where events wait until there are many. In the runner: those that it has not been told of.
-  wire::BatchMemory* waiting() const { return &batches_->memories[batch_ % kBatches]; }
+  wire::BatchMemory* waiting() const {
+    return std::launder(reinterpret_cast<wire::BatchMemory*>(batches_->memories[batch_ % kBatches]));
+  }
   /// What waits goes to the client from where it is, before what is told later; further events wait in the
   /// memory that this gives, which is empty.
   wire::BatchMemory& hand_on();
@@ -81,7 +84,9 @@ class Relay {
   /// So many wake the runner: each time costs the run as much as some hundred events.
   static constexpr std::size_t kWaking = 4;
   struct Batches {
-    wire::BatchMemory memories[kBatches];   ///< in turn
+    /// In turn. Zeroes, which the memory is made of, are one with nothing in it: what no run comes to is not
+    /// touched, as each page costs it a fault.
+    alignas(wire::BatchMemory) std::byte memories[kBatches][sizeof(wire::BatchMemory)];
     std::atomic<std::size_t> handed_on{0};  ///< by the run
     std::atomic<std::size_t> taken{0};      ///< by the runner, which empties them
   };
