@@ -237,7 +237,7 @@ TEST_F(Serve, ZoomsIntoTheMapThatIsEdited) {
     $('edit').click();
     await until(() => $('map-text').value);
     $('map-new').click();
-    await until(() => cells().length > 12);
+    await until(() => sheet.ariaBusy === 'false');
     await drawn();
     sheet.setPointerCapture = () => {};
     $('tool').value = 'wall';

@@ -72,7 +72,10 @@ export class Editor {
     this.text.value = text;
     this.undone = [];
     this.path = null;
+    this.floor = null;  // that of another map: nothing may be drawn by it
+    this.canvas.ariaBusy = 'true';
     this.fit();
+    this.draw();
     this.canvas.focus();
     return this.look();
   }
@@ -114,6 +117,7 @@ export class Editor {
     } catch (error) {
       if (mine === this.asked) this.say(error.message);
     }
+    if (mine === this.asked) this.canvas.ariaBusy = 'false';
     this.draw();
   }
   say(sentence) { $('map-said').textContent = sentence; }
@@ -247,6 +251,7 @@ export class Editor {
   }
 
   key(e) {
+    if (!this.floor) return;
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
     const tools = [...$('tool').options];
     if (step) this.cursor = { x: this.cursor.x + step[0], y: this.cursor.y + step[1] };
@@ -266,8 +271,9 @@ export class Editor {
 
   draw() {
     const { canvas, floor } = this, ratio = devicePixelRatio || 1;
-    if (!floor || !canvas.clientWidth) return;
+    if (!canvas.clientWidth) return;
     Object.assign(canvas, { width: canvas.clientWidth * ratio, height: canvas.clientHeight * ratio });
+    if (!floor) return;
     const ctx = canvas.getContext('2d'), { scale } = this;
     ctx.setTransform(ratio * scale, 0, 0, -ratio * scale, this.left * ratio, (this.top + floor.height * scale) * ratio);
     const [paper, paint] = floor.light_line ? ['#222', '#fff'] : ['#fdfcf8', '#111'];
