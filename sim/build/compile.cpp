@@ -30,11 +30,14 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard:  // the compiler's own choice leaves these out; slips_of() takes the slips
+    case Warnings::standard: {  // the compiler's own choice leaves these out; slips_of() takes the slips
       if (unit.kind == Unit::Kind::library) return {"-w"};  // nobody who uses one can do anything about them
+      std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
       // avr-gcc 5 has none of a forgotten break. Any comment where it is left out keeps gcc silent.
-      if (toolchain.target.native) return {"-Wparentheses", "-Wempty-body", "-Wimplicit-fallthrough=1"};
-      return {"-Wparentheses", "-Wempty-body"};
+      if (toolchain.target.native) words.emplace_back("-Wimplicit-fallthrough=1");
+      if (toolchain.sanitize) append(words, toolchain.target.sanitizer.warnings);
+      return words;
+    }
     case Warnings::more:
       return {"-Wall"};
     case Warnings::all:
@@ -325,7 +328,8 @@ std::string recipe(const Toolchain& toolchain) {
     for (const auto* words : all) text += fmt::format("{}\n", fmt::join(*words, " "));
   };
   const Sanitizer& checks = target.sanitizer;
-  if (toolchain.sanitize) add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link});
+  if (toolchain.sanitize)
+    add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link, &checks.warnings});
   if (toolchain.sanitize)
     for (const fs::path& folder : toolchain.core.includes_with_checks) text += folder.string() + "\n";
   const Counting& counting = target.coverage;

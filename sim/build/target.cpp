@@ -77,7 +77,10 @@ const Target kHost = {
                        "--param=asan-use-after-return=0"},
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
-                          "strncat", "strcmp", "strncmp", "strchr", "strstr"})},
+                          "strncat", "strcmp", "strncmp", "strchr", "strstr"}),
+         // Where locals are not filled, the optimiser takes for the missing value what suits it, and is
+         // silent.
+         .warnings = {"-Wmaybe-uninitialized"}},
     // Not optimised: a line keeps its code, and a counter is in memory whenever the firmware is left. The
     // data's name must not depend on folders, and gcov checks that notes and data are of the same build.
     .coverage = {.own = {"-O0", "-fprofile-arcs", "-ftest-coverage", "-fprofile-info-section=robosim_gcov",

@@ -27,6 +27,8 @@ struct Sanitizer {
   std::vector<std::string> addresses;    ///< the same, and for the core, but for what serves the checks
   std::vector<std::string> definitions;  ///< for what serves the checks
   std::vector<std::string> link;
+  /// What only this compilation can see; for the sketch itself, with the compiler's standard warnings.
+  std::vector<std::string> warnings = {};
 };
 
 /// What is added to count the lines that ran; empty = the target cannot.

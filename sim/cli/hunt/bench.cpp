@@ -161,7 +161,6 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
       // It is told already that it does not compile for the host.
     }
   }
-  for (const launch::Prepared& run : prepared_) messages_ += run.image.messages + "\n";
   look_at_robot(arguments, describer);
 }
 

@@ -28,8 +28,6 @@ class HuntBench {
   const std::string& board() const { return board_; }
   /// Why a build that was to be run is left out; a sentence each.
   const std::vector<std::string>& left_out() const { return left_out_; }
-  /// The compilers', of all builds.
-  const std::string& messages() const { return messages_; }
   /// Of everything that the runs come from.
   std::string fingerprint() const;
   /// Whether the user has said where to drive; else the first map is a guess, and others may do.
@@ -75,7 +73,6 @@ class HuntBench {
   std::vector<std::string> map_files_;      ///< of each map
   std::vector<std::string> left_maps_;
   std::vector<std::string> left_out_;
-  std::string messages_;
   std::string version_;
   std::string options_;  ///< all that was asked for, one thing a line
   std::size_t refused_ = 0;

@@ -140,7 +140,7 @@ std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWor
     all.push_back(*found);
   for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
   if (needs_of(world, bench_.space()).empty())
-    for (Symptom& seen : warned_in(bench_.messages())) all.push_back(std::move(seen));
+    for (Symptom& seen : warned_in(bench_.of(world).image.messages)) all.push_back(std::move(seen));
   return all;
 }
 

@@ -131,7 +131,7 @@ std::vector<Symptom> detected_in(const wire::RunResult& result) {
 
 std::vector<Symptom> warned_in(const std::string& messages) {
   static const std::regex kWarning(
-      R"(^([^\s:]+):(\d+):(?:\d+:)? warning: (.*) \[-W(parentheses|empty-body|overflow|div-by-zero|array-bounds|shift-count-overflow|shift-count-negative|return-local-addr|sizeof-pointer-memaccess)=?\]$)");
+      R"(^([^\s:]+):(\d+):(?:\d+:)? warning: (.*) \[-W(parentheses|empty-body|overflow|div-by-zero|array-bounds|shift-count-overflow|shift-count-negative|return-local-addr|sizeof-pointer-memaccess|maybe-uninitialized)=?\]$)");
   std::vector<Symptom> all;
   std::istringstream stream(messages);
   for (std::string line; std::getline(stream, line);) {

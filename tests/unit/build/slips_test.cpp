@@ -44,6 +44,20 @@ TEST_F(Slips, ASlipBehindRightCodeKeepsItsPlaceAndWhatElseIsSaidIsKept) {
   EXPECT_THAT(said, HasSubstr("multi-character"));
 }
 
+TEST_F(Slips, AVariableThatAPathLeavesUnsetIsToldWhereItIsCompiledWithChecks) {
+  const auto said = [&](const std::string& body) {
+    write("My/My.ino", "int x;\nvoid setup() {}\nvoid loop() {\n" + body + "\n}\n");
+    return build({folder_ / "My", *find_board("uno"), "host", {}, Warnings::standard, true}).messages;
+  };
+  const std::string inverted =
+      said("bool inverted; if (Serial.read() == 'i') inverted = true;\nif (inverted) x++;");
+  EXPECT_THAT(inverted, AllOf(HasSubstr("My.ino:5:1: warning: 'inverted' may be used uninitialized"),
+                              HasSubstr("My.ino:4:6: note: 'inverted' was declared here")));
+  EXPECT_EQ(said("int n; const bool any = Serial.available(); if (any) n = Serial.read();\nif (any) x = n;"),
+            "");
+  EXPECT_EQ(said("int n; if (!Serial.readBytes((char*)&n, 2)) n = 0;\nx = n;"), "");
+}
+
 TEST(SlipsOf, MessagesOfAvrGccAreReadToo) {
   const std::string both =
       "My.ino: In function 'void loop()':\n"

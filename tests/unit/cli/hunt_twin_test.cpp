@@ -229,8 +229,10 @@ TEST(HuntSymptom, IsWhatTheCompilerWarnsOfOnceForEachLine) {
       "Line.ino:4:9: warning: suggest parentheses around assignment used as truth value [-Wparentheses]\n"
       "   if (x = 1) f();\n"
       "Line.ino:4:9: warning: suggest parentheses around assignment used as truth value [-Wparentheses]\n"
-      "Line.ino:7:3: warning: 'f' is deprecated [-Wdeprecated-declarations]\n");
-  ASSERT_EQ(warned.size(), 1U);
+      "Line.ino:7:3: warning: 'f' is deprecated [-Wdeprecated-declarations]\n"
+      "Line.ino:9:3: warning: 'inverted' may be used uninitialized [-Wmaybe-uninitialized]\n");
+  ASSERT_EQ(warned.size(), 2U);
+  EXPECT_EQ(warned[1].sentence, "The compiler warns: 'inverted' may be used uninitialized, Line.ino:9.");
   EXPECT_EQ(warned[0].sentence,
             "The compiler warns: suggest parentheses around assignment used as truth value, Line.ino:4.");
 }
