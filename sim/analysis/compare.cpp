@@ -7,39 +7,12 @@
 
 #include "sim/analysis/alignment.h"
 #include "sim/analysis/compare_motors.h"
-#include "sim/analysis/line_text.h"
+#include "sim/analysis/compare_streams.h"
 
 namespace robosim::analysis {
 namespace {
 
-constexpr std::size_t kStream = 20;    // a text that comes more often is a stream
-constexpr std::size_t kStreamRow = 5;  // so is one that comes so often within kStreamTime_ns
-constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
-constexpr std::size_t kMissedRow =
-    10;  // so many lines of a stream, for so long, are missed on the other side
-constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;
 constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
-constexpr std::size_t kLongestName = 60;
-
-/// A mark, and its number among all lines.
-struct Said {
-  std::int64_t t_ns = 0;
-  std::string text;
-  LineText parts;
-  std::size_t number = 0;
-};
-
-// Lines of one form, by the times at which they came.
-bool is_stream(const std::vector<std::int64_t>& came) {
-  if (came.size() > kStream) return true;
-  for (std::size_t i = kStreamRow; i <= came.size(); ++i)
-    if (came[i - 1] - came[i - kStreamRow] <= kStreamTime_ns) return true;
-  return false;
-}
-
-std::string quoted(const std::string& text) {
-  return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
-}
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
@@ -89,12 +62,9 @@ class Comparer {
     if (std::find(result_.known.begin(), result_.known.end(), known) == result_.known.end())
       result_.known.push_back(std::move(known));
   }
-  std::int64_t allowed(std::int64_t duration_ns) const {
-    return tolerance_.time_ns + static_cast<std::int64_t>(tolerance_.time * static_cast<double>(duration_ns));
-  }
 
   void split_lines() {
-    std::array<std::vector<Said>, 2> all;
+    Lanes all;
     std::map<std::string, std::array<std::vector<std::int64_t>, 2>> times;
     for (std::size_t side = 0; side < 2; ++side)
       for (const TimedText& text : sides_[side]->lines) {
@@ -113,7 +83,7 @@ class Comparer {
 
   /// Whether `other` would have come to what happened `after_ns` after the last common event, at `since_ns`.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
-    return seen_ns(*sides_[other]) >= since_ns + after_ns + allowed(after_ns);
+    return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
   /// What one side has and the other lacks, at the end of a lane.
@@ -138,7 +108,7 @@ class Comparer {
                  const std::string& what, std::array<std::optional<std::size_t>, 2> line,
                  std::array<std::optional<std::size_t>, 2> place = {}) {
     const std::int64_t a = t[0] - before[0], b = t[1] - before[1];
-    if (std::abs(a - b) <= allowed(std::max(a, b))) return true;
+    if (std::abs(a - b) <= tolerance_.time_for(std::max(a, b))) return true;
     const std::string since = before[0] + before[1] > 0 ? " after the one before" : " after the start";
     Difference d{Difference::Kind::time,
                  what,
@@ -238,115 +208,9 @@ class Comparer {
   }
 
   void compare_streams() {
-    for (const auto& [form, lanes] : streams_) {
-      if (lanes[0].empty() || lanes[1].empty()) {
-        const std::size_t has = lanes[0].empty() ? 1 : 0;
-        const Said& said = lanes[has].front();
-        Difference d{Difference::Kind::line,
-                     "line " + std::to_string(said.number + 1) + " of the serial port",
-                     {},
-                     {},
-                     "",
-                     {}};
-        d.t_ns[has] = said.t_ns;
-        d.t_ns[1 - has] = other_clock(has, said.t_ns);
-        d.sides[has] = "says " + quoted(said.text) + ", and often";
-        d.sides[1 - has] = "says nothing like it";
-        d.line[has] = said.number;
-        report(std::move(d));
-        continue;
-      }
-      compare_rates(lanes);
-      for (const std::size_t side : {0U, 1U}) compare_presence(lanes, side);
-      if (compare_stream(lanes, 0)) compare_stream(lanes, 1);
-    }
-  }
-
-  void compare_rates(const std::array<std::vector<Said>, 2>& lanes) {
-    std::array<double, 2> rate{};
-    for (std::size_t side = 0; side < 2; ++side) {
-      const double s = 1e-9 * static_cast<double>(lanes[side].back().t_ns - lanes[side].front().t_ns);
-      if (lanes[side].size() < kStream / 2 || s <= 0.0) return;
-      rate[side] = static_cast<double>(lanes[side].size() - 1) / s;
-    }
-    if (std::fabs(rate[0] - rate[1]) <= tolerance_.time * std::max(rate[0], rate[1])) return;
-    const auto text = [&](std::size_t side) {
-      const auto tenths = static_cast<long long>(10.0 * rate[side] + 0.5);
-      return "comes " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " times a second";
-    };
-    report({Difference::Kind::time,
-            "the line " + quoted(lanes[0].front().text),
-            {lanes[0].front().t_ns, lanes[1].front().t_ns},
-            {text(0), text(1)},
-            "",
-            {lanes[0].front().number, lanes[1].front().number}});
-  }
-
-  /// Whether the other side has `side`'s lines at about that time, too.
-  void compare_presence(const std::array<std::vector<Said>, 2>& lanes, std::size_t side) {
-    const auto& others = lanes[1 - side];
-    const Said* first = nullptr;  // of those that are missed
-    std::size_t missed = 0;
-    for (const Said& said : lanes[side]) {
-      const std::int64_t t = other_clock(side, said.t_ns), about = std::max(kNear_ns, allowed(t));
-      if (t + about > seen_ns(*sides_[1 - side])) return;
-      const auto near = std::ranges::lower_bound(others, t - about, {}, &Said::t_ns);
-      if (near != others.end() && near->t_ns <= t + about) {
-        missed = 0;
-        continue;
-      }
-      if (++missed == 1) first = &said;
-      if (missed < kMissedRow || said.t_ns - first->t_ns < kMissedTime_ns) continue;
-      Difference d{Difference::Kind::time, "the line " + quoted(first->text), {}, {}, "", {}};
-      d.t_ns[side] = first->t_ns;
-      d.t_ns[1 - side] = other_clock(side, first->t_ns);
-      d.sides[side] = "says it again and again";
-      d.sides[1 - side] = "does not, for " + seconds(said.t_ns - first->t_ns) + " and more";
-      d.line[side] = first->number;
-      return report(std::move(d));
-    }
-  }
-
-  std::int64_t other_clock(std::size_t side, std::int64_t t) const {
-    return side == 0 ? clocks_.to_b(t) : clocks_.to_a(t);
-  }
-
-  /// Each number of `side`'s lines against those that the other has said at about that time.
-  bool compare_stream(const std::array<std::vector<Said>, 2>& lanes, std::size_t side) {
-    const auto& own = lanes[side];
-    const auto& others = lanes[1 - side];
-    for (const Said& said : own) {
-      const std::int64_t t = other_clock(side, said.t_ns);
-      const auto from = std::ranges::lower_bound(others, t - kNear_ns, {}, &Said::t_ns);
-      auto to = from;
-      while (to != others.end() && to->t_ns <= t + kNear_ns) ++to;
-      if (from == to) continue;
-      for (std::size_t n = 0; n < said.parts.numbers.size(); ++n) {
-        const Number& x = said.parts.numbers[n];
-        double low = from->parts.numbers[n].value, high = low;
-        bool found = false;
-        for (auto it = from; it != to && !found; ++it) {
-          const Number& y = it->parts.numbers[n];
-          found = likeness(x, y, tolerance_.number) != Likeness::different;
-          low = std::min(low, y.value);
-          high = std::max(high, y.value);
-        }
-        const double slack = (high - low) / 2;
-        if (found || (x.value >= low - slack && x.value <= high + slack)) continue;
-        const Said& near = *from;
-        Difference d{Difference::Kind::number, "the line " + quoted(near.parts.form), {}, {}, "", {}};
-        d.t_ns[side] = said.t_ns;
-        d.t_ns[1 - side] = t;
-        d.sides[side] = "says " + quoted(said.text);
-        d.sides[1 - side] = "says " + quoted(near.text) + ", and nothing like it within a second";
-        d.cause = width_cause(x, near.parts.numbers[n]);
-        d.line[side] = said.number;
-        d.line[1 - side] = near.number;
-        report(std::move(d));
-        return false;
-      }
-    }
-    return true;
+    for (const auto& [form, lanes] : streams_)
+      for (Difference& difference : stream_differences(form, lanes, sides_, clocks_, tolerance_))
+        report(std::move(difference));
   }
 
   void compare_verdicts() {
@@ -362,8 +226,8 @@ class Comparer {
 
   std::array<const History*, 2> sides_;
   Tolerance tolerance_;
-  std::array<std::vector<Said>, 2> said_;
-  std::map<std::string, std::array<std::vector<Said>, 2>> streams_;
+  Lanes said_;
+  std::map<std::string, Lanes> streams_;
   Clocks clocks_;
   Comparison result_;
 };

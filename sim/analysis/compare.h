@@ -6,10 +6,9 @@
 //
 //   places    their names and order
 //   lines     their text and order, numbers aside; a text that comes more than 20 times, or 5 times in 2 s,
-//   is
-//             a stream: of it the rate counts, and that both sides say it at about the same time
+//             is a stream: of it the rate counts, and that both sides say it at about the same time
 //   numbers   those of a line: within 10 % of each other; of a stream: within what the other side printed in
-//             the second before and after
+//             the second before and after, or one beside it where it ranges over 10 and more
 //   times     from one place or line to the next: within 0.5 s and 25 %
 //   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second and 1 % of the
 //             time since the last place or line that both have;
@@ -31,6 +30,11 @@ struct Tolerance {
   double time = 0.25;                  ///< share by which a time may differ …
   std::int64_t time_ns = 500'000'000;  ///< … and this much more
   double number = 0.10;                ///< share of the larger number
+
+  /// How far apart what takes `duration_ns` may be.
+  std::int64_t time_for(std::int64_t duration_ns) const {
+    return time_ns + static_cast<std::int64_t>(time * static_cast<double>(duration_ns));
+  }
 };
 
 struct Difference {

@@ -69,7 +69,12 @@ LineText take_apart(const std::string& line) {
       if (fraction) number.form = Number::Form::fraction;
     }
     if (end == at) {
-      parts.form += line[at++];
+      // Else "# 1" and "1 2" were of one form, with one number and with two.
+      if (line[at] == '#')
+        parts.form += "＃";
+      else
+        parts.form += line[at];
+      ++at;
       continue;
     }
     number.text = line.substr(at, end - at);

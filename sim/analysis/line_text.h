@@ -14,7 +14,7 @@ struct Number {
 };
 
 struct LineText {
-  std::string form;  ///< the text with "#" for each number
+  std::string form;  ///< the text with "#" for each number, and "＃" for each # of its own
   std::vector<Number> numbers;
 };
 

@@ -151,6 +151,32 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
+/// Every 0.4 s, the number at `odd` another one.
+History readings(std::vector<int> values, std::size_t odd, int there) {
+  History h = run();
+  values.at(odd) = there;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    h.lines.push_back({static_cast<std::int64_t>(i + 1) * 400 * kMs, "e " + std::to_string(values[i])});
+  return h;
+}
+
+TEST(Compare, AReadingThatRangesWidelyMayBeOneBesideButAStateNot) {
+  const std::vector<int> wide{0, -22, -6, -6, -6, -6, -6, -6, -6, -6, -6},
+      narrow{1, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3};
+  EXPECT_EQ(kind(readings(wide, 6, -7), readings(wide, 6, -6)), std::nullopt);
+  EXPECT_EQ(kind(readings(wide, 6, -8), readings(wide, 6, -6)), Kind::number);
+  EXPECT_EQ(kind(readings(narrow, 6, 4), readings(narrow, 6, 3)), Kind::number);
+}
+
+TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
+  std::vector<int> rising;
+  for (int i = 0; i < 20; ++i) rising.push_back(1000 * i);
+  const auto d = compare(readings(rising, 8, 500), readings(rising, 8, 8000)).first;
+  ASSERT_TRUE(d);
+  EXPECT_EQ(d->sides[0], "says \"e 500\"");
+  EXPECT_EQ(d->sides[1], "says \"e 8000\", and nothing like it within a second");
+}
+
 /// Each second "on", and from `off_from` on "off".
 History light(std::int64_t off_from) {
   History h;

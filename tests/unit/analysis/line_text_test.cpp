@@ -59,6 +59,11 @@ TEST(LineText, ANegativeHexNumberIsAsLongAsItsType) {
   EXPECT_EQ(alike("1FFFFFFFE", "FFFFFFFE"), Likeness::different);
 }
 
+TEST(LineText, ANumberSignIsNoNumber) {
+  EXPECT_NE(take_apart("# 5").form, take_apart("3 5").form);
+  EXPECT_EQ(take_apart("# 5").form, take_apart("# 17").form);
+}
+
 TEST(LineText, TheLastDigitsOfAFloatAreKnownToDiffer) {
   EXPECT_EQ(alike("3.1415927", "3.1415926"), Likeness::known);
   EXPECT_EQ(known_cause(number("3.1415927"), number("3.1415926")), "float formatting");
