@@ -1,29 +1,12 @@
 #include "sim/runner/known_hash.h"
 
-#include <sys/stat.h>
-
-#include <array>
 #include <map>
 
 #include "sim/base/file.h"
+#include "sim/runner/stamp.h"
 
 namespace robosim::runner {
 namespace {
-
-/// What changes when the content does.
-using Stamp = std::array<long long, 7>;
-
-Stamp stamp_of(const std::filesystem::path& file) {
-  struct stat s {};
-  if (::stat(file.c_str(), &s) != 0) return {};
-  return {static_cast<long long>(s.st_dev),
-          static_cast<long long>(s.st_ino),
-          s.st_size,
-          s.st_mtim.tv_sec,
-          s.st_mtim.tv_nsec,
-          s.st_ctim.tv_sec,
-          s.st_ctim.tv_nsec};
-}
 
 struct Known {
   Stamp stamp;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/exec/host/confinement.h"
 
 namespace robosim::runner {
 namespace {
@@ -35,6 +37,19 @@ bool is_as_read(const robot::Description& robot) {
                      [](const robot::SourceText& one) { return holds(one.file, one.text); });
 }
 
+ImageAhead image_in(const std::filesystem::path& file, ImageAhead last) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const Stamp stamp = stamp_of(file);
+  if (last.content && last.stamp == stamp && stamp != Stamp{}) return last;
+  ImageAhead image{std::move(last.content),
+                   is_settled(stamp, std::chrono::nanoseconds(now).count()) ? stamp : Stamp{}};
+  if (image.content && holds(file, image.content->bytes())) return image;
+  const auto content = std::make_shared<exec::ImageContent>(read_file(file));
+  if (exec::why_not_confined().empty()) content->seal();
+  image.content = content;
+  return image;
+}
+
 void add_robot(const std::string& name, const Robots& last, Robots& robots) {
   if (robots.contains(name)) return;
   try {
@@ -58,13 +73,18 @@ ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::siz
   for (const wire::AgentRequest& agent : agents) add_robot(agent.robot, last.robots, all.robots);
   for (const std::size_t number : confined) {
     const std::string& file = agents[number].image;
-    std::shared_ptr<const std::string>& image = all.images[file];
-    if (image) continue;
+    if (all.images.contains(file)) continue;
     const auto known = last.images.find(file);
-    image = known != last.images.end() && holds(file, *known->second)
-                ? known->second
-                : std::make_shared<const std::string>(read_file(file));
+    all.images[file] = image_in(file, known == last.images.end() ? ImageAhead{} : known->second);
   }
+  return all;
+}
+
+std::vector<int> sealed_images(const ReadAhead& ahead) {
+  std::vector<int> all;
+  for (const auto& [file, image] : ahead.images)
+    if (image.content->sealed() >= 0) all.push_back(image.content->sealed());
+  std::sort(all.begin(), all.end());
   return all;
 }
 

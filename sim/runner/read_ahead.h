@@ -8,13 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "sim/exec/host/image_file.h"
 #include "sim/runner/requested_run.h"
+#include "sim/runner/stamp.h"
 
 namespace robosim::runner {
 
+struct ImageAhead {
+  std::shared_ptr<const exec::ImageContent> content;
+  Stamp stamp{};  ///< of the file, where that alone says that it holds the same
+};
+
 struct ReadAhead {
   Robots robots;
-  std::map<std::string, std::shared_ptr<const std::string>> images;
+  std::map<std::string, ImageAhead> images;
 };
 
 /// The robot of that name: the one that `last` has, if its files still hold the same, else read now. Throws
@@ -26,5 +33,8 @@ std::shared_ptr<const robot::Description> known_robot(const std::string& name, c
 /// an image cannot be read.
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
                      ReadAhead last);
+
+/// Of its images, in ascending order: ImageContent::sealed().
+std::vector<int> sealed_images(const ReadAhead& ahead);
 
 }  // namespace robosim::runner

@@ -69,7 +69,7 @@ Relay::Relay() {
   exec::prepare_to_confine();
 }
 
-void Relay::enter() {
+void Relay::enter(const std::vector<int>& kept) {
   constexpr int kAside = 10;
   const std::array<int, 3> ends = {told_.write.get(), answers_.read.get(), lines_.read.get()};
   const std::array<int, 3> places = {exec::kTellFd, exec::kAnswersFd, exec::kLinesFd};
@@ -84,7 +84,12 @@ void Relay::enter() {
   for (const auto* pipe : {&told_, &answers_, &lines_})
     for (const Descriptor* end : {&pipe->read, &pipe->write}) ::close(end->get());  // which nobody uses again
   for (std::size_t i = 0; i < ends.size(); ++i) ::dup2(aside[i], places[i]);
-  ::close_range(exec::kImageFd, ~0u, 0);
+  unsigned next = exec::kImageFd;
+  for (const int fd : kept) {
+    if (static_cast<unsigned>(fd) > next) ::close_range(next, static_cast<unsigned>(fd) - 1, 0);
+    next = static_cast<unsigned>(fd) + 1;
+  }
+  ::close_range(next, ~0u, 0);
 }
 
 void Relay::confine() const { exec::confine({key_[0], key_[1]}); }

@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/base/child.h"
 #include "sim/runner/run_watch.h"
@@ -29,8 +30,9 @@ class Relay {
   /// Throws std::system_error.
   Relay();
 
-  /// In the run's process: its descriptors are from now on those of exec::ConfinedDescriptor, and no others.
-  void enter();
+  /// In the run's process: its descriptors are from now on those of exec::ConfinedDescriptor, those of `kept`
+  /// (ImageContent::sealed(), in ascending order), and no others.
+  void enter(const std::vector<int>& kept);
   /// Nothing new from the system for this process, ever (sim/exec/host/confinement.h), if that can be had.
   void confine() const;
   /// A line for the client, now.

@@ -138,7 +138,8 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, Relay* relay, const ReadAhead& ahead) {
-  RequestedRun run(
+  // Never taken apart: its process ends, and all of it with that.
+  RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
       },
@@ -166,7 +167,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
               [relay, agent](const auto&, const auto& offsets) {
                 return relay->ask(kAskLines, text_of(agent, offsets));
               },
-              ahead.images.at(agents[agent].image));
+              ahead.images.at(agents[agent].image).content);
     if (exec::why_not_confined().empty()) relay->confine();
   }
   if (request.ways) return go_all_ways(run, request, relay ? std::function<void()>() : start_watchdog);
@@ -247,7 +248,7 @@ int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != runner) return 0;  // it had ended before that
   if (relay) {
-    relay->enter();
+    relay->enter(sealed_images(ahead));
     go_through(*relay);
   }
   struct sigaction action {};

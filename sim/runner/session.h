@@ -22,7 +22,7 @@ struct ExecutorFactory {
   std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
   /// Where firmware is code of this machine, and its process is to be confined: what the executor that make()
   /// gave has to do before (HostExecutor::prepare_for_confinement). Else nothing.
-  std::function<void(exec::Executor&, exec::AddressLines, std::shared_ptr<const std::string> image)>
+  std::function<void(exec::Executor&, exec::AddressLines, std::shared_ptr<const exec::ImageContent> image)>
       prepare_for_confinement = nullptr;
   /// Whose firmware it runs beside, in runs of several robots.
   std::vector<ExecutorFactory> besides = {};

@@ -12,7 +12,8 @@ inline ExecutorFactory host_target() {
           [](const BoardSpec& board, const std::filesystem::path& image) {
             return std::make_unique<HostExecutor>(board, image);
           },
-          [](exec::Executor& executor, exec::AddressLines lines, std::shared_ptr<const std::string> image) {
+          [](exec::Executor& executor, exec::AddressLines lines,
+             std::shared_ptr<const exec::ImageContent> image) {
             static_cast<HostExecutor&>(executor).prepare_for_confinement(std::move(lines), std::move(image));
           }};
 }

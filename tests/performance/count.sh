@@ -24,7 +24,7 @@ clean() { env -i PATH=/usr/bin:/bin HOME="$work" XDG_CACHE_HOME="$work/cache" TM
 # Runs a command, and leaves a line "PROGRAM INSTRUCTIONS" for each of its processes; a fork has those of before, too.
 trace() {  # COMMAND...
   rm -f "$work"/out.*
-  clean valgrind --tool=callgrind --trace-children=yes --callgrind-out-file="$work/out.%p" "$@" >"$work/stdout" 2>"$work/stderr" || {
+  clean valgrind --tool=callgrind --trace-children=yes ${counted_from:+"--zero-before=$counted_from"} --callgrind-out-file="$work/out.%p" "$@" >"$work/stdout" 2>"$work/stderr" || {
     local status=$?
     ((status == 4)) || { tail -n 5 "$work/stderr" "$work/stdout" >&2; echo "$* ended with status $status" >&2; return 1; }
   }
@@ -55,13 +55,11 @@ work_of() {  # NAME FEW MANY
   each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
     "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
 }
-# All processes; of the forks, one for each seed, what they do themselves: they begin with the count of the runner, which
-# is the next smaller one.
+# All processes; of the forks, what they do themselves: they begin with the count of the runner, and with this call.
 swept() {  # SEEDS
-  trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") | sort -k2nr |
-    awk -v forks="$1" '$1 == "robosim-host" && ++runners <= forks { sum += $2; next }
-                       $1 == "robosim-host" && runners == forks + 1 { sum -= forks * $2 }
-                       { sum += $2 } END { printf "%.0f\n", sum }'
+  counted_from='robosim::runner::Relay::enter*' \
+    trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") |
+    awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
 
 # Command, runner and run of so many robots, each on a line of its own, on a map of 24,000 cells.

@@ -146,6 +146,25 @@ TEST_F(Sandbox, LeavesNoDescriptorToReadOrWrite) {
   }
 }
 
+// All runs of a runner load it from the same memory.
+TEST_F(Sandbox, LetsNoSketchChangeItsImageOrMissIt) {
+  auto request = request_of_text(
+      "#include <EEPROM.h>\nextern \"C\" { long write(int, const void*, unsigned long); int close(int);\n"
+      "int dup3(int, int, int); int ftruncate(int, long); void* mmap(void*, unsigned long, int, int, int, "
+      "long); }\n"
+      "void setup() {\n  Serial.begin(9600);\n  int at = 100;\n  while (dup3(at, 6, 0) < 0 && at < 110) "
+      "++at;\n"
+      "  Serial.print(at < 110);\n  Serial.print(write(6, \"x\", 1));\n  Serial.print(ftruncate(at, 1));\n"
+      "  Serial.print(mmap(0, 4096, 3, 1, 6, 0) == (void*)-1);\n"
+      "  if (EEPROM.read(0) == 1) close(at);\n  EEPROM.write(0, 1);\n}\nvoid loop() {}\n");
+  request.script = "at 1s power off\nat 1500ms power on\nat 2s power off\nat 2500ms power on\n";
+  for (int run = 0; run < 2; ++run) {
+    const auto r = runner_of("host").run(request);
+    EXPECT_EQ(r.verdict, "timeout") << r.why;
+    EXPECT_EQ(r.serial, "1-1-111-1-110-1-11") << "closed, its process has a copy of its own, not at 100";
+  }
+}
+
 TEST_F(Sandbox, LetsASketchPrintToNobody) {
   const auto r = run_text(
       "extern \"C\" int puts(const char*);\nvoid setup() { puts(\"{}\"); pinMode(13, OUTPUT); }\n"

@@ -13,10 +13,11 @@ namespace robosim::exec {
 
 /// The descriptors of a confined process besides 0, 1 and 2, which are /dev/null.
 enum ConfinedDescriptor : int {
-  kTellFd = 3,     ///< written to
-  kAnswersFd = 4,  ///< read from
-  kLinesFd = 5,    ///< read from
-  kImageFd = 6     ///< of the image while it is being loaded
+  kTellFd = 3,        ///< written to
+  kAnswersFd = 4,     ///< read from
+  kLinesFd = 5,       ///< read from
+  kImageFd = 6,       ///< of the image while it is being loaded
+  kFirstSealed = 100  ///< from here on images that this process loads, which nobody can change
 };
 
 /// Only calls with these in registers that they do not use may use the first three: what a sketch does with

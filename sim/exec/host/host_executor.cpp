@@ -319,12 +319,12 @@ HostExecutor::~HostExecutor() = default;
 
 void HostExecutor::power_on(SimTime t) {
   power_off(t);
-  if (!image_is_read_) image_.content = std::make_shared<const std::string>(read_file(image_.name));
+  if (!image_is_read_) image_.content = std::make_shared<const ImageContent>(read_file(image_.name));
   instance_ = std::make_unique<Instance>(*this, t);
 }
 
-void HostExecutor::prepare_for_confinement(AddressLines lines, std::shared_ptr<const std::string> image) {
-  image_.content = image ? std::move(image) : std::make_shared<const std::string>(read_file(image_.name));
+void HostExecutor::prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image) {
+  image_.content = image ? std::move(image) : std::make_shared<const ImageContent>(read_file(image_.name));
   image_.lines = std::move(lines);
   image_is_read_ = true;
   Instance::catch_faults();

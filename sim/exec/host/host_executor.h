@@ -33,7 +33,7 @@ class HostExecutor final : public Executor {
   void power_on(SimTime t) override;
   /// To be called before the process is confined (confinement.h): what needs files is done now, and what
   /// needs programs by `lines`. `image`: what the image's file holds, if that is known.
-  void prepare_for_confinement(AddressLines lines, std::shared_ptr<const std::string> image = nullptr);
+  void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
   const std::optional<Crash>& crash() const override { return crash_; }

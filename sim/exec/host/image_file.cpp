@@ -72,45 +72,47 @@ std::vector<void*>& handles() {
   return all;
 }
 
+Descriptor file_in_memory() { return Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC)); }
+
+bool is_written(int fd, const std::string& bytes) {
+  return fd >= 0 && ftruncate(fd, static_cast<off_t>(bytes.size())) == 0 && write_all(fd, bytes) == 0;
+}
+
 void write_to(int fd, const ImageFile& file) {
-  const std::string& content = *file.content;
-  bool fits = fd >= 0 && ftruncate(fd, static_cast<off_t>(content.size())) == 0;
-  for (std::size_t done = 0; fits && done < content.size();) {
-    const ssize_t wrote = write(fd, content.data() + done, content.size() - done);
-    fits = wrote > 0;
-    if (fits) done += static_cast<std::size_t>(wrote);
-  }
-  if (!fits) throw std::runtime_error("no memory for a copy of " + file.name.string());
+  if (!is_written(fd, file.content->bytes()))
+    throw std::runtime_error("no memory for a copy of " + file.name.string());
 }
 
 // In a confined process the loader opens nothing, but gets kImageFd, and closes it. It hears of another file
 // each time (serve_loader()); so those who load the same image one after the other need one copy of it, and
-// their code is in the same memory.
+// their code is in the same memory. Firmware may have closed the sealed one; then this process makes another.
 void* load_confined(const ImageFile& file) {
-  static std::shared_ptr<const std::string> content;
+  static std::shared_ptr<const ImageContent> content;
   static Descriptor copy;
   static int loaded = 0;
+  bool sealed = file.content->sealed() >= 0;
   for (;;) {
-    const bool fresh = content != file.content;
+    sealed = sealed && dup3(file.content->sealed(), kImageFd, O_CLOEXEC) >= 0;
+    const bool fresh = !sealed && content != file.content;
     if (fresh) {
       content = nullptr;
       copy.close();
-      Descriptor place(memfd_create("robosim-firmware", MFD_CLOEXEC));
-      copy = place.get() == kImageFd ? Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC))
-                                     : std::move(place);
+      Descriptor place = file_in_memory();
+      copy = place.get() == kImageFd ? file_in_memory() : std::move(place);
     }
-    if (dup3(copy.get(), kImageFd, O_CLOEXEC) < 0 && !fresh) {  // firmware has closed it
+    if (!sealed && dup3(copy.get(), kImageFd, O_CLOEXEC) < 0 && !fresh) {  // firmware has closed it
       content = nullptr;
       continue;
     }
     if (fresh) write_to(copy.is_open() ? kImageFd : -1, file);
-    content = file.content;
+    if (!sealed) content = file.content;
     lseek(kImageFd, 0, SEEK_SET);
     void* const handle = dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!handle || std::count(handles().begin(), handles().end(), handle) == 0) return handle;
     // A loader that did not ask serve_loader().
     dlclose(handle);
     content = nullptr;
+    sealed = false;
   }
 }
 
@@ -127,13 +129,20 @@ std::string ask_addr2line(const std::filesystem::path& image, const std::vector<
   return output_of(command);
 }
 
+void ImageContent::seal() {
+  const Descriptor copy(memfd_create("robosim-firmware", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!is_written(copy.get(), bytes_)) return;
+  if (fcntl(copy.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0) return;
+  sealed_ = Descriptor(fcntl(copy.get(), F_DUPFD_CLOEXEC, static_cast<int>(kFirstSealed)));
+}
+
 LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
     // A copy without a name: the loader knows files by their identity, and gives one that it knows already
     // again. The descriptor stays open while the image is loaded, because it also knows them by this name.
-    copy_ = Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC));
+    copy_ = file_in_memory();
     write_to(copy_.get(), file);
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
   }

@@ -27,9 +27,26 @@ using AddressLines = std::function<std::string(const std::filesystem::path& imag
 /// By that program, of binutils; empty without it.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
+/// What the file of an image holds.
+class ImageContent {
+ public:
+  explicit ImageContent(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  const std::string& bytes() const { return bytes_; }
+  /// Makes the copy that all confined processes can load that are forked from now on, and none can change.
+  /// Where there is no memory or descriptor for it, each will make its own.
+  void seal();
+  /// The copy's descriptor, at least kFirstSealed; -1 without one.
+  int sealed() const { return sealed_.get(); }
+
+ private:
+  std::string bytes_;
+  Descriptor sealed_;
+};
+
 struct ImageFile {
   std::filesystem::path name;
-  std::shared_ptr<const std::string> content;
+  std::shared_ptr<const ImageContent> content;
   AddressLines lines = ask_addr2line;
 };
 

@@ -34,11 +34,11 @@ class ReadingAhead : public testing::Test {
 
 TEST_F(ReadingAhead, WhatFilesStillHoldIsNotReadAgain) {
   const robot::Description* const robot = read();
-  const std::string* const image = ahead_.images.at(request_.image).get();
+  const exec::ImageContent* const image = ahead_.images.at(request_.image).content.get();
   ASSERT_TRUE(robot);
-  EXPECT_EQ(*image, "one");
+  EXPECT_EQ(image->bytes(), "one");
   EXPECT_EQ(read(), robot);
-  EXPECT_EQ(ahead_.images.at(request_.image).get(), image);
+  EXPECT_EQ(ahead_.images.at(request_.image).content.get(), image);
 }
 
 TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
@@ -55,10 +55,22 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
     write_file(image_, content);
     read();
-    EXPECT_EQ(*ahead_.images.at(request_.image), content);
+    EXPECT_EQ(ahead_.images.at(request_.image).content->bytes(), content);
   }
   std::filesystem::remove(image_);
   EXPECT_THROW(read(), InputError);
+}
+
+// Else it may be written a second time, and its times stay the same.
+TEST(Stamp, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
+  constexpr long long kSecond = 1'000'000'000;
+  const Stamp fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
+  EXPECT_FALSE(is_settled(fine, 500 * kSecond + 300'000'000));
+  EXPECT_TRUE(is_settled(fine, 500 * kSecond + 400'000'000));
+  const Stamp coarse = {1, 2, 3, 500, 0, 498, 223'456'789};
+  EXPECT_FALSE(is_settled(coarse, 502 * kSecond));
+  EXPECT_TRUE(is_settled(coarse, 504 * kSecond));
+  EXPECT_FALSE(is_settled(fine, 400 * kSecond)) << "of a clock that is ahead of ours";
 }
 
 TEST_F(ReadingAhead, SoIsAChangeInARobotOrItsBase) {
