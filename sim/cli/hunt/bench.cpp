@@ -12,6 +12,7 @@
 #include "sim/build/source.h"
 #include "sim/cli/check/checks_file.h"
 #include "sim/cli/hunt/deeds.h"
+#include "sim/cli/hunt/words.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/chip_lines.h"
 #include "sim/grid/map.h"
@@ -25,8 +26,7 @@ namespace {
 
 /// Where no map is given: a loop, and for sketches that find their way, a tree.
 constexpr const char* kGuesses[] = {"oval", "a"};
-constexpr std::size_t kMostWords = 60, kLongestWord = 24;
-constexpr std::string_view kInclude = "#include";
+constexpr std::size_t kMostWords = 60;
 
 /// How many pieces of line more there are than a tree has.
 int cycles_of(const grid::Map& map) {
@@ -39,63 +39,6 @@ int cycles_of(const grid::Map& map) {
              static_cast<int>(grid::has(around, grid::Direction::south));
   }
   return std::clamp(links - nodes + 1, 0, 3);
-}
-
-bool may_be_sent(const std::string& word) {
-  return !word.empty() && word.size() <= kLongestWord && std::all_of(word.begin(), word.end(), [](char c) {
-    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
-  });
-}
-
-/// Whether what begins behind `text` is printed: print("…"), println(F("…")).
-bool is_printed(std::string_view text) {
-  const auto drop = [&](std::string_view end) {
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    const bool is_there = text.ends_with(end);
-    if (is_there) text.remove_suffix(end.size());
-    return is_there;
-  };
-  return drop("F(") || drop("print(") || drop("println(");
-}
-
-/// What stands between quotes, and is not printed.
-void add_literals(const std::string& source, std::vector<std::string>& words) {
-  const auto add = [&](const std::string& literal) {
-    // Several words may be put together, with a 0 behind each; other escapes part words, too.
-    std::string word;
-    for (std::size_t i = 0; i < literal.size(); ++i) {
-      if (literal[i] != '\\') {
-        word += literal[i];
-        continue;
-      }
-      words.push_back(std::exchange(word, ""));
-      ++i;
-    }
-    words.push_back(word);
-  };
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const char quote = source[i];
-    if (source.compare(i, kInclude.size(), kInclude) == 0) {
-      i = std::min(source.find('\n', i), source.size() - 1);
-      continue;
-    }
-    if (quote != '"' && quote != '\'') continue;
-    const std::size_t end = source.find_first_of(std::string{quote, '\n'}, i + 1);
-    if (end == std::string::npos) return;
-    if (source[end] == quote && !is_printed(std::string_view(source).substr(0, i)))
-      add(source.substr(i + 1, end - i - 1));
-    i = end;
-  }
-}
-
-bool keeps(const std::string& source) {
-  return source.find("EEPROM.") != std::string::npos || source.find("eeprom_") != std::string::npos;
-}
-
-bool listens(const std::string& source) {
-  for (const char* const call : {".available(", ".read(", ".parse", "readString", "readBytes", "serialEvent"})
-    if (source.find(call) != std::string::npos) return true;
-  return false;
 }
 
 }  // namespace
@@ -220,7 +163,7 @@ void HuntBench::look_at_sketch() {
         const std::string text = read_file(sketch.folder / file);
         hears = hears || listens(text);
         space_.keeps = space_.keeps || (keeps(text) && prepared_.front().target != "stm32");
-        add_literals(text, words);
+        add_words(text, words);
       }
   }
   if (!hears && space_.listeners.empty()) return;

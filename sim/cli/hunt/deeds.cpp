@@ -16,6 +16,7 @@ constexpr int kMostDeeds = 4;
 constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages
 constexpr std::size_t kLongMessage = 80;
 constexpr int kSoon_ms = 2'000;
+constexpr int k16Bits_ms = 1 << 16, kAround_ms = 6'000;
 constexpr std::size_t kMostBeginnings = 12, kShortestBeginning = 4;
 
 void in_order(std::vector<Deed>& deeds) {
@@ -182,6 +183,21 @@ void block(HuntWorld& world, const HuntSpace& space, const Die& die) {
   const grid::CellAt cell = pick(die, cells);
   world.deeds.push_back({200, fmt::format("obstacle {},{} for 60s", cell.x, cell.y), kObstacle});
   in_order(world.deeds);
+}
+
+void draw_late_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
+  if (space.buttons.empty() && !hears(space)) return;
+  if (space.for_ms < k16Bits_ms - kAround_ms) return;  // shorter runs are wanted
+  const bool presses = !space.buttons.empty() && (!hears(space) || chance(die, 50));
+  Deed deed = presses ? pressing(space, die) : saying(space, die);
+  deed.at_ms = k16Bits_ms - 500 - die(kAround_ms);
+  world.deeds.push_back(deed);
+  deed.at_ms = k16Bits_ms;
+  for (int again = 0; again < 2; ++again) {
+    deed.at_ms += 500 + die(kAround_ms);
+    world.deeds.push_back(deed);
+  }
+  world.least_ms = deed.at_ms + kSoon_ms;
 }
 
 void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const Die& die) {

@@ -30,6 +30,10 @@ bool hears(const HuntSpace& space);
 void draw_talk(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// Something stands on the line from the beginning, for longer than most runs.
 void block(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
+/// The same is pressed, or sent, a little before 16 bits do not hold the milliseconds since power-on any
+/// more, and twice behind that: what an `int` takes the time of, or the time from one to the next, goes
+/// wrong, on a chip only.
+void draw_late_deeds(HuntWorld& world, const HuntSpace& space, const worlds::Die& die);
 /// One more, within two seconds of the moment.
 void add_deed_behind(HuntWorld& world, const Moment& moment, const HuntSpace& space, const worlds::Die& die);
 /// The same of `world.parting`, as its last deed.

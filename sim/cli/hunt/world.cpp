@@ -82,6 +82,7 @@ HuntWorld pair(const HuntSpace& space, const Die& die) {
     draw_wrap_while_blocked(world, space, die);
   } else {
     if (hears(space) && chance(die, 80)) draw_talk(world, space, die);
+    if (world.twin == Twin::host && chance(die, hears(space) ? 15 : 60)) draw_late_deeds(world, space, die);
     // A cut parts a text elsewhere where something takes a millisecond more.
     if (world.twin == Twin::host)
       std::erase_if(world.deeds, [](const Deed& deed) { return deed.kind == kPowerOff; });

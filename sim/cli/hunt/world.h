@@ -1,6 +1,7 @@
 // The worlds of a hunt: how they are drawn, and which are smaller.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -65,6 +66,7 @@ struct HuntWorld {
   Moment parting = {};
   bool to_goal = true;   ///< ends there; else it runs on until its time is up
   bool is_long = false;  ///< takes all the time that there is for a run
+  int least_ms = 0;      ///< runs at least so long
   double for_s = 60.0;
 
   bool drawn() const { return track || network; }
@@ -110,7 +112,7 @@ struct HuntSpace {
 
 /// How long it runs, roughly.
 inline int span_ms(const HuntWorld& world, const HuntSpace& space) {
-  return world.is_long ? space.for_ms : space.usual_ms;
+  return std::max(world.least_ms, world.is_long ? space.for_ms : space.usual_ms);
 }
 /// What makes it go there.
 std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space);

@@ -8,6 +8,7 @@
 #include "sim/cli/hunt/deeds.h"
 #include "sim/cli/hunt/symptom.h"
 #include "sim/cli/hunt/twin.h"
+#include "sim/cli/hunt/words.h"
 
 namespace robosim::cli {
 namespace {
@@ -76,6 +77,26 @@ TEST(HuntTwin, WrapsTheClockOfWhoStandsBeforeSomething) {
       ++blocked;
   }
   EXPECT_GT(blocked, 4);
+}
+
+TEST(HuntTwin, PressesAroundWhere16BitsDoNotHoldTheMillisecondsAndRunsOn) {
+  HuntSpace space = space_of_a_talker();
+  space.words.clear();
+  space.buttons = {"start"};
+  int late = 0;
+  for (std::uint64_t run = 5; run < 600; run += 6) {
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
+    if (world.deeds.empty()) continue;
+    ++late;
+    ASSERT_EQ(world.twin, Twin::host);
+    ASSERT_EQ(world.deeds.size(), 3U);
+    EXPECT_LT(world.deeds[0].at_ms, 65'536);
+    EXPECT_GT(world.deeds[1].at_ms, 65'536);
+    EXPECT_GT(world.deeds[2].at_ms, world.deeds[1].at_ms);
+    EXPECT_GT(span_ms(world, space), world.deeds[2].at_ms);
+  }
+  EXPECT_GT(late, 25);
+  EXPECT_LT(late, 60);
 }
 
 TEST(HuntTwin, SpeaksTheSketchsOwnWordsAsOftenAsAllOthers) {
@@ -235,6 +256,15 @@ TEST(HuntSymptom, IsWhatTheCompilerWarnsOfOnceForEachLine) {
   EXPECT_EQ(warned[1].sentence, "The compiler warns: 'inverted' may be used uninitialized, Line.ino:9.");
   EXPECT_EQ(warned[0].sentence,
             "The compiler warns: suggest parentheses around assignment used as truth value, Line.ino:4.");
+}
+
+TEST(HuntWords, AreOfSketchesThatReadAStreamAndNotOnlyTheEeprom) {
+  EXPECT_TRUE(listens("if (bluetooth.available()) c = bluetooth.read();"));
+  EXPECT_TRUE(listens("x = EEPROM.read(0); c = Serial.read();"));
+  EXPECT_FALSE(listens("x = EEPROM.read(0); y = EEPROM.read(1);"));
+  std::vector<std::string> words;
+  add_words("#include \"Go.h\"\nif (c == 'g' || s == \"stop\") Serial.print(F(\"gone\"));", words);
+  EXPECT_EQ(words, (std::vector<std::string>{"g", "stop"}));
 }
 
 TEST(HuntDeeds, BeginBehindLinesOfTheSketchTheLastOfThemLast) {
