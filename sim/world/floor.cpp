@@ -251,10 +251,13 @@ double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) c
   }
   double room = 0.5 * (next - nearest);
   if (!painted_only) room = std::min(room, stripes_reach_ - nearest);  // beyond, other cells are looked at
-  found.none = nearest - reach > room;
-  room = std::min(found.none ? nearest - reach : room, 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y)));
-  room = std::max(room - kRounding, 0.0);
-  found.room = room * room;
+  const double border = 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y));
+  const auto square = [&](double way) {
+    const double sure = std::max(std::min(way, border) - kRounding, 0.0);
+    return sure * sure;
+  };
+  found.room = square(room);
+  found.clear = square(nearest - reach);
   return nearest;
 }
 

@@ -30,17 +30,17 @@ constexpr double typical_variation(Profile profile) { return profile < Profile::
 
 /// Which stripe was nearest to a point of a floor where corners are round, and how far from there it surely
 /// still is: half of what the next one is farther away, and not beyond the borders of its cell, for which
-/// stripes are looked up. So somebody who moves by less than that between two looks need not seek again. Or
-/// that no stripe comes near a footprint there. Of lines as the map has them, which stay.
+/// stripes are looked up. So somebody who moves by less than that between two looks need not seek again. And
+/// how far from there no stripe comes near a footprint. Of lines as the map has them, which stay.
 struct NearStripe {
-  Vec2 at;            ///< where it was sought
-  double room = 0.0;  ///< the square of how far from there that holds, m2; 0 = it must be sought
+  Vec2 at;             ///< where it was sought
+  double room = 0.0;   ///< the square of how far from there that holds, m2; 0 = it must be sought
+  double clear = 0.0;  ///< the same of no stripe being in reach of the footprint
   std::uint32_t number = 0;
-  bool none = false;  ///< it is out of reach
 
-  bool holds(Vec2 p) const {
+  double square_to(Vec2 p) const {
     const Vec2 moved = p - at;
-    return dot(moved, moved) < room;
+    return dot(moved, moved);
   }
 };
 
@@ -273,14 +273,15 @@ inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {
 
 inline double Floor::drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const {
   if (!stripes_ || !quads_.empty()) return drawn_coverage(p, footprint_m);
+  const double moved = last.square_to(p);
+  if (moved < last.clear) return 0.0;
+  if (!(moved < last.room)) return sought_coverage(p, footprint_m, last);
   const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
-  if (!last.holds(p)) return sought_coverage(p, footprint_m, last);
-  if (last.none) return 0.0;
   return ramp(std::min(reach, grid::distance(stripes_->all()[last.number], p)), reach, footprint);
 }
 
 inline double Floor::distance_to_line(Vec2 p, NearStripe& last) const {
-  if (!last.holds(p)) return sought_distance(p, last);
+  if (!(last.square_to(p) < last.room)) return sought_distance(p, last);
   const double nearest = grid::distance(stripes_->all()[last.number], p);
   return std::sqrt(nearest * nearest);
 }
