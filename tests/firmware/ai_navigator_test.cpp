@@ -7,6 +7,8 @@
 namespace {
 
 using namespace robosim::testing;
+using testing::ContainsRegex;
+using testing::StartsWith;
 
 class AiNavigator : public RobotTest, public testing::WithParamInterface<std::string> {
  protected:
@@ -38,6 +40,25 @@ TEST_P(AiNavigator, FindsAllStationsAndJunctions) {
   EXPECT_THAT(robot(), SerialSays("scan complete: 3 stations, 1 junction"));
   EXPECT_EQ(robot().stations_visited().size(), 3u);
   EXPECT_EQ(robot().station(), "1");
+}
+
+TEST_P(AiNavigator, SaysThatItIsReadyAndWhatItFindsEachOnce) {
+  const Drive start = robot().run_until(serial_says("press the button"), within(1_s));
+  EXPECT_THAT(start.serial(), StartsWith("ready\r\n"));
+  robot().press("start");
+  const std::string scan = robot().run_until(serial_says("destination?"), within(2_min)).serial();
+  for (const char* what : {"station 1", "station 2", "station 3", "junction 1"})
+    EXPECT_THAT(scan, ContainsRegex(std::string("found ") + what)) << what;
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = scan.find("found ", at)) != std::string::npos; ++at) ++found;
+  EXPECT_EQ(found, 4u) << scan;
+}
+
+TEST_P(AiNavigator, AsksForAScanWhenItIsToDriveWithoutAMap) {
+  ASSERT_TRUE(robot().run_until(serial_says("press the button"), within(1_s)));
+  robot().send("2\n");
+  EXPECT_THAT(robot().run_for(1_s),
+              AllOf(SerialSays("I do not know where I am.\r\nPut me on a line"), NeverDrives(at_all())));
 }
 
 TEST_P(AiNavigator, DrivesToTheStationThatItIsTold) {
