@@ -14,7 +14,6 @@ constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
 constexpr std::size_t kMissedRow =
     10;  // so many lines of a stream, for so long, are missed on the other side
 constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;
-constexpr std::size_t kLongestName = 60;
 
 class StreamComparer {
  public:
@@ -176,10 +175,6 @@ std::vector<Difference> stream_differences(const std::string& form, const Lanes&
                                            const std::array<const History*, 2>& sides, const Clocks& clocks,
                                            const Tolerance& tolerance) {
   return StreamComparer(lanes, sides, clocks, tolerance).compare(form);
-}
-
-std::string quoted(const std::string& text) {
-  return "\"" + (text.size() > kLongestName ? text.substr(0, kLongestName) + "…" : text) + "\"";
 }
 
 }  // namespace robosim::analysis

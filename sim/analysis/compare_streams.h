@@ -33,7 +33,4 @@ std::vector<Difference> stream_differences(const std::string& form, const Lanes&
                                            const std::array<const History*, 2>& sides, const Clocks& clocks,
                                            const Tolerance& tolerance);
 
-/// The text in quotes, cut where it is long.
-std::string quoted(const std::string& text);
-
 }  // namespace robosim::analysis

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFloat = 1e-5;  // of its value a float of 32 bits may be off by, after some arithmetic
 constexpr double kInt = 65536.0, kLong = 4294967296.0;
+constexpr std::size_t kLongestShown = 60;
 constexpr std::size_t kHexDigits = 4, kBinaryDigits = 16;  // at least, to be taken for such a number
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -91,6 +92,10 @@ LineText take_apart(const std::string& line) {
     at = end;
   }
   return parts;
+}
+
+std::string quoted(const std::string& text) {
+  return "\"" + (text.size() > kLongestShown ? text.substr(0, kLongestShown) + "…" : text) + "\"";
 }
 
 /// One in the last place that both have: rounding may go either way.

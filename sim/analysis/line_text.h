@@ -20,6 +20,9 @@ struct LineText {
 
 LineText take_apart(const std::string& line);
 
+/// The text in quotes, cut where it is long.
+std::string quoted(const std::string& text);
+
 /// How two numbers compare that different targets have printed.
 enum class Likeness {
   same,   ///< the same text, or within the tolerance
