@@ -40,7 +40,7 @@ TEST_F(AiNavigatorAgain, NoticesThatItWasCarriedElsewhereWhileItWasOff) {
   ASSERT_TRUE(robot().run_until(serial_says("destination?"), within(2_s)));
   robot().send("2\n");
   ASSERT_TRUE(robot().run_until(serial_says("this is not where I was switched off"), within(10_s)));
-  EXPECT_THAT(robot().run_for(1_s), NeverDrives(at_all()));
+  EXPECT_THAT(robot().run_for(1_s), AllOf(NeverDrives(at_all()), Not(SerialSays("going to"))));
   robot().send("2\n");
   ASSERT_TRUE(robot().run_until(serial_says("refused: I do not know where I am."), within(1_s)));
 }

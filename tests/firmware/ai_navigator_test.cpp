@@ -108,6 +108,14 @@ TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
   ASSERT_TRUE(robot().run_until(serial_says("My map is damaged."), within(2_s)));
 }
 
+TEST_P(AiNavigator, DoesNotTrustAPlaceThatIsDamaged) {
+  constexpr int kPlace = 1021;
+  scan();
+  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // another station of its map
+  robot().power_off(200_ms);
+  ASSERT_TRUE(robot().run_until(serial_says("I do not know where I am"), within(2_s)));
+}
+
 TEST_P(AiNavigator, RemembersItsMapWhenItIsSwitchedOff) {
   scan();
   robot().power_off(200_ms);

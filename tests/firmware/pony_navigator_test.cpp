@@ -35,7 +35,7 @@ TEST_P(PonyNavigator, StandsStillUntilItIsToldWhatToDo) {
 
 TEST_P(PonyNavigator, FindsAllStations) {
   scan();
-  EXPECT_THAT(robot(), SerialMatches("scan complete, stations: 3"));
+  EXPECT_THAT(robot(), AllOf(SerialMatches("^scanning"), SerialMatches("scan complete, stations: 3")));
   EXPECT_EQ(robot().stations_visited().size(), 3u);
 }
 

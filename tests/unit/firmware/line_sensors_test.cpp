@@ -68,6 +68,16 @@ TEST_F(LineSensorsTest, GiveValuesAndPositionFromAnalogPins) {
   EXPECT_EQ(sensors.position(), 666);
 }
 
+TEST_F(LineSensorsTest, GoFromTheLeastToTheMostThatAPinReadsUntilARangeIsSet) {
+  AnalogLineSensors sensors(kFive);
+  sensors.begin();
+  see(0, 1023, 512, 0, 0);
+  sensors.read();
+  EXPECT_EQ(sensors.value(0), 0);
+  EXPECT_EQ(sensors.value(1), 1000);
+  EXPECT_EQ(sensors.value(2), 500);
+}
+
 TEST_F(LineSensorsTest, TellALineFromWhatIsOnlySeen) {
   AnalogLineSensors sensors(kFive);
   sensors.setRange(0, 1000);

@@ -3,78 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <string>
 #include <vector>
 
-#include "walked_floor.h"
+#include "line_walk.h"
 
 namespace {
 
-using nav::Turn;
-
-constexpr std::uint8_t kPins[] = {14, 15, 16, 17, 18};
-
-class FloorSensors : public LineSensors {
- public:
-  explicit FloorSensors(const walked::Robot& robot) : LineSensors(kPins, 5, 0, 1000), robot_(robot) {}
-
- protected:
-  void beginPin(std::uint8_t pin) override { pinMode(pin, INPUT); }
-  void readRaw(std::uint16_t* raw) override {
-    delayMicroseconds(robot_.reading_us);
-    for (int i = 0; i < 5; ++i) raw[i] = static_cast<std::uint16_t>(robot_.darkness(70, (i - 2) * 9.525));
-  }
-
- private:
-  const walked::Robot& robot_;
-};
-
-/// A walker on a floor, and all that it has said: each landmark, where its axle then stands and when, and its
-/// pauses.
-struct Walk {
-  explicit Walk(std::vector<walked::Line> lines) : robot(std::move(lines)) {
-    said.clear();
-    walker.setOnPause([](bool stands) { said += stands ? "stands; " : "goes on; "; });
-    encoders.setDirections(1, 1);
-    walker.setup();
-    encoders.takeLeft();
-    encoders.takeRight();
-  }
-
-  void tell(const nav::Landmark& met) {
-    static const char* const kinds[] = {"line", "junction", "end", "blocked", "loop", "lost"};
-    std::string arms;
-    for (int i = 0; i < 4; ++i) arms += met.arms >> i & 1 ? '1' : '0';
-    char text[160];
-    std::snprintf(
-        text, sizeof text, "%s %s, heading %d at %d,%d, cost %d; axle at %.1f,%.1f, %.2f rad, %u ms\n",
-        kinds[static_cast<int>(met.kind)], arms.c_str(), met.heading, static_cast<int>(met.at.x),
-        static_cast<int>(met.at.y), static_cast<int>(met.cost), std::lround(10 * robot.x) / 10.0,
-        std::lround(10 * robot.y) / 10.0, robot.angle, static_cast<unsigned>(fake::board.now_us / 1000));
-    said += text;
-  }
-  /// Looks round, follows, and turns at each landmark as is told.
-  void go(const std::vector<Turn>& turns) {
-    tell(walker.begin());
-    tell(walker.follow());
-    for (const Turn turn : turns) {
-      walker.leave(turn);
-      tell(walker.follow());
-    }
-  }
-
-  walked::Robot robot;
-  FloorSensors sensors{robot};
-  DriveMotors motors{DriveMotor(walked::kLeftPwm, walked::kLeft1, walked::kLeft2),
-                     DriveMotor(walked::kRightPwm, walked::kRight1, walked::kRight2)};
-  WheelEncoders encoders{walked::kLeftCounts, walked::kRightCounts};
-  LineWalker walker{sensors, motors, encoders, walked::kBumper};
-  inline static std::string said;
-};
-
-constexpr Turn kOn = Turn::straight, kRight = Turn::right, kBack = Turn::back, kLeft = Turn::left;
-const walked::Line kTrunk{-300, 0, 600, 0};
+using namespace walked;
 
 // What is said of each trip is exact: places, costs and times are what a map is made of, and a robot that
 // drives otherwise makes others.
@@ -242,72 +177,6 @@ end 0001, heading 1 at -4,293, cost 56; axle at 0.0,298.7, 7.85 rad, 3780 ms
 )");
 }
 
-TEST(LineWalkerTest, WaitsForAnObstacleAndGoesOn) {
-  Walk walk({kTrunk});
-  walk.robot.wall_x = 300;
-  walk.robot.wall_ms = 1500;
-  walk.go({});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; goes on; end 0010, heading 0 at 599,5, cost 112; axle at 598.5,0.0, 6.28 rad, 6626 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpBeforeAnObstacleThatStays) {
-  Walk walk({kTrunk});
-  walk.robot.wall_x = 300;
-  walk.go({kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; blocked 0010, heading 0 at 221,4, cost 71; axle at 185.7,0.0, 6.28 rad, 7825 ms
-end 1000, heading 2 at -299,-1, cost 88; axle at -299.3,0.0, 9.42 rad, 10950 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpToABend) {
-  Walk walk({{-300, 0, 300, 0}, {300, 0, 300, 300}, {300, 300, 900, 300}});
-  walk.robot.wall_x = 400;
-  walk.go({kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; blocked 0010, heading 0 at 294,304, cost 217; axle at 300.5,299.1, 6.30 rad, 10860 ms
-end 1000, heading 2 at -308,10, cost 203; axle at -298.2,0.0, 3.14 rad, 15845 ms
-)");
-}
-
-TEST(LineWalkerTest, StandsBeforeAnObstacleOnAJunction) {
-  Walk walk({kTrunk, {200, 0, 200, 300}});
-  walk.robot.wall_x = 225;
-  walk.go({kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; blocked 0010, heading 0 at 146,3, cost 58; axle at 110.5,0.0, 6.29 rad, 7575 ms
-end 1000, heading 2 at -300,-1, cost 76; axle at -299.7,0.0, 9.42 rad, 10450 ms
-)");
-}
-
-TEST(LineWalkerTest, StandsBeforeAnObstacleInTheMiddleOfAnArm) {
-  Walk walk({kTrunk, {200, 0, 200, 300}});
-  walk.robot.wall_x = 205;
-  walk.go({kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; blocked 0010, heading 0 at 126,3, cost 55; axle at 91.0,-0.2, 6.29 rad, 7510 ms
-end 1000, heading 2 at -298,-2, cost 72; axle at -298.4,0.0, 9.42 rad, 10305 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpFromAnObstacleAtAnEnd) {
-  Walk walk({{-300, 0, 300, 0}});
-  walk.robot.wall_x = 365;
-  walk.go({kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-stands; end 0010, heading 0 at 286,4, cost 82; axle at 250.5,0.0, 6.28 rad, 8050 ms
-end 1000, heading 2 at -299,-1, cost 99; axle at -298.9,0.0, 9.43 rad, 11390 ms
-)");
-}
-
 TEST(LineWalkerTest, TakesAJumpOfTheLineForAJunction) {
   Walk walk({{-300, 0, 200, 0}, {200, 14, 500, 14}});
   walk.go({});
@@ -379,42 +248,6 @@ line 1010, heading 0 at 0,0, cost 0; axle at 0.4,0.2, 6.25 rad, 2350 ms
 junction 1110, heading 0 at 300,5, cost 57; axle at 299.9,0.2, 6.27 rad, 3525 ms
 end 0001, heading 1 at 297,303, cost 57; axle at 300.1,298.4, 7.84 rad, 5525 ms
 junction 1110, heading 3 at 301,4, cost 57; axle at 299.9,1.0, 10.98 rad, 8040 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpToAJunctionThatItHasLeft) {
-  Walk walk({kTrunk, {200, 0, 200, 300}});
-  walk.robot.wall_x = 310;
-  walk.go({kOn, kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
-stands; blocked 0010, heading 0 at 201,4, cost 35; axle at 199.7,0.2, 6.28 rad, 7980 ms
-junction 1110, heading 2 at 201,4, cost 0; axle at 199.7,0.2, 9.39 rad, 9315 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpToAJunctionAndGoesAnotherWay) {
-  Walk walk({kTrunk, {200, 0, 200, 300}});
-  walk.robot.wall_x = 310;
-  walk.go({kOn, kRight});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
-stands; blocked 0010, heading 0 at 201,4, cost 35; axle at 199.7,0.2, 6.28 rad, 7980 ms
-junction 1110, heading 1 at 201,4, cost 0; axle at 199.7,0.2, 7.82 rad, 8800 ms
-)");
-}
-
-TEST(LineWalkerTest, BacksUpOnlyALittleBehindAJunctionThatItHasLeft) {
-  Walk walk({kTrunk, {200, 0, 200, 300}});
-  walk.robot.wall_x = 395;
-  walk.go({kOn, kBack});
-  EXPECT_EQ("\n" + Walk::said, R"(
-line 1010, heading 0 at 0,0, cost 0; axle at 0.0,0.0, 6.25 rad, 2360 ms
-junction 1110, heading 0 at 201,4, cost 41; axle at 199.8,0.3, 6.28 rad, 3205 ms
-stands; blocked 0010, heading 0 at 316,4, cost 53; axle at 280.7,0.1, 6.28 rad, 8340 ms
-junction 1110, heading 2 at 198,1, cost 21; axle at 197.2,2.8, 9.47 rad, 10070 ms
 )");
 }
 

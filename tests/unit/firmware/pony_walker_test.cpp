@@ -88,6 +88,16 @@ end 0010, heading 0 at 0,0, cost 340, light 2; axle at 264,-9, 12.64 rad, 20198 
 )");
 }
 
+TEST(PonyWalkerTest, KnowsHowLongALineOfMoreThanAMinuteIs) {
+  Ride ride({{-300, 0, 9000, 0}});
+  ride.walker.begin();
+  const std::uint32_t left_us = fake::board.now_us;
+  const nav::Landmark end = ride.walker.follow();
+  EXPECT_EQ(end.kind, nav::LandmarkKind::end);
+  EXPECT_GT(fake::board.now_us - left_us, 66'000'000u) << "beyond 16 bits of ms";
+  EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "since it began to look round";
+}
+
 TEST(PonyWalkerTest, TellsTheWaysOfATee) {
   Ride ride({{-300, 0, 300, 0}, {300, -300, 300, 300}});
   ride.go({kToRight, kRound, kAhead, kRound, kToRight, kRound});

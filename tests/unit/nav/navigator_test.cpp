@@ -253,6 +253,22 @@ TEST(Navigator, DrivesByAnyPlannerOfAWay) {
   }
 }
 
+TEST(PathPlanner, HasNoNextNodeWhereItIs) {
+  Map map;
+  map.clear();
+  map.addStation(Map::kNone, 0, 0b0001, 2, 0);
+  map.addJunction(0, 0, 0b0111, 0, {100, 0}, 10);
+  map.addStation(1, 1, 0b1000, 1, 10);
+  typedef nav::FixedPath<200> Path;
+  typedef nav::FixedDijkstraWork<200> Work;
+  nav::PathPlanner<Map, Path, Work> planner(nav::dijkstra<Map, Path, Work>);
+  EXPECT_EQ(planner.next(map, 0, 2), 1);
+  EXPECT_EQ(planner.next(map, 1, 2), 2);
+  EXPECT_EQ(planner.next(map, 2, 2), Map::kNone);
+  planner.forget();
+  EXPECT_EQ(planner.next(map, 2, 2), Map::kNone);
+}
+
 /// Tells landmarks from a list, whatever it is told to do.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
