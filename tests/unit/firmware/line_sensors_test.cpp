@@ -71,11 +71,12 @@ TEST_F(LineSensorsTest, GiveValuesAndPositionFromAnalogPins) {
 TEST_F(LineSensorsTest, GoFromTheLeastToTheMostThatAPinReadsUntilARangeIsSet) {
   AnalogLineSensors sensors(kFive);
   sensors.begin();
-  see(0, 1023, 512, 0, 0);
+  see(0, 1023, 1022, 511, 0);
   sensors.read();
   EXPECT_EQ(sensors.value(0), 0);
   EXPECT_EQ(sensors.value(1), 1000);
-  EXPECT_EQ(sensors.value(2), 500);
+  EXPECT_EQ(sensors.value(2), 999);
+  EXPECT_EQ(sensors.value(3), 499);
 }
 
 TEST_F(LineSensorsTest, TellALineFromWhatIsOnlySeen) {
@@ -195,6 +196,17 @@ TEST_F(LineSensorsTest, TimeTheDischargeOfRcSensors) {
   EXPECT_EQ(sensors.value(2), 1000);
   EXPECT_LT(fake::board.now_us, 2600u) << "it waits no longer than the timeout";
   EXPECT_EQ(fake::board.pins[2].level, LOW) << "a pull-up would keep the pin high";
+}
+
+TEST_F(LineSensorsTest, TimeTheDischargeWhateverTheClockSays) {
+  constexpr std::uint8_t pins[] = {2};
+  RcLineSensors sensors(pins, 2500);
+  for (const std::uint32_t now : {0xFFF0u, 3'000'000u, 0xFFFFFF00u}) {
+    fake::board.now_us = now;
+    fake::board.pins[2].drains_us = 1200;
+    sensors.read();
+    EXPECT_NEAR(sensors.raw(0), 1200, 30) << now;
+  }
 }
 
 TEST_F(LineSensorsTest, SwitchTheirLampsOn) {

@@ -166,6 +166,14 @@ junction 1110, heading 2 at 0,0, cost 57; axle at 0.5,0.3, 9.43 rad, 6045 ms
 )");
 }
 
+TEST(LineWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
+  Walk walk({{-300, 0, 300, 0}, {300, -300, 300, 300}});
+  walk.go({kRight});
+  Walk::said.clear();
+  walk.tell(walk.walker.begin());
+  EXPECT_EQ(Walk::said.substr(0, 27), "end 0010, heading 2 at 0,0,") << "by the line behind it";
+}
+
 TEST(LineWalkerTest, BeginsAcrossALine) {
   Walk walk({{0, -300, 0, 300}});
   walk.robot.angle = 0.3;

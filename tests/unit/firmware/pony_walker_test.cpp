@@ -98,6 +98,12 @@ TEST(PonyWalkerTest, KnowsHowLongALineOfMoreThanAMinuteIs) {
   EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "since it began to look round";
 }
 
+TEST(PonyWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
+  Ride ride({{-300, 0, 300, 0}, {300, -300, 300, 300}});
+  ride.go({kToRight});
+  EXPECT_EQ(ride.walker.begin().heading, 0) << "it was 1";
+}
+
 TEST(PonyWalkerTest, TellsTheWaysOfATee) {
   Ride ride({{-300, 0, 300, 0}, {300, -300, 300, 300}});
   ride.go({kToRight, kRound, kAhead, kRound, kToRight, kRound});

@@ -181,6 +181,13 @@ TEST(FixedTree, KeepsSixteenBlockedArms) {
   }
 }
 
+// The check value of CRC-16/CCITT-FALSE in the catalogues of checksums: maps stay readable.
+TEST(Record, HasTheChecksumThatItSays) {
+  std::uint16_t crc = 0xFFFF;
+  for (const char c : std::string("123456789")) crc = nav::crc16(crc, static_cast<std::uint8_t>(c));
+  EXPECT_EQ(crc, 0x29B1);
+}
+
 TEST(Record, BringsBackWhatWasSaved) {
   for (uint32_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);

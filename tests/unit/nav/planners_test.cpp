@@ -293,6 +293,20 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
   EXPECT_GT(refused, 500);
 }
 
+TEST(Planners, KnowThatALineWhichClosesACycleIsNoneOfATree) {
+  Links links;
+  links.clear(3);
+  const auto join = [&](std::uint8_t a, std::uint8_t slot_a, std::uint8_t b, std::uint8_t slot_b) {
+    links.setLink(a, slot_a, b);
+    links.setLink(b, slot_b, a);
+  };
+  join(0, 0, 1, 0);
+  join(1, 1, 2, 0);
+  EXPECT_TRUE(nav::isPreorder(links));
+  join(2, 1, 0, 1);
+  EXPECT_FALSE(nav::isPreorder(links));
+}
+
 TEST(Planners, RefuseUnknownNodesAndTooLittleMemory) {
   Dice dice(1);
   Floor floor = randomTree(dice, 20, false);
@@ -348,6 +362,20 @@ TEST(Planners, TakeTheCheapestOpenOneOfParallelLines) {
   EXPECT_EQ(nav::slotTowards(map, 0, 1), nav::kNoSlot);
 }
 
+TEST(Planners, FindTheCheapestWayWhateverTheirMemoryHeld) {
+  Map map;
+  map.clear();
+  map.addJunction(Map::kNone, 0, 0b0111, 0, {0, 0}, 0);
+  map.addJunction(0, 1, 0b0111, 0, {100, 0}, 10);
+  map.addJunction(1, 1, 0b0111, 0, {200, 0}, 10);
+  map.join(2, 1, 0, 2, 100);
+  nav::FixedPath<200> path;
+  nav::FixedDijkstraWork<200> work;
+  std::fill_n(work.costs(map.size()), map.size(), static_cast<nav::FixedDijkstraWork<200>::Cost>(-2));
+  ASSERT_EQ(nav::dijkstra(map, 0, 2, path, work), Plan::found);
+  EXPECT_EQ(Way(path.begin(), path.end()), (Way{0, 1, 2}));
+}
+
 TEST(ParentTable, RefusesAParentThatIsNotBeforeItsChildAndOneNodeTooMany) {
   nav::ParentTable<3> parents;
   parents.clear();
@@ -358,6 +386,17 @@ TEST(ParentTable, RefusesAParentThatIsNotBeforeItsChildAndOneNodeTooMany) {
   EXPECT_TRUE(parents.add(1));
   EXPECT_FALSE(parents.add(1));
   EXPECT_EQ(parents.size(), 3);
+}
+
+TEST(DijkstraNext, TakesTheShorterOfTwoWaysOfManyMinutes) {
+  Map map;
+  map.clear();
+  map.addJunction(Map::kNone, 0, 0b0111, 0, {0, 0}, 0);
+  map.addJunction(0, 1, 0b0111, 0, {100, 0}, 8000);
+  map.addJunction(1, 1, 0b0111, 0, {200, 0}, 8000);
+  ASSERT_TRUE(map.join(2, 1, 0, 2, 24000));
+  nav::DijkstraNext<64> dijkstra;
+  EXPECT_EQ(dijkstra.next(map, 0, 2), 1) << "over one more junction, in two thirds of the time";
 }
 
 TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
