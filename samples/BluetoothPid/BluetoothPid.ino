@@ -78,6 +78,7 @@ void setup() {
   pinMode(BIN2, OUTPUT);
   pinMode(PWMB, OUTPUT);
   pinMode(STBY, OUTPUT);
+  pinMode(13, OUTPUT);
   digitalWrite(STBY, HIGH);
   digitalWrite(13, HIGH);
   calibrate();

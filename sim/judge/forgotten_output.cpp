@@ -10,6 +10,7 @@ namespace robosim::judge {
 namespace {
 
 constexpr SimTime kSoon = 100 * kMillisecond;
+constexpr Pin kAmplified = 13;
 
 bool is_driven(const std::string& type) {
   constexpr std::array<std::string_view, 10> kTypes = {
@@ -43,8 +44,11 @@ std::vector<exec::Detected> ForgottenOutput::found(SimTime now) const {
           {kName,
            fmt::format(
                "pin {} ({}) was never set to OUTPUT: HIGH only turns on its pull-up of 20 to 50 kOhm, a "
-               "tenth of a milliampere; it was written",
-               one.wired.pin, one.wired.part),
+               "tenth of a milliampere{}; it was written",
+               one.wired.pin, one.wired.part,
+               one.wired.type == "led" && one.wired.pin == kAmplified
+                   ? " (an Uno R3 has an amplifier before its own LED; a Nano and many clones have none)"
+                   : ""),
            fmt::format("Set it to OUTPUT in setup(): pinMode({}, OUTPUT), or its bit in DDRx.",
                        one.wired.pin),
            one.where, 1e-9 * static_cast<double>(*one.pulled_up), 1});

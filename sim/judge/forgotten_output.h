@@ -5,6 +5,8 @@
 // The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2): an LED gets a tenth of a milliampere and
 // hardly glows, a buzzer and a servo stay silent, and a motor driver's input may or may not be high enough,
 // which changes with the module that was bought. Here drivers take it for high, so that the run goes well.
+// The LED on an Uno R3 itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines;
+// those on a Nano and on many clones have none.
 //
 // What is found is a pin with a motor, driver, LED, buzzer, servo, fan, stepper or shift register on it that
 // was an input with its pull-up on, and was no output at any time, at least a tenth of a second later. So who

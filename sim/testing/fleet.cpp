@@ -120,6 +120,7 @@ Fleet::~Fleet() {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       const wire::RunResult& result = in_->run->result(i);
       robots_[i]->in_->complain_unasked(result);
+      robots_[i]->in_->complain_detected(result);
       record_trace(result.trace_hash);
       if (i == 0 && !is_rehearsal()) record_figures(*in_->logs[i], result);
     }

@@ -1,5 +1,6 @@
 #include "sim/testing/inside.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ void Simulation::Inside::take(const wire::Event& event) {
 }
 
 void Simulation::Inside::note_leg(std::int64_t begin_ns, Spot spot) {
+  last = spot;
   const bool had_verdict = log->result && !log->result->verdict.empty();
   if (had_verdict && !shared->over()) return;
   RunLog::Leg leg;
@@ -179,6 +181,18 @@ void Simulation::Inside::complain_unasked(const wire::RunResult& result) const {
   ADD_FAILURE_AT(ended.file ? ended.file : __FILE__, ended.line)
       << "the run failed by itself, which no expectation looked at\n  " << all.title()
       << all.epilogue(all.end());
+}
+
+void Simulation::Inside::complain_detected(const wire::RunResult& result) const {
+  if (result.detected.empty()) return;
+  std::string seen;
+  for (const wire::Detected& one : result.detected)
+    seen += fmt::format("\n  detected: {} [{}]", wire::text_of(one), one.detector);
+  const Drive all = drive(0);
+  ADD_FAILURE_AT(last.file ? last.file : __FILE__, last.line)
+      << "what the sketch did works here, and breaks on a real robot; .detect = false, and nobody looks"
+      << seen << "\n  " << all.title() << "\n  replay: " << log->replay
+      << fmt::format(" --for {}ms --sanitize", shared->now_ns / 1'000'000);
 }
 
 }  // namespace robosim::testing

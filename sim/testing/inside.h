@@ -56,6 +56,8 @@ struct Simulation::Inside {
   const wire::Paused& state() const;
   /// Fails the test if the run ended in a way that no expectation looked at.
   void complain_unasked(const wire::RunResult& result) const;
+  /// Fails the test if a detector has seen something.
+  void complain_detected(const wire::RunResult& result) const;
 
   std::shared_ptr<RunLog> log = std::make_shared<RunLog>();
   Standing standing{log};
@@ -63,7 +65,8 @@ struct Simulation::Inside {
   std::shared_ptr<SharedRun> shared;
   std::size_t number = 0;  ///< among the robots
   std::size_t read = 0;    ///< bytes of the serial text that are done with
-  Spot ended;
+  Spot ended;              ///< where the run ended, ...
+  Spot last;               ///< and where it went on last
 };
 
 }  // namespace robosim::testing

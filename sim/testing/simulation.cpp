@@ -167,6 +167,7 @@ Simulation::~Simulation() {
     const wire::RunResult& result = run.run->end();
     RunLog& log = *in_->log;
     in_->complain_unasked(result);
+    in_->complain_detected(result);
     if (in_->stage.counted)
       keep_coverage(coverage_folder(trial_.target), in_->stage.request.counters, in_->stage.counted->request,
                     in_->stage.counted->image, replay_command() + "\n" + run.run->script());

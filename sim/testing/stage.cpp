@@ -129,6 +129,7 @@ Stage set_stage(const Trial& trial, client::Runner& runner) {
   request.script_file = "the Trial's script";
   request.samples_every_ns = kSamplesEvery_ns;
   request.serial = request.notes = true;
+  request.detect = trial.detect;
 
   launch::Prepared run = launcher().prepare(
       launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
@@ -179,6 +180,7 @@ std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::
   common.profile = trial.profile;
   common.samples_every_ns = kSamplesEvery_ns;
   common.serial = common.notes = true;
+  common.detect = trial.detect;
   launch::PreparedFleet run = launch::prepare(
       launcher(), all.fleet, std::move(all.chosen), common,
       [&](const std::string& name) { return runner.describe_robot(name); }, runner.hello());
@@ -209,6 +211,7 @@ std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::
     alone.goal = named.request.goal;
     alone.script = named.request.script;
     alone.limit = trial.limit;
+    alone.detect = trial.detect;
     alone.clock_start = Duration(named.request.clock_ns);
     alone.libraries = named.libraries;
   }

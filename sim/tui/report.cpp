@@ -214,7 +214,7 @@ void write_figures(Writer& out, const Report& report) {
   }
   if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
   if (!r.lacks.empty()) out.labelled("lacks       ", lacks_text(r.lacks));
-  for (const wire::Detected& seen : r.detected) out.labelled("detected    ", detected_text(seen));
+  for (const wire::Detected& seen : r.detected) out.labelled("detected    ", wire::text_of(seen));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
@@ -236,17 +236,6 @@ std::string chip_hint(const std::string& chip_target) {
 }
 
 }  // namespace
-
-std::string detected_text(const wire::Detected& seen) {
-  const wire::SourceLine& where = seen.where;
-  const std::string place =
-      where.file.empty() ? ""
-                         : fmt::format("{}, {}:{}", where.function.empty() ? "" : " in " + where.function,
-                                       where.file, where.line);
-  return fmt::format("{}{} ({}{}). {}", seen.what, place,
-                     seen.times == 1 ? "at " : fmt::format("{} times, first at ", seen.times),
-                     time_text(seen.first_s), seen.mend);
-}
 
 std::int64_t trail_every_ns(std::int64_t for_ns) {
   constexpr std::int64_t kEvery_ns = 50'000'000, kTick_ns = 1'000'000, kMostSamples = 20'000;

@@ -71,9 +71,6 @@ struct Report {
 };
 
 /// At most 20 rows of picture and `columns` characters a line. `map` may be null: then there is no picture.
-/// "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
-std::string detected_text(const wire::Detected& seen);
-
 std::string end_screen(const Report& report, const grid::Map* map, int columns, Look look);
 
 /// Stations, and where the trail begins (without one the start's cell); visited stations in another ink.

@@ -101,6 +101,9 @@ void fields(V& v, Same<V, Detected>& d) {
   v("times", d.times, "how often it was seen there");
 }
 
+/// "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
+std::string text_of(const Detected& seen);
+
 /// What firmware takes of its chip, as measured from power-on.
 struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables

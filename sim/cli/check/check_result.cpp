@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-
-#include "sim/tui/report.h"
+#include <string_view>
 
 namespace robosim::cli {
 namespace {
+
+constexpr std::string_view kDetected = "detected: ";
 
 /// "17.23", with as many digits as it takes to differ from the limit it is beyond.
 std::string beyond(double value, double limit) {
@@ -67,11 +68,15 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
   for (const FigureLimit& limit : check.limits) {
     if (const auto why = why_beyond(limit, result)) return why;
   }
-  if (!result.detected.empty()) return "detected: " + tui::detected_text(result.detected.front());
+  if (!result.detected.empty())
+    return fmt::format("{}{} (detect = false asks no detectors)", kDetected,
+                       wire::text_of(result.detected.front()));
   for (const Promise& promise : check.promises)
     if (const std::string why = why_broken(promise, result); !why.empty()) return why;
   return std::nullopt;
 }
+
+bool is_of_detectors(const std::string& why) { return why.rfind(kDetected, 0) == 0; }
 
 ExitStatus worse(ExitStatus a, ExitStatus b) {
   constexpr std::array kWorstFirst = {ExitStatus::interrupted, ExitStatus::internal, ExitStatus::tool_missing,

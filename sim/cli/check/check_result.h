@@ -53,5 +53,7 @@ ExitStatus worse(ExitStatus a, ExitStatus b);
 
 /// Why a run does not meet the check, in one sentence; nullopt if it does.
 std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result);
+/// Whether that is what a detector has seen.
+bool is_of_detectors(const std::string& why);
 
 }  // namespace robosim::cli

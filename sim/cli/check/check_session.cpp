@@ -226,7 +226,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
   result.again_trace_hash = run_result.trace_hash;
   result.replay = result.again;
-  if (planned.check.detect) result.replay += " --sanitize";  // that is how run asks detectors
+  if (is_of_detectors(*why)) result.replay += " --sanitize";  // that is how run asks them
 }
 
 void CheckSession::finish(Planned& planned) {

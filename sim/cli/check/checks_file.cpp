@@ -106,6 +106,7 @@ class CheckReader {
     }
     if (check.expect.empty()) check.expect = {"reached"};
     for (const Figure& figure : figures()) add_limit(figure, check);
+    check.detect = !check.sweep.each.sanitize;
     if (const ConfigValue* value = reader_.find("detect")) {
       check.detect = as_boolean(*value, "detect");
       if (check.detect && check.sweep.each.sanitize)

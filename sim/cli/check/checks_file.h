@@ -31,7 +31,7 @@ struct Check {
   std::vector<FigureLimit> limits;
   std::vector<std::string> serial;    ///< texts that the sketch must send, one after the other
   std::vector<std::string> shows;     ///< texts that parts must tell, one after the other
-  bool detect = false;                ///< detectors must see nothing
+  bool detect = true;                 ///< detectors must see nothing
   std::vector<std::string> stations;  ///< that must be visited, in any order
   std::vector<Promise> promises;      ///< of the file
 };

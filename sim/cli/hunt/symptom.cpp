@@ -120,7 +120,7 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
 std::vector<Symptom> detected_in(const wire::RunResult& result) {
   std::vector<Symptom> all;
   for (const wire::Detected& seen : result.detected) {
-    std::string sentence = tui::detected_text(seen);
+    std::string sentence = wire::text_of(seen);
     sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     const std::string place =
         seen.where.file.empty() ? "" : fmt::format(" {}:{}", seen.where.file, seen.where.line);

@@ -69,6 +69,18 @@ TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
   EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s was 9.5")));
 }
 
+TEST(WhyFailed, WhatADetectorHasSeenIsAFailure) {
+  wire::RunResult result = run("reached");
+  result.detected.push_back({"blind", "it drove on", "Look", {"loop", "Sketch.ino", 3}, 1.5, 2});
+  const auto why = why_failed(check(), result);
+  ASSERT_TRUE(why);
+  EXPECT_EQ(
+      *why,
+      "detected: it drove on in loop, Sketch.ino:3 (2 times, first at 1.50 s). Look (detect = false asks no "
+      "detectors)");
+  EXPECT_TRUE(is_of_detectors(*why));
+}
+
 TEST(WhyFailed, SerialTextsFollowEachOther) {
   Check talks = check();
   talks.serial = {"ready", "go"};

@@ -58,6 +58,7 @@ stop-early = true
   EXPECT_EQ(sweep.each.request.clock_ns, 3'600'000'000'000);
   EXPECT_EQ(sweep.first_seed, 3u);
   EXPECT_EQ(sweep.last_seed, 60u);
+  EXPECT_FALSE(check.detect) << "its checks change the timing";
   EXPECT_EQ(sweep.each.request.profile, "ideal");
   EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
   EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "as scripts write it";
@@ -76,6 +77,11 @@ TEST_F(ChecksFile, WithoutKeysItIsOneRunThatMustReachItsGoal) {
   EXPECT_THAT(check.expect, ElementsAre("reached"));
   EXPECT_THAT(check.limits, IsEmpty());
   EXPECT_FALSE(check.sweep.min_rate);
+}
+
+TEST_F(ChecksFile, DetectorsAreAskedUnlessItSaysOtherwise) {
+  EXPECT_TRUE(read("[[check]]\nname = \"a\"\n")[0].detect);
+  EXPECT_FALSE(read("[[check]]\nname = \"a\"\ndetect = false\n")[0].detect);
 }
 
 TEST_F(ChecksFile, LimitsAreNamedAsTheFiguresOfRun) {

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/support/caught_failures.h"
+
 namespace {
 
 using namespace robosim::testing;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -183,6 +186,28 @@ TEST(ARunThatFailsByItself, FailsTheTestUnlessItAsksHowTheRunEnded) {
   EXPECT_TRUE(robot.run_until(ends("crashed"), within(20_s)));
   EXPECT_THAT(robot, EndsAs("crashed"));
   EXPECT_THROW(robot.press("start"), std::exception) << "it is over";
+}
+
+TEST(ARunInWhichADetectorSeesSomething, FailsTheTestUnlessItAsksNone) {
+  Trial dim = with("Dim");
+  const auto run = [&] {
+    Simulation robot(dim);
+    robot.run_for(200_ms);
+  };
+  const std::vector<std::string> failures = robosim::test::caught_failures(run);
+  ASSERT_EQ(failures.size(), 1u);
+  EXPECT_THAT(failures[0], AllOf(HasSubstr("detected: pin 13 (LED) was never set to OUTPUT"),
+                                 HasSubstr("in setup, Dim.ino:6"), HasSubstr("[forgotten_output]"),
+                                 HasSubstr("replay: robosim run "), HasSubstr(" --for 200ms --sanitize")));
+  EXPECT_THAT(robosim::test::caught_failures([&] {
+                Fleet both({.robots = {{.name = "A", .sketch = "PidFollower"},
+                                       {.name = "B", .sketch = dim.sketch, .start = "20,2,W"}},
+                            .map = "oval"});
+                both.run_for(200_ms);
+              }),
+              ElementsAre(HasSubstr("detected: pin 13 (LED)")));
+  dim.detect = false;
+  run();
 }
 
 TEST(Trial, TakesAMapAndARobotAsText) {

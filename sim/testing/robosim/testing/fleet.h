@@ -40,6 +40,7 @@ struct FleetTrial {
   std::uint64_t seed = 1;
   std::string profile = "typical";
   Duration limit = std::chrono::hours(1);
+  bool detect = true;
 };
 
 class Fleet {

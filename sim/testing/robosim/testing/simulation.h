@@ -30,6 +30,7 @@ struct Trial {
   Duration limit = std::chrono::hours(1);  ///< the run ends here, whatever happens
   Duration clock_start{};                  ///< what millis() begins with; chip targets only
   std::vector<std::string> libraries;      ///< folders of further Arduino libraries
+  bool detect = true;                      ///< what a detector sees fails the test: docs/sanitizers.md
 };
 
 class Simulation {

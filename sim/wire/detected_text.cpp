@@ -1,0 +1,18 @@
+#include <fmt/format.h>
+
+#include "sim/wire/run_result.h"
+
+namespace robosim::wire {
+
+std::string text_of(const Detected& seen) {
+  const SourceLine& where = seen.where;
+  const std::string place =
+      where.file.empty() ? ""
+                         : fmt::format("{}, {}:{}", where.function.empty() ? "" : " in " + where.function,
+                                       where.file, where.line);
+  return fmt::format("{}{} ({}{:.2f} s). {}", seen.what, place,
+                     seen.times == 1 ? "at " : fmt::format("{} times, first at ", seen.times), seen.first_s,
+                     seen.mend);
+}
+
+}  // namespace robosim::wire
