@@ -52,6 +52,8 @@ std::string place_of(const wire::Crash& crash) {
 Symptom crashed(const wire::RunResult& result) {
   const wire::Crash& crash = *result.crash;
   const std::string place = place_of(crash);
+  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // what a detector sees, too
+    return {"crashed", crash.check + " " + place, result.why, false};
   return {"crashed", fmt::format("{} {}", place.empty() ? without_numbers(crash.reason) : "crashed", place),
           result.why, false};
 }

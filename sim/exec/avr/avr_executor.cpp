@@ -8,6 +8,7 @@
 #include "sim/exec/avr/detect/nested_loop.h"
 #include "sim/exec/avr/detect/reference_change.h"
 #include "sim/exec/avr/detect/stack_margin.h"
+#include "sim/exec/avr/detect/torn_number.h"
 #include "sim/exec/avr/detect/watchdog_margin.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
@@ -61,6 +62,7 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
     detectors_.push_back(std::make_unique<avr::StackMargin>(machine_, program));
     detectors_.push_back(std::make_unique<avr::NestedLoop>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::TornNumber>(machine_, program));
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;

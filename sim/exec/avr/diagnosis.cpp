@@ -1,29 +1,16 @@
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/core/bites.h"
 
-#include <cxxabi.h>
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
 
 #include "sim/exec/avr/check.h"
+#include "sim/exec/avr/detect/torn_number.h"
+#include "sim/exec/avr/readable.h"
 
 namespace robosim::exec::avr {
 namespace {
-
-const char* name_of(Tearing::Deed deed) {
-  switch (deed) {
-    case Tearing::Deed::reads:
-      return "torn_read";
-    case Tearing::Deed::writes:
-      return "torn_write";
-    case Tearing::Deed::writes_back:
-      return "lost_update";
-  }
-  return "";
-}
 
 constexpr std::size_t kMostCalls = 10;
 constexpr int kRet = 0x9508, kReti = 0x9518;
@@ -34,14 +21,6 @@ bool is_jump(const Fault& fault) {
 
 bool same_place(const SourceLine& a, const SourceLine& b) {
   return a.function == b.function && a.file == b.file && a.line == b.line;
-}
-
-/// A variable's name as it stands in the sketch.
-std::string readable(const std::string& symbol) {
-  int status = 0;
-  const std::unique_ptr<char, decltype(&std::free)> name(
-      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
-  return status == 0 ? name.get() : symbol;
 }
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -125,27 +104,6 @@ std::string Diagnosis::overflow_text() const {
                      readable(variable->name), variable->size);
 }
 
-std::string Diagnosis::torn_text(const Tearing::Found& found) const {
-  const double later_us = 1e6 * static_cast<double>(found.later) / machine_.chip().clock_hz();
-  const SourceLine at = debug_.place(found.handler_pc);
-  const std::string handler =
-      at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
-  if (found.deed == Tearing::Deed::writes_back)
-    return fmt::format(
-        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt, and came "
-        "{:.1f} µs too late to be undone by that; change it with interrupts off (noInterrupts(), "
-        "ATOMIC_BLOCK)",
-        readable(found.number->name), handler, later_us);
-  const bool writes = found.deed == Tearing::Deed::writes;
-  return fmt::format(
-      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and came "
-      "{:.0f} µs too "
-      "late to leave half of an old number and half of a new one; {} with interrupts off (noInterrupts(), "
-      "ATOMIC_BLOCK)",
-      writes ? "write" : "read", readable(found.number->name), found.number->size,
-      writes ? "writes" : "reads", handler, later_us, writes ? "write it" : "copy it");
-}
-
 std::string Diagnosis::reason(const Fault& fault) const {
   if (fault.kind == Fault::Kind::stack ||
       (fault.kind != Fault::Kind::watchdog && machine_.stack().has_overflown()))
@@ -163,8 +121,10 @@ std::string Diagnosis::reason(const Fault& fault) const {
       return fmt::format("write to the sketch's own flash at 0x{:04X} (instruction spm)", fault.address);
     case Fault::Kind::watchdog:
       return Bites::reason();
-    case Fault::Kind::torn:
-      return torn_text(*machine_.chip().tearing()->found());
+    case Fault::Kind::torn: {
+      const Tearing::Found& found = *machine_.chip().tearing()->found();
+      return torn_text(found, debug_, machine_.chip().clock_hz()) + "; " + mend_of(found.deed);
+    }
     default:
       return jump_text(fault);
   }
@@ -226,7 +186,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
     return crash;
   }
   crash.reason = reason(fault);
-  if (fault.kind == Fault::Kind::torn) crash.check = name_of(machine_.chip().tearing()->found()->deed);
+  if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().tearing()->found()->deed);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // Of a jump into the void: the call or return that led there.

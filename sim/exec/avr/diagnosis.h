@@ -29,7 +29,6 @@ class Diagnosis {
   std::optional<int> unhandled(const Fault& fault) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;
-  std::string torn_text(const Tearing::Found& found) const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
   /// The core's function that the sketch has called and is in: "delay()", not what delay() calls. Empty if it

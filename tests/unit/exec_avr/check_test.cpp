@@ -1,7 +1,5 @@
 // What the checks of a sketch built with --sanitize find on the chip, and how they say it.
 
-#include <array>
-
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -81,100 +79,6 @@ TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
   EXPECT_FALSE(avr_->resources()) << "they are not those of the sketch";
   sanitize_ = false;
   EXPECT_THROW(build(large), InputError);
-}
-
-// --- torn reads and writes
-
-/// A timer counts 20,000 times a second, and loop() is `line`.
-std::string counted(const std::string& line, const std::string& handler = "ticks += 40;") {
-  return "#include <util/atomic.h>\n"
-         "volatile unsigned long ticks; volatile bool ready; volatile unsigned long seen;\n"
-         "ISR(TIMER2_COMPA_vect) { " +
-         handler +
-         " }\n"
-         "void setup() { TCCR2A = _BV(WGM21); OCR2A = 99; TCCR2B = _BV(CS21); TIMSK2 = _BV(OCIE2A); }\n"
-         "void loop() { " +
-         line + " }\n";
-}
-
-TEST_F(CheckTest, ANumberThatAHandlerMayChangeWhileItIsRead) {
-  start(counted("seen = ticks;"));
-  run(100 * kMillisecond);
-  ASSERT_TRUE(avr_->crash());
-  EXPECT_EQ(avr_->crash()->check, "torn_read");
-  EXPECT_THAT(avr_->crash()->reason, HasSubstr("torn read of ticks, whose 4 bytes the chip reads one by one: "
-                                               "the handler at Test.ino:3 changes them in an interrupt"));
-  EXPECT_THAT(avr_->crash()->reason, HasSubstr("copy it with interrupts off (noInterrupts(), ATOMIC_BLOCK)"));
-  EXPECT_EQ(avr_->crash()->where.file, "Test.ino");
-  EXPECT_EQ(avr_->crash()->where.line, 5);
-  EXPECT_EQ(avr_->crash()->where.function, "loop");
-}
-
-TEST_F(CheckTest, ANumberThatAHandlerMayChangeWhileItIsWritten) {
-  start(counted("if (++seen % 500 == 0) ticks = 0;", "ticks += 400;"));
-  run(100 * kMillisecond);
-  ASSERT_TRUE(avr_->crash());
-  EXPECT_EQ(avr_->crash()->check, "torn_write");
-  EXPECT_EQ(avr_->crash()->where.line, 5);
-}
-
-TEST_F(CheckTest, AByteThatAHandlerMayChangeWhileItIsChanged) {
-  const std::array<std::string, 2> wrong[] = {
-      {"flags |= 2; if (flags & 1) seen = 1; flags &= ~3;", "flags |= 1;"},
-      {"if (flags) { --flags; ++seen; }", "++flags;"},
-      {"flags = flags * 3 + 1;", "flags += 5;"}};
-  for (const auto& [line, handler] : wrong) {
-    start("volatile byte flags;\n" + counted(line, handler));
-    run(100 * kMillisecond);
-    ASSERT_TRUE(avr_->crash()) << line;
-    EXPECT_EQ(avr_->crash()->check, "lost_update");
-    EXPECT_THAT(avr_->crash()->reason,
-                HasSubstr("lost update of flags, which is read, changed and written back: the handler at "
-                          "Test.ino:4 changes it in an interrupt"));
-    EXPECT_EQ(avr_->crash()->where.line, 6);
-  }
-}
-
-TEST_F(CheckTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
-  const std::array<std::string, 2> right[] = {{"if (flags) { flags = 0; ++seen; }", "flags = 1;"},
-                                              {"if (flags & 1) { flags &= ~1; ++seen; }", "flags |= 1;"},
-                                              {"noInterrupts(); flags |= 2; interrupts();", "flags |= 1;"},
-                                              {"ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { --flags; }", "++flags;"},
-                                              {"GPIOR0 |= 2;", "GPIOR0 |= 1; flags = GPIOR0;"},
-                                              {"flags |= 2;", "if (flags & 2) ++seen;"}};
-  for (const auto& [line, handler] : right) {
-    start("volatile byte flags;\n" + counted(line, handler));
-    run(20 * kMillisecond);
-    EXPECT_FALSE(avr_->crash()) << line << "\n" << avr_->crash()->reason;
-  }
-}
-
-// As people do it who know better; the handler comes as often.
-TEST_F(CheckTest, ANumberThatNoHandlerCanTearIsNone) {
-  const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
-  const std::array<std::string, 2> right[] = {
-      {"noInterrupts(); seen = ticks; interrupts();", "ticks += 40;"},
-      {"ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { seen = ticks; }", "ticks += 40;"},
-      {"TIMSK2 = 0; seen = ticks; TIMSK2 = _BV(OCIE2A);", "ticks += 40;"},
-      {"unsigned long now, again = ticks; do { now = again; again = ticks; } while (now != again); seen = "
-       "now;",
-       "ticks += 40;"},
-      {"unsigned long now; do { now = ticks; } while (now != ticks); seen = now;", "ticks += 40;"},
-      {"if (ready) { seen = ticks; ready = false; }", kHandsOver},
-      {"seen = ticks;", "ticks = (ticks + 1) & 0x7F;"},
-      {"seen = ticks;", "ready = !ready;"}};
-  for (const auto& [line, handler] : right) {
-    start(counted(line, handler));
-    run(20 * kMillisecond);  // 400 handlers; the torn read above is found within 60
-    EXPECT_FALSE(avr_->crash()) << line << "\n" << avr_->crash()->reason;
-  }
-}
-
-TEST_F(CheckTest, TearingIsLookedForInImagesWithChecksOnly) {
-  sanitize_ = false;
-  start(counted("seen = ticks;"));
-  run(100 * kMillisecond);
-  EXPECT_FALSE(avr_->crash());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 //
 // A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
 // is masked meanwhile are none; nor is a byte that is written, and not made of what it held. Looked at are
-// global numbers of the sketch whose addresses stand in its instructions, in images built for checking.
+// global numbers of the sketch whose addresses stand in its instructions.
 #pragma once
 
 #include <cstdint>
