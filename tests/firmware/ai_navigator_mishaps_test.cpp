@@ -155,6 +155,10 @@ TEST_F(AiNavigatorAgain, BeepsShortlyWhenItIsDoneAndForLongWhenSomethingIsWrong)
   EXPECT_NEAR(robot().reading("buzzer"), 440, 2) << "there is no such station: for 800 ms";
   robot().run_for(40_ms);
   EXPECT_EQ(robot().reading("buzzer"), 0);
+  robot().send("2\n");
+  ASSERT_TRUE(robot().run_until(serial_says("arrived at 2"), within(1_min)));
+  robot().run_for(80_ms);
+  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "it is there: for 100 ms";
 }
 
 TEST_F(AiNavigatorAgain, SaysThatItGoesOnWhenItDoes) {

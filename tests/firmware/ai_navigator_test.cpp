@@ -101,6 +101,12 @@ TEST_P(AiNavigator, RefusesWhatIsNoStation) {
   go_to(2);
 }
 
+TEST_P(AiNavigator, AnswersNothingToAnEmptyLine) {
+  scan();
+  robot().send("\r\n\n");
+  EXPECT_THAT(robot().run_for(1_s), Not(SerialSays("refused")));
+}
+
 TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
   scan();
   robot().act("fault eeprom flip 4 1");
