@@ -2,7 +2,9 @@
 #include <charconv>
 
 #include "sim/wire/columns_line.h"
+#include "sim/wire/json_parse.h"
 #include "sim/wire/json_reader.h"
+#include "sim/wire/json_text.h"
 #include "sim/wire/protocol.h"
 
 namespace robosim::wire {
@@ -18,15 +20,17 @@ constexpr std::size_t kBegin_bytes = 64;
 
 // ---- Writing ----
 
-OrderedJson json_of(const Id& id) {
-  return std::visit(
-      [](const auto& number) -> OrderedJson {
+std::string id_text(const Id& id) {
+  std::string text;
+  std::visit(
+      [&](const auto& number) {
         if constexpr (std::is_same_v<std::decay_t<decltype(number)>, std::monostate>)
-          return nullptr;
+          text = "null";
         else
-          return number;
+          JsonText::append(text, number);
       },
       id);
+  return text;
 }
 
 std::string hexadecimal(const std::vector<std::uint8_t>& bytes) {
@@ -40,23 +44,23 @@ std::string hexadecimal(const std::vector<std::uint8_t>& bytes) {
 }
 
 struct Adder {
-  OrderedJson& line;
+  JsonText& line;
 
   template <class T>
   void operator()(const T& message) const {
-    line[T::kKey] = to_json(message);
+    line.add(T::kKey, message);
   }
   void operator()(const Event& event) const {
     std::visit(
         [this](const auto& happened) {
-          line["event"] = happened.kEvent;
-          JsonWriter<OrderedJson>::add(line, happened);
+          line.add("event", std::string_view(happened.kEvent));
+          fields(line, happened);
         },
         event);
   }
-  void operator()(const Hello& hello) const { line = to_json(hello); }
-  void operator()(const Eeprom& memory) const { line[kEeprom] = hexadecimal(memory.bytes); }
-  void operator()(const Refused& refused) const { line[kRefused] = refused.message; }
+  void operator()(const Hello& hello) const { fields(line, hello); }
+  void operator()(const Eeprom& memory) const { line.add(kEeprom, hexadecimal(memory.bytes)); }
+  void operator()(const Refused& refused) const { line.add(kRefused, refused.message); }
 };
 
 // ---- Reading ----
@@ -137,24 +141,25 @@ Line line_of(const Json& object) {
 }  // namespace
 
 std::string to_line(const Id& id, const Answer& answer) {
-  OrderedJson line;
-  line["id"] = json_of(id);
   const auto* event = std::get_if<Event>(&answer);
-  if (const auto* columns = event ? std::get_if<Columns>(event) : nullptr) {
-    line["event"] = Columns::kEvent;
-    if (columns->agent != 0) line["agent"] = columns->agent;
-    std::string text = text_of(line);
-    text.back() = ',';  // in place of the object's }
-    return text.append(columns_text(*columns), 1) + "\n";
-  }
   if (const auto* batch = event ? std::get_if<Batch>(event) : nullptr)
     return batch_line(id, batch->bytes.size()) + batch->bytes;
+  std::string text;
+  JsonText line(text);
+  if (!std::holds_alternative<Hello>(answer)) line.add_text("id", id_text(id));
+  if (const auto* columns = event ? std::get_if<Columns>(event) : nullptr) {
+    line.add("event", std::string_view(Columns::kEvent));
+    if (columns->agent != 0) line.add("agent", columns->agent);
+    text += ',';
+    return text.append(columns_text(*columns), 1) + "\n";  // with the object's end
+  }
   std::visit(Adder{line}, answer);
-  return text_of(line) + "\n";
+  line.end();
+  return text + "\n";
 }
 
 std::string batch_line(const Id& id, std::size_t bytes) {
-  return R"({"id":)" + text_of(json_of(id)) + R"(,"event":"batch","size":)" + std::to_string(bytes) + "}\n";
+  return R"({"id":)" + id_text(id) + R"(,"event":"batch","size":)" + std::to_string(bytes) + "}\n";
 }
 
 Hello parse_hello(std::string_view text, const std::string& program) {
@@ -178,7 +183,7 @@ Line parse_line(std::string_view text) {
   LongTexts long_texts;
   std::string left;
   if (has_columns) left = long_texts.cut(text);
-  const Json json = Json::parse(has_columns ? std::string_view(left) : text, nullptr, false);
+  const Json json = parsed_json(has_columns ? std::string_view(left) : text);
   if (json.is_discarded()) throw RunnerError("the runner said something that is not JSON: " + excerpt(text));
   try {
     Line line = line_of(json);

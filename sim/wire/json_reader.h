@@ -204,7 +204,9 @@ void JsonReader::set_list(T& value, const Json& json, const Rules& rules) const 
   if (!json.is_array()) refuse<T>(rules);
   std::size_t i = 0;
   const auto next = [&](auto& element) {
-    take("[" + std::to_string(i) + "]", json[i], element, rules);
+    std::string key(1, '[');
+    key.append(std::to_string(i)).append(1, ']');
+    take(key, json[i], element, rules);
     ++i;
   };
   if constexpr (detail::IsVector<T>::value) {

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "sim/wire/json_parse.h"
 #include "sim/wire/json_reader.h"
 #include "sim/wire/protocol.h"
 
@@ -67,7 +68,7 @@ Any request_of(const Json& object, const char* who) {
 template <class Any>
 Asked<Any> parse(std::string_view text, const char* who) {
   Asked<Any> asked;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parsed_json(text);
   if (!json.is_object()) {
     asked.fault = "this is a runner of Robosim's, and a request to it must be one JSON object a line, not " +
                   excerpt(text);

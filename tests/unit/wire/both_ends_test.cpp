@@ -9,6 +9,8 @@
 #include <optional>
 #include <random>
 
+#include "sim/wire/json_parse.h"
+#include "sim/wire/json_text.h"
 #include "sim/wire/json_writer.h"
 #include "sim/wire/protocol.h"
 
@@ -154,18 +156,35 @@ class BothEnds : public ::testing::Test {
   template <class T>
   void expect_same_answer(const T& message, std::int64_t id = 7) {
     const std::string line = to_line(Id(id), Answer(message));
+    EXPECT_EQ(parsed_json(line), nlohmann::json::parse(line)) << line;
     const Line read = parse_line(line);
     EXPECT_EQ(read.content.index(), Answer(message).index()) << line;
     EXPECT_EQ(to_line(read.id < 0 ? Id() : Id(std::int64_t{read.id}), read.content), line);
   }
 
+  /// And it is what nlohmann makes of it, to the last character.
+  template <class T>
+  void expect_same_text(const T& message) {
+    std::string text;
+    JsonText::append(text, message);
+    EXPECT_EQ(text, text_of(to_json(message)));
+  }
+
   template <class T>
   void expect_same_answers() {
-    for (int i = 0; i < kTimes; ++i) expect_same_answer(odd<T>());
+    for (int i = 0; i < kTimes; ++i) {
+      const T message = odd<T>();
+      expect_same_answer(message);
+      expect_same_text(message);
+    }
   }
   template <class T>
   void expect_same_events() {
-    for (int i = 0; i < kTimes; ++i) expect_same_answer(Event(odd<T>()));
+    for (int i = 0; i < kTimes; ++i) {
+      const T message = odd<T>();
+      expect_same_answer(Event(message));
+      expect_same_text(message);
+    }
   }
 
   template <class Any, class T>
