@@ -29,6 +29,13 @@ constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
+/// Open for all runs.
+int nothing() {
+  static const Descriptor null(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  if (!null.is_open()) fail("/dev/null");
+  return null.get();
+}
+
 void fill_random(void* to, std::size_t bytes) {
   if (::getrandom(to, bytes, 0) != static_cast<ssize_t>(bytes)) fail("getrandom");
 }
@@ -61,7 +68,10 @@ void make_as_short(int pipe, int as) {
 
 }  // namespace
 
-Relay::Relay() {
+Relay::Relay(bool batches, bool lines) {
+  if (batches) batches_.emplace();
+  if (lines) lines_.emplace();
+  nothing();
   fill_random(&token_, sizeof token_);
   fill_random(key_, sizeof key_);
   for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // whatever a register makes of its sign
@@ -71,18 +81,15 @@ Relay::Relay() {
 
 void Relay::enter(const std::vector<int>& kept) {
   constexpr int kAside = 10;
-  const std::array<int, 3> ends = {told_.write.get(), answers_.read.get(), lines_.read.get()};
+  const std::array<int, 3> ends = {told_.write.get(), answers_.read.get(),
+                                   lines_ ? lines_->read.get() : nothing()};
   const std::array<int, 3> places = {exec::kTellFd, exec::kAnswersFd, exec::kLinesFd};
   std::array<int, 3> aside{};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     aside[i] = ::fcntl(ends[i], F_DUPFD_CLOEXEC, kAside);
     if (aside[i] < 0) fail("fcntl");
   }
-  const int nothing = ::open("/dev/null", O_RDWR);
-  if (nothing < 0) fail("/dev/null");
-  for (int fd = 0; fd <= STDERR_FILENO; ++fd) ::dup2(nothing, fd);
-  for (const auto* pipe : {&told_, &answers_, &lines_})
-    for (const Descriptor* end : {&pipe->read, &pipe->write}) ::close(end->get());  // which nobody uses again
+  for (int fd = 0; fd <= STDERR_FILENO; ++fd) ::dup2(nothing(), fd);
   for (std::size_t i = 0; i < ends.size(); ++i) ::dup2(aside[i], places[i]);
   unsigned next = exec::kImageFd;
   for (const int fd : kept) {
@@ -115,8 +122,8 @@ std::string Relay::ask(char what, const std::string& question) const {
 }
 
 wire::BatchMemory& Relay::hand_on() {
-  batches_->handed_on.store(++batch_, std::memory_order_release);
-  const std::size_t ahead = batch_ - batches_->taken.load(std::memory_order_acquire);
+  (*batches_)->handed_on.store(++batch_, std::memory_order_release);
+  const std::size_t ahead = batch_ - (*batches_)->taken.load(std::memory_order_acquire);
   if (ahead >= kBatches)
     ask(kAskForRoom, "");
   else if (ahead >= kWaking)
@@ -132,7 +139,7 @@ long Relay::read_some(char* to, std::size_t bytes) const {
 }
 
 bool Relay::take_batches(std::size_t end, const wire::Id& id) {
-  if (end - batch_ > kBatches) return false;
+  if (end - batch_ > (batches_ ? kBatches : 0)) return false;
   while (batch_ != end) {
     wire::BatchMemory& memory = *waiting();
     // Whatever firmware has written there.
@@ -140,7 +147,7 @@ bool Relay::take_batches(std::size_t end, const wire::Id& id) {
         std::min<std::size_t>(memory.used.load(std::memory_order_relaxed), wire::BatchMemory::kRoom_bytes);
     if (bytes > 0) write_batch(wire::batch_line(id, bytes), {memory.bytes, bytes});
     memory.used.store(0, std::memory_order_relaxed);
-    batches_->taken.store(++batch_, std::memory_order_release);
+    (*batches_)->taken.store(++batch_, std::memory_order_release);
   }
   return true;
 }
@@ -175,23 +182,23 @@ bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& t
   return true;
 }
 
-Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, bool lines) {
+Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id) {
   told_.write.close();
   answers_.read.close();
-  lines_.read.close();
+  if (lines_) lines_->read.close();
   watch_->follow(run.pid());
   Told told;
   std::string taken;
   std::array<char, kChunk> buffer;
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
-                                 pollfd{lines ? STDIN_FILENO : -1, POLLIN, 0}};
-  if (lines) write_all(lines_.write.get(), take_unread());
+                                 pollfd{lines_ ? STDIN_FILENO : -1, POLLIN, 0}};
+  if (lines_) write_all(lines_->write.get(), take_unread());
   for (;;) {
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
     if (some == 0) {
       // What the run has said before these has then been taken.
-      const std::size_t end = batches_->handed_on.load(std::memory_order_acquire);
+      const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
       if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;
     }
@@ -199,15 +206,15 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, b
       char chunk[4096];
       const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
       if (n < 0 && errno == EINTR) continue;
-      if (n > 0) write_all(lines_.write.get(), {chunk, static_cast<std::size_t>(n)});
-      if (n <= 0) ready[1].fd = -1, lines_.write.close();
+      if (n > 0) write_all(lines_->write.get(), {chunk, static_cast<std::size_t>(n)});
+      if (n <= 0) ready[1].fd = -1, lines_->write.close();
     }
     if (!ready[0].revents) continue;
     const ssize_t n = ::read(told_.read.get(), buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       told.forged |= !taken.empty();
-      take_batches(batches_->handed_on.load(std::memory_order_acquire), id);
+      take_batches(handed_on(), id);
       return told;
     }
     taken.append(buffer.data(), static_cast<std::size_t>(n));

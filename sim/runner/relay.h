@@ -27,8 +27,9 @@ using Ask = std::function<std::string(char what, const std::string& question)>;
 
 class Relay {
  public:
-  /// Throws std::system_error.
-  Relay();
+  /// `batches`: whether there will be batches of events; `lines`: whether lines from the client. Throws
+  /// std::system_error.
+  Relay(bool batches, bool lines);
 
   /// In the run's process: its descriptors are from now on those of exec::ConfinedDescriptor, those of `kept`
   /// (ImageContent::sealed(), in ascending order), and no others.
@@ -45,9 +46,11 @@ class Relay {
   long read_some(char* to, std::size_t bytes) const;
   /// Is to be told how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
-  /// Where events wait until there are many. In the runner: those that it has not been told of.
+  /// Where events wait until there are many; null where there are no batches. In the runner: those that it
+  /// has not been told of.
   wire::BatchMemory* waiting() const {
-    return std::launder(reinterpret_cast<wire::BatchMemory*>(batches_->memories[batch_ % kBatches]));
+    if (!batches_) return nullptr;
+    return std::launder(reinterpret_cast<wire::BatchMemory*>((*batches_)->memories[batch_ % kBatches]));
   }
   /// What waits goes to the client from where it is, before what is told later; further events wait in the
   /// memory that this gives, which is empty.
@@ -61,8 +64,8 @@ class Relay {
     RunWatch::Found found = RunWatch::Found::nothing;
   };
   /// In the runner: until `run` has said its last, or something forged, or will never end. `id`: of the
-  /// request. `lines`: what the client writes goes to the run.
-  Told serve(const Child& run, const Ask& ask, const wire::Id& id, bool lines);
+  /// request. Where there are lines, what the client writes goes to the run.
+  Told serve(const Child& run, const Ask& ask, const wire::Id& id);
 
  private:
   struct Header {
@@ -77,8 +80,12 @@ class Relay {
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
   /// Those before number `end`; false if these are more than there can be.
   bool take_batches(std::size_t end, const wire::Id& id);
+  std::size_t handed_on() const {
+    return batches_ ? (*batches_)->handed_on.load(std::memory_order_acquire) : 0;
+  }
 
-  Pipe told_, answers_, lines_;
+  Pipe told_, answers_;
+  std::optional<Pipe> lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
   /// So far the run gets ahead of its runner before it waits. Who reads what it tells may be busy for some
   /// milliseconds, compressing it, or without a processor; in each of them a run fills three.
@@ -92,7 +99,7 @@ class Relay {
     std::atomic<std::size_t> handed_on{0};  ///< by the run
     std::atomic<std::size_t> taken{0};      ///< by the runner, which empties them
   };
-  Shared<Batches> batches_;
+  std::optional<Shared<Batches>> batches_;
   std::size_t batch_ = 0;  ///< how many the run has handed on; in the runner: how many it has taken
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};

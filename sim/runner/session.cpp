@@ -311,11 +311,10 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                const wire::RunRequest& request, const wire::Id& id,
                                                pid_t self, const ReadAhead& ahead) {
-  Relay relay;
+  Relay relay(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
   const Relay::Told told = relay.serve(
-      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id,
-      request.interactive);
+      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id);
   if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
   const auto guilty = [&] { return guilty_of_death(factory, request, relay.acting()); };
   const SimTime time = relay.reached();
