@@ -15,6 +15,7 @@ namespace robosim::grid {
 struct Draw {
   std::uint64_t seed = 0;
   Profile profile = Profile::ideal;  ///< which draws nothing: the map is exactly its file
+  bool* differs = nullptr;           ///< is set where another seed would draw another figure; may be null
 };
 
 /// The figures of one table, which `table` names: "[[hill]] 2".
@@ -25,6 +26,7 @@ class Figures {
   /// What the seed makes of it. `key` tells it from the table's others.
   double drawn(const Number& number, const std::string& key) const {
     if (draw_.profile == Profile::ideal) return number.value;
+    if (draw_.differs && number.in(draw_.profile).spread != 0.0) *draw_.differs = true;
     return number.drawn(draw_.profile, NoiseStream(draw_.seed, 0, table_, key));
   }
   double read(TableReader& table, const char* key, Dimension dimension, double usual, double least,

@@ -62,6 +62,7 @@ struct OnPath {
   int path = 0;            ///< its index in Course::paths
   double along = 0.0;      ///< m from the path's beginning
   bool backwards = false;  ///< facing against its direction
+  bool operator==(const OnPath&) const = default;
 };
 
 /// Where a robot begins.
@@ -70,6 +71,7 @@ struct Start {
   Direction facing = Direction::east;
   /// Set if it begins on a path; `cell` is then the one that it stands over, and `facing` the nearest.
   std::optional<OnPath> on_path = std::nullopt;
+  bool operator==(const Start&) const = default;
 };
 
 /// A station named in the map's front matter.
@@ -110,6 +112,7 @@ struct Map {
   std::string generator;  ///< name, version and seed, where a generator wrote the map
   /// Of the text, and of a picture's file behind it; read_map leaves it empty for large files: see sha256_of.
   std::string sha256;
+  bool differs = false;  ///< by the seed of the Draw: some of its figures have a spread
 
   bool contains(CellAt c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   /// Outside the map everything is wall.

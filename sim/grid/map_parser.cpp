@@ -50,6 +50,7 @@ std::size_t count(std::string_view row, char c) {
 
 MapParser::MapParser(std::string file, std::size_t size_hint, std::string picture, Draw draw)
     : size_hint_(size_hint), picture_(std::move(picture)), draw_(draw) {
+  draw_.differs = &differs_;
   map_.file = std::move(file);
   meaning_.fill(kNothing);
   const auto mean = [this](std::string_view characters, Cell cell) {
@@ -271,6 +272,7 @@ Map MapParser::finish() {
   check_swap();
   settle_start();
   settle_stations();
+  map_.differs = differs_;
   return std::move(map_);
 }
 

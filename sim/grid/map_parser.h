@@ -19,6 +19,8 @@ class MapParser {
   /// `size_hint`: how many bytes will be fed, if known; the memory for the cells is reserved accordingly.
   /// `picture`: the bytes of the floor's picture, if it does not lie beside the file.
   MapParser(std::string file, std::size_t size_hint, std::string picture = "", Draw draw = {});
+  MapParser(const MapParser&) = delete;
+  MapParser& operator=(const MapParser&) = delete;
 
   static constexpr std::size_t kMaxFrontMatter = 1 << 20;  ///< bytes
   /// The picture that the front matter names; "" = none. `beginning`: of the map's text.
@@ -72,6 +74,7 @@ class MapParser {
   int first_row_line_ = 0;  // the line of row 0
   std::string picture_;     // its bytes
   Draw draw_;
+  bool differs_ = false;
   std::string carry_;  // a line whose end has not been fed yet
   std::string front_text_;
   std::vector<Cell> row_;

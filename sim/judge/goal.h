@@ -32,6 +32,7 @@ struct Goal {
   int laps = 1;
   int tries = 1;        ///< of line_maze
   std::string station;  ///< number or name
+  bool operator==(const Goal&) const = default;
 };
 
 /// "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",

@@ -40,26 +40,30 @@ Listener& nobody() {
 }  // namespace
 
 Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
+    : Agent(own, stage, number, stage.scenery.task(static_cast<std::size_t>(number), {own.start, own.goal})) {
+}
+
+Agent::Agent(const AgentSetup& own, const Stage& stage, int number, Task&& task)
     : own_(own),
       setup_(stage.setup),
       number_(number),
       executor_(*own.executor),
       crash_(executor_.crash()),
-      start_(own.start ? *own.start : grid::default_start(*setup_.map)),
-      network_(grid::trace_reachable(*setup_.map, start_)),
-      goal_(own.goal ? *own.goal : judge::default_goal(*setup_.map, network_)),
-      progress_(goal_, *setup_.map, stage.stripes, network_, start_),
-      world_(stage.world),
-      body_number_(stage.world.add_body(
+      start_(task.start),
+      network_(std::move(task.network)),
+      goal_(std::move(task.goal)),
+      progress_(std::move(task.progress)),
+      world_(stage.scenery.world()),
+      body_number_(stage.scenery.world().add_body(
           robot::body_params(*own.robot, setup_.seed, setup_.profile, static_cast<std::uint32_t>(number)),
-          stage.stripes.pose_of(start_))),
-      body_(stage.world.body(body_number_)),
+          stage.scenery.stripes().pose_of(start_))),
+      body_(stage.scenery.world().body(body_number_)),
       board_(executor_.board()),
-      robot_(*own.robot, stage.world, body_number_, board_, setup_.seed, setup_.profile,
+      robot_(*own.robot, stage.scenery.world(), body_number_, board_, setup_.seed, setup_.profile,
              static_cast<std::uint32_t>(number)),
       player_(own.scenario,
-              {*setup_.map, stage.stripes, robot_, stage.world, body_, executor_, setup_.seed,
-               static_cast<std::uint32_t>(number), setup_.profile},
+              {*setup_.map, stage.scenery.stripes(), robot_, stage.scenery.world(), body_, executor_,
+               setup_.seed, static_cast<std::uint32_t>(number), setup_.profile},
               progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),

@@ -16,6 +16,7 @@
 #include "sim/judge/steering_detectors.h"
 #include "sim/run/board_detectors.h"
 #include "sim/run/kept_text.h"
+#include "sim/run/scenery.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
 #include "sim/scenario/scenario_player.h"
@@ -33,8 +34,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// What all agents of a simulation share.
   struct Stage {
     const Setup& setup;
-    const grid::Stripes& stripes;
-    world::World& world;
+    Scenery& scenery;
   };
 
   /// `number` counts from 0: the order in which agents act, and part of the address of their noise. Throws
@@ -152,6 +152,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void restore(const Saved& saved);
 
  private:
+  Agent(const AgentSetup& own, const Stage& stage, int number, Task&& task);
+
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
   void level_seen(Pin pin, bool level, SimTime t) override { state_.listener->level_seen(pin, level, t); }

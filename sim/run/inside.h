@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/run/agent.h"
+#include "sim/run/scenery.h"
 #include "sim/run/simulation.h"
 #include "sim/world/world.h"
 
@@ -65,8 +66,8 @@ struct Simulation::Inside final : Standstill {
   };
 
   const Setup& setup;
-  const grid::Stripes stripes;
-  world::World world;
+  const std::unique_ptr<Scenery> scenery;
+  world::World& world;
   std::vector<std::unique_ptr<Agent>> agents;
   Clock clock;
   SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does

@@ -15,8 +15,17 @@ struct Simulation::Snapshot::Saved {
   std::vector<Agent::Saved> agents;
 };
 
+namespace {
+
+std::unique_ptr<Scenery> scenery_of(const Setup& setup) {
+  if (setup.scenery && *setup.scenery) return std::move(*setup.scenery);
+  return std::make_unique<Scenery>(*setup.map);
+}
+
+}  // namespace
+
 Simulation::Inside::Inside(const Setup& from)
-    : setup(from), stripes(*from.map, from.map->cell_m), world(*from.map) {
+    : setup(from), scenery(scenery_of(from)), world(scenery->world()) {
   if (setup.profile != Profile::ideal) {
     const double usual = world::typical_variation(setup.profile);
     world.vary_floor(NoiseStream(setup.seed, 0, "floor", "brightness"), setup.map->variation.value_or(usual));
@@ -33,7 +42,7 @@ Simulation::Inside::Inside(const Setup& from)
 void Simulation::Inside::add_agent(const AgentSetup& own) {
   const int number = agent_count();
   try {
-    agents.push_back(std::make_unique<Agent>(own, Agent::Stage{setup, stripes, world}, number));
+    agents.push_back(std::make_unique<Agent>(own, Agent::Stage{setup, *scenery}, number));
   } catch (const InputError& error) {
     if (setup.agents.size() == 1) throw;
     throw BadAgent(error, number);

@@ -87,8 +87,12 @@ struct AgentSetup {
   Listener* listener = nullptr;  ///< may be null
 };
 
+class Scenery;
+
 struct Setup {
   const grid::Map* map = nullptr;
+  /// Of the map; the first simulation takes it, and the next ones make their own. May be null.
+  std::unique_ptr<Scenery>* scenery = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one
   SimTime limit = kDefaultLimit;   ///< simulated
   std::uint64_t seed = 1;

@@ -11,17 +11,20 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/exec/host/confinement.h"
+#include "sim/grid/floor_image.h"
 
 namespace robosim::runner {
 namespace {
 
-constexpr std::size_t kChunk = 16 * 1024;  // bytes
+constexpr std::size_t kCompared = 16 * 1024;    // bytes
+constexpr std::size_t kMaps = 4;                // that are kept
+constexpr long long kLargestMap = 1024 * 1024;  // bytes; a larger one's floor takes much memory
 
 /// Whether `file` holds `text`, and nothing else.
 bool holds(const std::filesystem::path& file, std::string_view text) {
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!open.is_open()) return false;
-  std::array<char, kChunk> chunk;
+  std::array<char, kCompared> chunk;
   for (;;) {
     const ssize_t n = ::read(open.get(), chunk.data(), chunk.size());
     if (n < 0 && errno == EINTR) continue;
@@ -37,17 +40,64 @@ bool is_as_read(const robot::Description& robot) {
                      [](const robot::SourceText& one) { return holds(one.file, one.text); });
 }
 
-ImageAhead image_in(const std::filesystem::path& file, ImageAhead last) {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
+ImageAhead image_in(const std::filesystem::path& file, ImageAhead last, long long now) {
   const Stamp stamp = stamp_of(file);
   if (last.content && last.stamp == stamp && stamp != Stamp{}) return last;
-  ImageAhead image{std::move(last.content),
-                   is_settled(stamp, std::chrono::nanoseconds(now).count()) ? stamp : Stamp{}};
+  ImageAhead image{std::move(last.content), is_settled(stamp, now) ? stamp : Stamp{}};
   if (image.content && holds(file, image.content->bytes())) return image;
   const auto content = std::make_shared<exec::ImageContent>(read_file(file));
   if (exec::why_not_confined().empty()) content->seal();
   image.content = content;
   return image;
+}
+
+std::filesystem::path picture_of(const grid::Map& map) {
+  return map.image ? std::filesystem::path(map.file).parent_path() / map.image->name() : "";
+}
+
+bool is_as_read(const MapAhead& ahead, const Stamp& stamp) {
+  if (ahead.stamp != stamp || stamp == Stamp{}) return false;
+  const std::filesystem::path picture = picture_of(ahead.read->map);
+  return picture.empty() || (ahead.picture != Stamp{} && stamp_of(picture) == ahead.picture);
+}
+
+MapAhead map_in(const std::string& name, const grid::Draw& draw, const Stamp& stamp, long long now) {
+  MapAhead ahead{name, draw, is_settled(stamp, now) ? stamp : Stamp{}};
+  ahead.read = std::make_shared<ReadMap>(name, draw);
+  ahead.read->scenery = std::make_unique<run::Scenery>(ahead.read->map);
+  if (const std::filesystem::path picture = picture_of(ahead.read->map); !picture.empty()) {
+    const Stamp of_picture = stamp_of(picture);
+    if (is_settled(of_picture, now)) ahead.picture = of_picture;
+  }
+  return ahead;
+}
+
+void prepare_errands(ReadMap& read, const wire::RunRequest& request) {
+  const std::vector<run::Errand> errands = errands_of(request, read.map);
+  for (std::size_t i = 0; i < errands.size(); ++i) read.scenery->prepare(i, errands[i]);
+}
+
+/// The request's map comes first in `maps`.
+std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<MapAhead>& maps,
+                                 long long now) {
+  try {
+    const Stamp stamp = stamp_of(request.map);
+    if (size_in(stamp) > kLargestMap) return nullptr;
+    const grid::Draw draw = draw_of(request);
+    const auto known = std::find_if(maps.begin(), maps.end(), [&](const MapAhead& one) {
+      return one.name == request.map && one.draw.profile == draw.profile &&
+             (!one.read->map.differs || one.draw.seed == draw.seed) && is_as_read(one, stamp);
+    });
+    if (known != maps.end())
+      std::rotate(maps.begin(), known, known + 1);
+    else
+      maps.insert(maps.begin(), map_in(request.map, draw, stamp, now));
+    if (maps.size() > kMaps) maps.resize(kMaps);
+    prepare_errands(*maps.front().read, request);
+    return maps.front().read;
+  } catch (const InputError&) {
+    return nullptr;
+  }
 }
 
 void add_robot(const std::string& name, const Robots& last, Robots& robots) {
@@ -60,6 +110,11 @@ void add_robot(const std::string& name, const Robots& last, Robots& robots) {
 
 }  // namespace
 
+long long wall_ns() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::nanoseconds(now).count();
+}
+
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last) {
   if (const auto known = last.find(name); known != last.end() && is_as_read(*known->second))
     return known->second;
@@ -67,15 +122,17 @@ std::shared_ptr<const robot::Description> known_robot(const std::string& name, c
 }
 
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
-                     ReadAhead last) {
+                     ReadAhead last, long long now) {
   const std::vector<wire::AgentRequest> agents = agents_of(request);
   ReadAhead all;
+  all.maps = std::move(last.maps);
+  all.map = add_map(request, all.maps, now);
   for (const wire::AgentRequest& agent : agents) add_robot(agent.robot, last.robots, all.robots);
   for (const std::size_t number : confined) {
     const std::string& file = agents[number].image;
     if (all.images.contains(file)) continue;
     const auto known = last.images.find(file);
-    all.images[file] = image_in(file, known == last.images.end() ? ImageAhead{} : known->second);
+    all.images[file] = image_in(file, known == last.images.end() ? ImageAhead{} : known->second, now);
   }
   return all;
 }

@@ -19,20 +19,35 @@ struct ImageAhead {
   Stamp stamp{};  ///< of the file, where that alone says that it holds the same
 };
 
+struct MapAhead {
+  std::string name;  ///< as the request has it
+  grid::Draw draw;   ///< whose it is
+  Stamp stamp{};     ///< of the file, where that alone says that it holds the same
+  Stamp picture{};   ///< the same of the floor's picture, if it has one
+  std::shared_ptr<ReadMap> read;
+};
+
 struct ReadAhead {
   Robots robots;
   std::map<std::string, ImageAhead> images;
+  std::vector<MapAhead> maps;  ///< the request's, then those of the requests before
+  /// The request's; null if it was not read.
+  std::shared_ptr<ReadMap> map;
 };
+
+long long wall_ns();
 
 /// The robot of that name: the one that `last` has, if its files still hold the same, else read now. Throws
 /// InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
-/// All robots, and the images of those whose numbers are `confined`. What `last` has and the files still hold
-/// is not read again. A robot that cannot be read is left out: the run will say why. Throws InputError where
-/// an image cannot be read.
+/// All robots, the map with what a simulation begins with there, and the images of those whose numbers are
+/// `confined`. What `last` has and the files still hold is not read again. A robot or map that cannot be read
+/// is left out: the run will say why; so is a map whose file has more than 1 MiB. Throws InputError where an
+/// image cannot be read.
+/// `now`: ns since 1970.
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
-                     ReadAhead last);
+                     ReadAhead last, long long now = wall_ns());
 
 /// Of its images, in ascending order: ImageContent::sealed().
 std::vector<int> sealed_images(const ReadAhead& ahead);

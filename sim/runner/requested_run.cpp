@@ -40,6 +40,13 @@ void check_why(const wire::RunRequest& request) {
     throw InputError("a run whose cause is asked for goes on to its verdict by itself");
 }
 
+run::Errand errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
+  run::Errand errand;
+  if (!asked.start.empty()) errand.start = grid::parse_start(map, asked.start);
+  if (!asked.goal.empty()) errand.goal = judge::parse_goal(asked.goal);
+  return errand;
+}
+
 /// Says of which of several robots it is true.
 [[noreturn]] void blame(const std::string& robot, const InputError& error) {
   throw InputError(error.place(), fmt::format("robot {}: {}", robot, error.message()));
@@ -53,6 +60,17 @@ std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request) {
                                           request.script_file, request.late}};
   all.insert(all.end(), request.agents.begin(), request.agents.end());
   return all;
+}
+
+grid::Draw draw_of(const wire::RunRequest& request) { return {request.seed, profile_of(request.profile)}; }
+
+ReadMap::ReadMap(const std::filesystem::path& file, grid::Draw draw)
+    : map(grid::read_map(file, draw)), sha256(grid::sha256_of(map)) {}
+
+std::vector<run::Errand> errands_of(const wire::RunRequest& request, const grid::Map& map) {
+  std::vector<run::Errand> errands;
+  for (const wire::AgentRequest& agent : agents_of(request)) errands.push_back(errand_of(agent, map));
+  return errands;
 }
 
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot) {
@@ -72,10 +90,9 @@ wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest&
 }
 
 RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-                           SharedBatches batches, Robots robots)
+                           SharedBatches batches, Robots robots, std::shared_ptr<ReadMap> map)
     : request_(request),
-      map_(grid::read_map(request.map, {request.seed, profile_of(request.profile)})),
-      map_sha256_(grid::sha256_of(map_)),
+      map_(map ? std::move(map) : std::make_shared<ReadMap>(request.map, draw_of(request))),
       robots_(std::move(robots)) {
   check_several(request);
   check_why(request);
@@ -91,7 +108,8 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
       blame(members_.back().asked.name, error);
     }
   }
-  setup_.map = &map_;
+  setup_.map = &map_->map;
+  setup_.scenery = &map_->scenery;
   setup_.limit = request.for_ns;
   setup_.seed = request.seed;
   setup_.profile = profile_of(request.profile);
@@ -113,7 +131,7 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   member.robot = &robot_named(agent.robot);
   const BoardSpec& board = *member.robot->board;
   member.executor = make(agent.target, board, agent.image);
-  member.inputs = inputs_of(map_sha256_, agent.image, *member.robot);
+  member.inputs = inputs_of(map_->sha256, agent.image, *member.robot);
   member.narrator =
       std::make_unique<Narrator>(request_, number, board, *member.executor, tell, bundler_.get());
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
@@ -125,8 +143,9 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   setup.robot = member.robot;
   setup.executor = member.executor.get();
   setup.listener = member.narrator.get();
-  if (!agent.start.empty()) setup.start = grid::parse_start(map_, agent.start);
-  if (!agent.goal.empty()) setup.goal = judge::parse_goal(agent.goal);
+  const run::Errand errand = errand_of(agent, map_->map);
+  setup.start = errand.start;
+  setup.goal = errand.goal;
   setup.scenario = scenario::parse_scenario(agent.script, agent.script_file);
 }
 

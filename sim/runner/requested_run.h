@@ -14,6 +14,7 @@
 #include "sim/grid/map.h"
 #include "sim/judge/outcome.h"
 #include "sim/robot/description.h"
+#include "sim/run/scenery.h"
 #include "sim/run/simulation.h"
 #include "sim/runner/bundler.h"
 #include "sim/runner/narrator.h"
@@ -38,15 +39,29 @@ Inputs inputs_of(const std::string& map_sha256, const std::string& image, const 
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                           const Inputs& inputs);
 
+grid::Draw draw_of(const wire::RunRequest& request);
+
+/// A map, and what a simulation on it begins with.
+struct ReadMap {
+  /// Throws InputError.
+  ReadMap(const std::filesystem::path& file, grid::Draw draw);
+  const grid::Map map;
+  const std::string sha256;
+  std::unique_ptr<run::Scenery> scenery;  ///< for one simulation; null = it makes its own
+};
+
+/// The errands of a request's robots on a map. Throws InputError if one of them cannot be understood.
+std::vector<run::Errand> errands_of(const wire::RunRequest& request, const grid::Map& map);
+
 /// By the name that a request has for them.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
 
 class RequestedRun {
  public:
-  /// Reads all files, but those of `robots`, which have been. `request` must outlive this, and so must where
-  /// `batches` are. Throws InputError, and ToolMissing.
+  /// Reads all files, but those of `robots` and `map`, which have been. `request` must outlive this, and so
+  /// must where `batches` are. Throws InputError, and ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
-               SharedBatches batches = {}, Robots robots = {});
+               SharedBatches batches = {}, Robots robots = {}, std::shared_ptr<ReadMap> map = nullptr);
 
   /// Of one robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
@@ -78,8 +93,7 @@ class RequestedRun {
   judge::Outcome inquire() const;
 
   const wire::RunRequest& request_;
-  const grid::Map map_;
-  const std::string map_sha256_;
+  const std::shared_ptr<ReadMap> map_;
   Robots robots_;
   std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
   std::deque<Member> members_;

@@ -145,7 +145,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
       },
       request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
       relay ? SharedBatches{relay->waiting(), [relay] { return &relay->hand_on(); }} : SharedBatches{},
-      ahead.robots);
+      ahead.robots, ahead.map);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
     debugger.emplace(static_cast<std::uint16_t>(request.gdb_port), interrupted);

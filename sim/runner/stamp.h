@@ -10,6 +10,9 @@ namespace robosim::runner {
 /// the grain of the file system's times. All zero if there is no such file.
 using Stamp = std::array<long long, 7>;
 
+/// Of the file, bytes.
+constexpr long long size_in(const Stamp& stamp) { return stamp[2]; }
+
 Stamp stamp_of(const std::filesystem::path& file);
 
 /// Whether a stamp that is taken at `now` (ns since 1970) is so much older that whoever writes to the file

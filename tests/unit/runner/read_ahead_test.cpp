@@ -15,12 +15,14 @@ class ReadingAhead : public testing::Test {
     write_file(base_, read_file(robot::find_robot("uno5")));
     write_file(robot_, "base = \"./base.toml\"\n");
     write_file(image_, "one");
+    write_file(map_, kMap);
     request_.robot = robot_.string();
     request_.image = image_.string();
+    request_.map = map_.string();
   }
 
   const robot::Description* read() {
-    ahead_ = read_ahead(request_, {0}, std::move(ahead_));
+    ahead_ = read_ahead(request_, {0}, std::move(ahead_), now_);
     const auto found = ahead_.robots.find(request_.robot);
     return found == ahead_.robots.end() ? nullptr : found->second.get();
   }
@@ -30,6 +32,17 @@ class ReadingAhead : public testing::Test {
                               image_ = folder_.path() / "a.so";
   wire::RunRequest request_;
   ReadAhead ahead_;
+
+  long long now_ = wall_ns();
+  static constexpr const char* kMap = "_____\n_..._\n_____\n";
+  const std::filesystem::path map_ = folder_.path() / "a.map";
+
+  const ReadMap* read_the_map() {
+    read();
+    return ahead_.map.get();
+  }
+  /// From now on, the clock says that all files were written long ago.
+  void let_files_settle() { now_ += 3'600'000'000'000; }
 };
 
 TEST_F(ReadingAhead, WhatFilesStillHoldIsNotReadAgain) {
@@ -85,6 +98,68 @@ TEST_F(ReadingAhead, SoIsAChangeInARobotOrItsBase) {
   EXPECT_NE(read()->sha256, before);
   std::filesystem::remove(base_);
   EXPECT_FALSE(read()) << "the run says what is missing";
+}
+
+TEST_F(ReadingAhead, AMapIsReadOnceAndStandsAsSimulationsFindIt) {
+  let_files_settle();
+  const ReadMap* const map = read_the_map();
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(map->scenery);
+  EXPECT_EQ(map->sha256, grid::sha256_of_map(map_));
+  request_.seed = 2;
+  EXPECT_EQ(read_the_map(), map) << "nothing of it has a spread";
+  request_.profile = "ideal";
+  EXPECT_NE(read_the_map(), map) << "a figure may be another one in another profile";
+}
+
+TEST_F(ReadingAhead, SeveralMapsAreKept) {
+  std::vector<std::string> names;
+  for (const char* name : {"b.map", "c.map", "d.map", "e.map"}) {
+    names.push_back((folder_.path() / name).string());
+    write_file(names.back(), std::string("+++\nname = \"") + name + "\"\n+++\n" + kMap);
+  }
+  let_files_settle();
+  std::vector<std::shared_ptr<ReadMap>> maps;
+  for (int round = 0; round < 2; ++round)
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      request_.map = names[i];
+      ASSERT_TRUE(read_the_map());
+      EXPECT_EQ(read_the_map()->map.name, std::filesystem::path(names[i]).filename());
+      if (round == 0) maps.push_back(ahead_.map);
+      EXPECT_EQ(ahead_.map, maps[i]);
+    }
+  request_.map = map_.string();
+  EXPECT_EQ(read_the_map()->map.name, "a");
+  EXPECT_EQ(ahead_.maps.size(), 4u) << "the oldest one is gone";
+}
+
+TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
+  for (const bool settle : {false, true})
+    for (const char* name : {"one", "two", "three"}) {
+      write_file(map_, std::string("+++\nname = \"") + name + "\"\n+++\n" + kMap);
+      ASSERT_TRUE(read_the_map());
+      if (settle) let_files_settle();
+      ASSERT_TRUE(read_the_map());
+      EXPECT_EQ(ahead_.map->map.name, name);
+    }
+  write_file(map_, "_._\n???\n");
+  EXPECT_FALSE(read_the_map()) << "the run says what is wrong";
+  std::filesystem::remove(map_);
+  EXPECT_FALSE(read_the_map()) << "the same";
+}
+
+// Each seed has its own.
+TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
+  write_file(map_, std::string("+++\n[[light]]\nlevel = { value = 0.5, spread = 0.1 }\n+++\n") + kMap);
+  request_.profile = "typical";
+  let_files_settle();
+  const auto first = read_the_map() ? ahead_.map : nullptr;
+  ASSERT_TRUE(first);
+  EXPECT_EQ(read_the_map(), first.get());
+  request_.seed = 2;
+  EXPECT_NE(read_the_map(), first.get());
+  request_.seed = 1;
+  EXPECT_EQ(read_the_map(), first.get()) << "that of both is kept";
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// What simulations on a map begin with, whatever their seed. A process whose forks each run one makes it
+// before it forks, and each of them has it as it was made.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim/grid/map.h"
+#include "sim/grid/network.h"
+#include "sim/grid/stripes.h"
+#include "sim/judge/goal.h"
+#include "sim/world/world.h"
+
+namespace robosim::run {
+
+/// Where a robot begins, and what it is for. Empty: as the map has it.
+struct Errand {
+  std::optional<grid::Start> start;
+  std::optional<judge::Goal> goal;
+  bool operator==(const Errand&) const = default;
+};
+
+/// What an errand is on a map.
+struct Task {
+  /// The map must outlive it. Throws InputError if the errand makes no sense there.
+  Task(const Errand& errand, const grid::Map& map, const grid::Stripes& stripes);
+  grid::Start start;
+  grid::Network network;
+  judge::Goal goal;
+  judge::Progress progress;
+};
+
+class Scenery {
+ public:
+  /// The map must outlive it. Throws InputError if it has too much line (grid::Stripes).
+  explicit Scenery(const grid::Map& map);
+
+  /// Finds out beforehand what task() will ask of that agent.
+  void prepare(std::size_t number, const Errand& errand);
+  /// Throws InputError if the errand makes no sense on the map.
+  Task task(std::size_t number, const Errand& errand) const;
+
+  const grid::Stripes& stripes() const { return stripes_; }
+  /// As the map has it, until a simulation drives on it.
+  world::World& world() { return world_; }
+
+ private:
+  struct Prepared {
+    Errand errand;
+    std::optional<Task> task;  ///< none: it makes no sense
+  };
+  const grid::Map& map_;
+  const grid::Stripes stripes_;
+  world::World world_;
+  std::vector<Prepared> prepared_;  ///< by the agents' numbers
+};
+
+}  // namespace robosim::run
