@@ -3,132 +3,62 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/world/step.h"
+#include "sim/world/rolling.h"
 
 namespace robosim::batch {
 
-using world::kDt;
-using world::kMaxSpeed;
-using world::kMaxTurn;
-using world::kSkidShare;
 using world::left;
 using world::right;
+using world::Roller;
+using world::Rolling;
 using world::Side;
+using world::Two;
 
 namespace {
 
-constexpr double kStill = 1e-6;  // as in body.cpp
+Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// world::bounded(), without a branch.
-inline double bounded(double x, double bound) {
-  const double low = x < -bound ? -bound : x;
-  const double both = x > bound ? bound : low;
-  return both == both ? both : 0.0;
-}
-
-// Body::step() of each body that rolls on, as it is written there; where no comment says otherwise, what is
-// left out here has no part in that. The others are as they were, and `done` is 0 of them.
+// A tick of each body that rolls on, and of each that stands and is not driven, which stays as it is. The
+// others are as they were, and `done` is 0 of them.
 ROBOSIM_LANES_FUNCTION void roll(BodyBlock& block, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double v = block.v[i], omega = block.omega[i];
-    const double s0 = block.surface[0][i], s1 = block.surface[1][i];
-
-    // motor()
-    const bool is_driven0 = block.direction[0][i] * s0 < block.push_until[0][i];
-    const bool is_driven1 = block.direction[1][i] * s1 < block.push_until[1][i];
-    const bool is_braked0 = std::fabs(s0) > block.brake_from[0][i];
-    const bool is_braked1 = std::fabs(s1) > block.brake_from[1][i];
-    double push0 = is_driven0 ? block.push[0][i] : 0.0, drag0 = is_driven0 ? block.drag[0][i] : 0.0;
-    double push1 = is_driven1 ? block.push[1][i] : 0.0, drag1 = is_driven1 ? block.drag[1][i] : 0.0;
-    push0 += is_braked0 ? std::copysign(block.brake_push[0][i], s0) : 0.0;
-    drag0 += is_braked0 ? block.brake_drag[0][i] : 0.0;
-    push1 += is_braked1 ? std::copysign(block.brake_push[1][i], s1) : 0.0;
-    drag1 += is_braked1 ? block.brake_drag[1][i] : 0.0;
-
-    double ok = block.rolls[i];
-    const double at_rest = std::fabs(v) + std::fabs(omega) + std::fabs(s0) + std::fabs(s1);
-    const double drives = block.drives[0][i] + block.drives[1][i];
-    // A body that stands, and is not driven, stays as it is.
-    ok = block.u[i] == 0.0 ? ok : 0.0;
-    double rests = at_rest == 0.0 ? ok : 0.0;
-    rests = drives == 0.0 ? rests : 0.0;
-
-    const double travel = (std::fabs(v) + std::fabs(omega) * block.bound_radius[i]) * kDt;
-    ok = travel <= block.stride[i] ? ok : 0.0;
-    const double free_way = block.free_way[i] - block.way_per_travel[i] * travel;
-    ok = free_way > 0.0 ? ok : 0.0;  // else it looks for walls
-
-    // advance(), pose_after()
-    const double a = omega * kDt;
-    const double a2 = a * a;
-    const double sine = a * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0)));
-    const double cosine = 1.0 - a2 * (0.5 - a2 * (1.0 / 24.0));
-    const double mean_sine = a * (0.5 - a2 * (1.0 / 24.0));
-    const double mean_cosine = 1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0));
-    const double hx = block.heading_x[i], hy = block.heading_y[i];
-    const double tx = hx * cosine + -hy * sine, ty = hy * cosine + hx * sine;
-    const double ahead = kDt * (v * mean_cosine), aside = kDt * (v * mean_sine);
-    const double x = block.x[i] + hx * ahead + -hy * aside, y = block.y[i] + hy * ahead + hx * aside;
-    const double norm = 1.5 - 0.5 * (tx * tx + ty * ty);
-    const double nx = tx * norm, ny = ty * norm;
-    const double side_free = -((hx * ny - hy * nx) * v);
-    const double angle0 = block.angle[0][i] + s0 * block.per_radius[0][i] * kDt;
-    const double angle1 = block.angle[1][i] + s1 * block.per_radius[1][i] * kDt;
-    const double wheel_travel = block.wheel_travel[i] + 0.5 * (std::fabs(s0) + std::fabs(s1)) * kDt;
-    const double distance = block.distance[i] + std::fabs(v) * kDt;
-
-    // accelerate()
-    const double sideways = -side_free * block.mass[i];
-    const double limit0 = block.grip_limit[0][i], limit1 = block.grip_limit[1][i];
-    ok = std::fabs(sideways) <= kSkidShare * (limit0 + limit1) ? ok : 0.0;  // else it skids
-    const double own = block.mass_own[i], other = block.mass_cross[i], half_track = block.half_track[i];
-    const double ground0 = v - omega * half_track, ground1 = v + omega * half_track;
-    const double momentum0 = own * ground0 + other * ground1, momentum1 = other * ground0 + own * ground1;
-    const double impulse0 = momentum0 + block.inertia[0][i] * s0 + push0;
-    const double impulse1 = momentum1 + block.inertia[1][i] * s1 + push1;
-    const double own0 = own + block.inertia[0][i] + drag0, own1 = own + block.inertia[1][i] + drag1;
-    const double per_determinant = 1.0 / (own0 * own1 - other * other);
-    const double p0 = impulse0 - std::copysign(block.turning_friction[0][i], s0);
-    const double p1 = impulse1 - std::copysign(block.turning_friction[1][i], s1);
-    const double y0 = (own1 * p0 - other * p1) * per_determinant;
-    const double y1 = (own0 * p1 - other * p0) * per_determinant;
-    ok = y0 * s0 > 0.0 ? ok : 0.0;  // else friction may hold a wheel
-    ok = y1 * s1 > 0.0 ? ok : 0.0;
-    const double traction0 = own * y0 + other * y1 - momentum0;
-    const double traction1 = other * y0 + own * y1 - momentum1;
-    const double side0 = block.side_share[0][i] * sideways, side1 = block.side_share[1][i] * sideways;
-    ok = traction0 * traction0 <= limit0 * limit0 - side0 * side0 ? ok : 0.0;  // else it slips
-    ok = traction1 * traction1 <= limit1 * limit1 - side1 * side1 ? ok : 0.0;
-    const double next0 = bounded(y0, kMaxSpeed), next1 = bounded(y1, kMaxSpeed);
-    const double next_v = 0.5 * (next0 + next1);
-    const double next_omega = bounded((next1 - next0) * block.per_track[i], kMaxTurn);
-
-    // draw_energy()
-    const double joules0 = block.joule0[0][i] - block.joule1[0][i] * (block.direction[0][i] * next0);
-    const double joules1 = block.joule0[1][i] - block.joule1[1][i] * (block.direction[1][i] * next1);
-    double energy = block.energy[i] + block.drives[0][i] * (joules0 < 0.0 ? 0.0 : joules0);
-    energy += block.drives[1][i] * (joules1 < 0.0 ? 0.0 : joules1);
-    // It may come to rest.
-    const double fastest = std::fabs(next0) < std::fabs(next1) ? std::fabs(next1) : std::fabs(next0);
-    const double goes = drives > 0.0 ? 1.0 : fastest < kStill ? 0.0 : 1.0;
-    ok = goes > 0.0 ? ok : 0.0;
-
+    const Roller<Two> body = {
+        of(block.direction, i),    of(block.drives, i),           of(block.push, i),
+        of(block.drag, i),         of(block.push_until, i),       of(block.brake_push, i),
+        of(block.brake_drag, i),   of(block.brake_from, i),       of(block.per_radius, i),
+        of(block.inertia, i),      of(block.turning_friction, i), of(block.joule0, i),
+        of(block.joule1, i),       of(block.side_share, i),       of(block.owns, i),
+        of(block.grip_squares, i), block.skids_from[i],           block.mass[i],
+        block.mass_own[i],         block.mass_cross[i],           block.half_track[i],
+        block.per_track[i],        block.bound_radius[i],         block.way_per_travel[i]};
+    const Rolling<Two> now = {block.x[i],           block.y[i],         block.heading_x[i],
+                              block.heading_y[i],   block.v[i],         block.omega[i],
+                              of(block.surface, i), of(block.angle, i), block.wheel_travel[i],
+                              block.distance[i],    block.energy[i],    block.free_way[i]};
+    const double may = block.u[i] == 0.0 ? block.rolls[i] : 0.0;
+    const double at_rest =
+        std::fabs(now.v) + std::fabs(now.omega) + std::fabs(now.surface.l) + std::fabs(now.surface.r);
+    double rests = at_rest == 0.0 ? may : 0.0;
+    rests = body.drives.l + body.drives.r == 0.0 ? rests : 0.0;
+    Rolling<Two> next;
+    const double rolls = world::roll(body, block.stride[i], now, next).holds();
+    const double ok = rolls > 0.0 ? may : 0.0;
     const bool moves = ok > 0.0;
     done[i] = ok > 0.0 ? ok : rests;
-    block.x[i] = moves ? x : block.x[i];
-    block.y[i] = moves ? y : block.y[i];
-    block.heading_x[i] = moves ? nx : hx;
-    block.heading_y[i] = moves ? ny : hy;
-    block.v[i] = moves ? next_v : v;
-    block.omega[i] = moves ? next_omega : omega;
-    block.surface[0][i] = moves ? next0 : s0;
-    block.surface[1][i] = moves ? next1 : s1;
-    block.angle[0][i] = moves ? angle0 : block.angle[0][i];
-    block.angle[1][i] = moves ? angle1 : block.angle[1][i];
-    block.wheel_travel[i] = moves ? wheel_travel : block.wheel_travel[i];
-    block.distance[i] = moves ? distance : block.distance[i];
-    block.energy[i] = moves ? energy : block.energy[i];
-    block.free_way[i] = moves ? free_way : block.free_way[i];
+    block.x[i] = moves ? next.x : now.x;
+    block.y[i] = moves ? next.y : now.y;
+    block.heading_x[i] = moves ? next.heading_x : now.heading_x;
+    block.heading_y[i] = moves ? next.heading_y : now.heading_y;
+    block.v[i] = moves ? next.v : now.v;
+    block.omega[i] = moves ? next.omega : now.omega;
+    block.surface[0][i] = moves ? next.surface.l : now.surface.l;
+    block.surface[1][i] = moves ? next.surface.r : now.surface.r;
+    block.angle[0][i] = moves ? next.angle.l : now.angle.l;
+    block.angle[1][i] = moves ? next.angle.r : now.angle.r;
+    block.wheel_travel[i] = moves ? next.wheel_travel : now.wheel_travel;
+    block.distance[i] = moves ? next.distance : now.distance;
+    block.energy[i] = moves ? next.energy : now.energy;
+    block.free_way[i] = moves ? next.free_way : now.free_way;
     block.slips[i] = moves ? 0.0 : block.slips[i];
   }
 }
@@ -146,19 +76,8 @@ std::size_t Bodies::add(const world::BodyParams& params, const Pose& pose) {
   body.place(pose);
   if (lane == 0) blocks_.emplace_back();
   BodyBlock& block = blocks_.back();
-  for (const Side side : {left, right}) {
-    const world::Body::Unit& unit = body.unit_[side];
-    block.per_radius[side][lane] = unit.per_radius;
-    block.inertia[side][lane] = unit.inertia;
-    block.turning_friction[side][lane] = unit.friction[0];
-    block.joule0[side][lane] = unit.joule0;
-    block.joule1[side][lane] = unit.joule1;
-    block.push_until[side][lane] = unit.push_until;
-    block.brake_from[side][lane] = unit.brake_from;
-    block.grip_limit[side][lane] = body.grip_limit_[side];
-    block.side_share[side][lane] = body.side_share_[side];
-    read_command(number, side);
-  }
+  for (const Side side : {left, right}) read_figures(number, side);
+  block.skids_from[lane] = body.roller_.skids_from;
   block.mass[lane] = body.params_.mass_kg;
   block.mass_own[lane] = body.mass_own_;
   block.mass_cross[lane] = body.mass_cross_;
@@ -173,19 +92,29 @@ std::size_t Bodies::add(const world::BodyParams& params, const Pose& pose) {
 
 void Bodies::command(std::size_t number, Side side, const world::WheelCommand& command) {
   bodies_[number]->command(side, command);
-  read_command(number, side);
+  read_figures(number, side);
 }
 
-void Bodies::read_command(std::size_t number, Side side) {
-  const world::Body::Unit& unit = bodies_[number]->unit_[side];
+void Bodies::read_figures(std::size_t number, Side side) {
+  const Roller<world::Pair>& roller = bodies_[number]->roller_;
   BodyBlock& block = blocks_[number / kLanes];
   const std::size_t lane = number % kLanes;
-  block.direction[side][lane] = std::copysign(1.0, unit.drive);
-  block.drives[side][lane] = std::fabs(unit.drive);
-  block.push[side][lane] = unit.drive * unit.push;
-  block.drag[side][lane] = std::fabs(unit.drive) * unit.drag;
-  block.brake_push[side][lane] = unit.brake * unit.brake_push;
-  block.brake_drag[side][lane] = unit.brake * unit.drag;
+  block.direction[side][lane] = roller.direction[side];
+  block.drives[side][lane] = roller.drives[side];
+  block.push[side][lane] = roller.push[side];
+  block.drag[side][lane] = roller.drag[side];
+  block.push_until[side][lane] = roller.push_until[side];
+  block.brake_push[side][lane] = roller.brake_push[side];
+  block.brake_drag[side][lane] = roller.brake_drag[side];
+  block.brake_from[side][lane] = roller.brake_from[side];
+  block.per_radius[side][lane] = roller.per_radius[side];
+  block.inertia[side][lane] = roller.inertia[side];
+  block.turning_friction[side][lane] = roller.turning_friction[side];
+  block.joule0[side][lane] = roller.joule0[side];
+  block.joule1[side][lane] = roller.joule1[side];
+  block.side_share[side][lane] = roller.side_share[side];
+  block.owns[side][lane] = roller.owns[side];
+  block.grip_squares[side][lane] = roller.grip_squares[side];
 }
 
 void Bodies::place(std::size_t number, const Pose& pose) {
@@ -239,14 +168,12 @@ void Bodies::read(std::size_t number) {
   block.energy[lane] = body.energy_;
   block.free_way[lane] = body.free_way_;
   block.slips[lane] = body.slips_ ? 1.0 : 0.0;
-  const bool is_ordinary = !body.winds_ && !(body.params_.centre_height_m > 0.0) &&
-                           !(body.params_.steer_base_m > 0.0) && !(body.scrub_rolling_ > 0.0);
-  block.rolls[lane] = is_ordinary && !body.in_contact_ ? 1.0 : 0.0;
+  block.rolls[lane] = body.is_ordinary_ && !body.in_contact_ ? 1.0 : 0.0;
 }
 
 void Bodies::step_alone(std::size_t number) {
   write(number);
-  bodies_[number]->step(walls_, nullptr);
+  bodies_[number]->step_closely(walls_, nullptr);
   bodies_[number]->settle_contact();
   read(number);
 }

@@ -6,8 +6,8 @@
 // and so with the same bits. This holds for what bodies do nearly always: both tyres roll, both wheels turn
 // the way they turned, nothing is near. Each tick each lane is tested for that. One that starts, stops,
 // slips, skids, or comes near a wall, and any body that is not an ordinary one (windings, steered wheels,
-// wheels that skid, loads that shift), goes through this tick as a world::Body, by Body's own code. So there
-// is one model, and nothing to keep in step but the loop in bodies.cpp; batch_test.cpp compares it, bit by
+// wheels that skid, loads that shift), goes through this tick as a world::Body, by Body's own code. The
+// tick of one that rolls is rolling.h's, which single bodies take, too; batch_test.cpp compares them, bit by
 // bit.
 //
 // Bodies of a batch neither see nor touch each other.
@@ -23,7 +23,7 @@
 
 namespace robosim::batch {
 
-/// What a block's bodies are and do. Figures of world::Body, by their names there.
+/// What a block's bodies are and do: their Roller and Rolling (sim/world/rolling.h), by the names there.
 struct BodyBlock {
   Lanes x, y, heading_x, heading_y;  // m; unit vector
   Lanes v, u, omega;                 // m/s, m/s, rad/s
@@ -38,8 +38,8 @@ struct BodyBlock {
   Lanes push[2], drag[2], push_until[2];  // driven
   Lanes brake_push[2], brake_drag[2], brake_from[2];
   // Of the bodies.
-  Lanes per_radius[2], inertia[2], turning_friction[2], resting_friction[2];
-  Lanes joule0[2], joule1[2], grip_limit[2], side_share[2];
+  Lanes per_radius[2], inertia[2], turning_friction[2], joule0[2], joule1[2], side_share[2];
+  Lanes owns[2], grip_squares[2], skids_from;
   Lanes mass, mass_own, mass_cross, half_track, per_track, bound_radius, way_per_travel, stride;
   Lanes rolls;  // 1 = an ordinary body that touches nothing
 };
@@ -79,7 +79,7 @@ class Bodies {
  private:
   void write(std::size_t number) const;
   void read(std::size_t number);
-  void read_command(std::size_t number, world::Side);
+  void read_figures(std::size_t number, world::Side);
   void step_alone(std::size_t number);
 
   const world::Walls& walls_;

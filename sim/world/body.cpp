@@ -9,9 +9,6 @@ namespace robosim::world {
 
 namespace {
 
-// Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
-constexpr double kStill = 1e-6;  // m/s, rad/s
-
 // What is left of an impulse after friction that can hold up to `friction`.
 double after_friction(double impulse, double friction) {
   if (impulse > friction) return impulse - friction;
@@ -26,6 +23,7 @@ void Body::command(Side side, WheelCommand command) {
   unit.drive = bounded(command.drive, 1.0);
   unit.brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(unit.drive));
   if (winds_) set_winding(side, command);
+  tell_roller(side);
 }
 
 void Body::place(const Pose& pose) {
@@ -209,7 +207,39 @@ void Body::spin() {
   draw_energy();
 }
 
-void Body::step(const Walls& walls, Ground* ground) {
+// The tick of a body that just rolls. False, and nothing is done, if it is another one.
+bool Body::roll_on(const Walls& walls) {
+  if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
+  Rolling<Pair> next;
+  const Rolling<Pair> now = {pose_.position.x,
+                             pose_.position.y,
+                             pose_.heading.x,
+                             pose_.heading.y,
+                             v_,
+                             omega_,
+                             {surface_[0], surface_[1]},
+                             {angle_[0], angle_[1]},
+                             wheel_travel_,
+                             distance_,
+                             energy_,
+                             free_way_};
+  if (!roll(roller_, walls.stride(bound_radius_), now, next).holds()) return false;
+  pose_ = {{next.x, next.y}, {next.heading_x, next.heading_y}};
+  v_ = next.v;
+  omega_ = next.omega;
+  for (const int side : {0, 1}) {
+    surface_[side] = next.surface[side];
+    angle_[side] = next.angle[side];
+  }
+  wheel_travel_ = next.wheel_travel;
+  distance_ = next.distance;
+  energy_ = next.energy;
+  free_way_ = next.free_way;
+  slips_ = false;
+  return true;
+}
+
+void Body::step_closely(const Walls& walls, Ground* ground) {
   if (lifted_ || stance_.toppled != Toppled::no) return spin();
   if (winds_) [[unlikely]]
     find_currents();

@@ -35,6 +35,7 @@
 
 #include "sim/base/vec.h"
 #include "sim/world/joints.h"
+#include "sim/world/rolling.h"
 #include "sim/world/winding.h"
 
 namespace robosim::batch {
@@ -272,7 +273,11 @@ class Body {
   };
 
   // `ground`: null where it is plane, and of one kind.
-  void step(const Walls&, Ground* ground);
+  void step(const Walls& walls, Ground* ground) {
+    if (ground || !roll_on(walls)) step_closely(walls, ground);
+  }
+  bool roll_on(const Walls&);
+  void step_closely(const Walls&, Ground*);
   bool stand(Ground* ground, const Pose& before, double travel);
   bool halt();
   double foot_radius(int i) const;
@@ -294,6 +299,8 @@ class Body {
   void accelerate();
   void accelerate_steered();
   Motor motor(Side) const;
+  void tell_roller(Side);
+  void set_roller(Side);
   void set_winding(Side, const WheelCommand&);
   MeanCurrent current_of(int side, double supply_volts) const;
   void find_currents();
@@ -320,6 +327,8 @@ class Body {
   double surface_[2] = {0.0, 0.0};  // speed of the treads, m/s: w r
   double angle_[2] = {0.0, 0.0};
   Unit unit_[2] = {};
+  Roller<Pair> roller_ = {};  // what follows from them, and from what is told
+  bool is_ordinary_ = false;  // may roll as rolling.h has it
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
   double half_track_ = 0.0, per_track_ = 0.0;

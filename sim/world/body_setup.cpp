@@ -158,6 +158,45 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
   }
   constexpr double kCurve = 1.02;  // pose_after()'s polynomials
   way_per_travel_ = kCurve * std::max(1.0, length(bound_centre_) / bound_radius_);
+  roller_.mass = m;
+  for (const Side side : {left, right}) set_roller(side);
+  roller_.mass_own = mass_own_;
+  roller_.mass_cross = mass_cross_;
+  roller_.half_track = half_track_;
+  roller_.per_track = per_track_;
+  roller_.bound_radius = bound_radius_;
+  roller_.way_per_travel = way_per_travel_;
+  is_ordinary_ =
+      !winds_ && !(params_.centre_height_m > 0.0) && !(params_.steer_base_m > 0.0) && !(scrub_rolling_ > 0.0);
+}
+
+// Of a command.
+void Body::tell_roller(Side side) {
+  const Unit& unit = unit_[side];
+  const double drives = std::fabs(unit.drive);
+  roller_.direction[side] = std::copysign(1.0, unit.drive);
+  roller_.drives[side] = drives;
+  roller_.push[side] = unit.drive * unit.push;
+  roller_.drag[side] = drives * unit.drag;
+  roller_.brake_push[side] = unit.brake * unit.brake_push;
+  roller_.brake_drag[side] = unit.brake * unit.drag;
+}
+
+// Of all that follows from the body.
+void Body::set_roller(Side side) {
+  const Unit& unit = unit_[side];
+  tell_roller(side);
+  roller_.push_until[side] = unit.push_until;
+  roller_.brake_from[side] = unit.brake_from;
+  roller_.per_radius[side] = unit.per_radius;
+  roller_.inertia[side] = unit.inertia;
+  roller_.turning_friction[side] = unit.friction[0];
+  roller_.joule0[side] = unit.joule0;
+  roller_.joule1[side] = unit.joule1;
+  roller_.side_share[side] = side_share_[side];
+  roller_.owns[side] = mass_own_ + unit.inertia;
+  roller_.grip_squares[side] = grip_limit_[side] * grip_limit_[side];
+  roller_.skids_from = kSkidShare * (grip_limit_[0] + grip_limit_[1]);
 }
 
 void Body::rub(Side side) {
@@ -167,6 +206,7 @@ void Body::rub(Side side) {
   const double gear = torque_per_ampere(w) * w.no_load_current * unit.per_radius;
   unit.friction[0] = blocked_[side] ? kHeld : (gear + rolling) * kDt;
   unit.friction[1] = blocked_[side] ? kHeld : (gear * w.static_friction + rolling) * kDt;
+  set_roller(side);
 }
 
 void Body::supply(double supply_volts) {
@@ -190,6 +230,7 @@ void Body::supply(double supply_volts) {
     unit.brake_from = drop / volts_per_speed;
     unit.joule0 = supply_volts * volts / ohms * kDt;
     unit.joule1 = supply_volts * volts_per_speed / ohms * kDt;
+    set_roller(static_cast<Side>(side));
   }
 }
 
