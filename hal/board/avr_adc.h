@@ -59,20 +59,20 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// The code of what ADMUX and ADCSRB select; `pin_volts(channel)` are those at an analog input.
-/// Where the supply has sunk to `supply_share` of itself, those are what they would be beside a supply that
+/// Where the supply has sunk to `supply_share()` of itself, those are what they would be beside a supply that
 /// has not: right for a reference that is the supply, and too high for one that has stayed. `held` becomes
 /// the volts on the converter's capacitor, likewise.
-template <typename PinVolts>
+template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
-                    double supply_share, PinVolts pin_volts, double& held) {
+                    SupplyShare supply_share, PinVolts pin_volts, double& held) {
   const bool by_supply = adc.references[adc_reference(adc, multiplexer)] == 0.0;
   const int selection = adc_selection(adc, multiplexer, control_b), channel = adc_channel(adc, selection);
   double volts = 0.0;
   held = channel >= 0                       ? pin_volts(channel)
-         : selection == adc.bandgap_channel ? adc.bandgap_volts / supply_share
+         : selection == adc.bandgap_channel ? adc.bandgap_volts / supply_share()
                                             : 0.0;
   if (channel >= 0) {
-    volts = by_supply ? held : held * supply_share;
+    volts = by_supply ? held : held * supply_share();
   } else if (selection == adc.bandgap_channel) {
     volts = by_supply ? held : adc.bandgap_volts;
   }

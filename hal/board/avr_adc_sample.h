@@ -18,7 +18,8 @@ uint16_t adc_sample(FirmwarePort& board, const BoardSpec& spec, const AdcSpec& a
     const int pin = spec.analog_pin_0 + channel;
     return pin < spec.pin_count ? board.convert(wired(static_cast<Pin>(pin)), held, from - late, t) : 0.0;
   };
-  return adc_sample(adc, multiplexer, 0, spec.supply_volts, board.supply_share(), volts, held);
+  const auto share = [&] { return board.supply_share(); };
+  return adc_sample(adc, multiplexer, 0, spec.supply_volts, share, volts, held);
 }
 
 }  // namespace avr

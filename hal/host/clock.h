@@ -12,6 +12,8 @@
 #define ROBOSIM_SETTINGS __attribute__((section("robosim_settings")))
 /// What few sketches come to, or seldom, is made small: images are read, and hashed, whenever a run begins.
 #define ROBOSIM_RARE __attribute__((cold))
+/// What sketches call again and again has all inlined that it calls itself.
+#define ROBOSIM_FREQUENT __attribute__((flatten))
 
 namespace robosim {
 namespace host ROBOSIM_WITHIN {

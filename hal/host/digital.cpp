@@ -82,7 +82,7 @@ void pinMode(uint8_t pin, uint8_t mode) {
   host::refresh_pin(pin);
 }
 
-void digitalWrite(uint8_t pin, uint8_t value) {
+ROBOSIM_FREQUENT void digitalWrite(uint8_t pin, uint8_t value) {
   host::note_call("digitalWrite", pin, 2, pin, value);
   host::spend(cost::kDigitalWrite + timer_cost(pin));
   if (host::is_digital(pin)) set_level(pin, value != LOW);
@@ -103,7 +103,7 @@ void analogReference(uint8_t mode) {
   reference = mode;
 }
 
-int analogRead(uint8_t pin) {
+ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
   // Both ways of the core: 8 is A8, and so is its number as a pin.
   const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
   const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
@@ -129,7 +129,7 @@ int analogRead(uint8_t pin) {
   return robosim_hal::with_bits(host::adc.end_with(code), kAdcBits, robosim_hal::read_bits);
 }
 
-void analogWrite(uint8_t pin, int value) {
+ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
   host::note_call("analogWrite", pin, 2, pin, value);
   value = robosim_hal::with_bits(value, robosim_hal::write_bits, kPwmBits);
   const host::TimerPin by = host::timer_of(pin);

@@ -153,7 +153,8 @@ void Adc::start(Cycle edge) {
 
 void Adc::sample(Cycle at) {
   state_.sampled = adc_sample(
-      core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts, core_.outside.supply_share(),
+      core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
+      [&] { return core_.outside.supply_share(); },
       [&](int channel) {
         return pins_.convert(pins_.analog(channel), state_.held, state_.charges_since, at);
       },

@@ -231,8 +231,9 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// The distance to the nearest stripe of those that are looked up in the point's cell; what is found holds in
-// that cell alone.
+// The distance to the nearest stripe of those that are looked up in the point's cell. What is found holds in
+// that cell alone; or, where nobody minds what is farther than `reach` away, as far beyond its borders as
+// other stripes are surely farther than that: those are stripes_reach_ from the cell.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9, kFar = 1e9;  // m: more than what distances are rounded by; and than any
   found = {p};
@@ -251,7 +252,9 @@ double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) c
   }
   double room = 0.5 * (next - nearest);
   if (!painted_only) room = std::min(room, stripes_reach_ - nearest);  // beyond, other cells are looked at
-  const double border = 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y));
+  double border = 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y));
+  const bool is_at_edge = column == 0 || row == 0 || column == width_ - 1 || row == height_ - 1;
+  if (reach < stripes_reach_ && !is_at_edge) border += std::min(stripes_reach_ - reach, cell_);
   const auto square = [&](double way) {
     const double sure = std::max(std::min(way, border) - kRounding, 0.0);
     return sure * sure;

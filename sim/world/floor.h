@@ -29,7 +29,7 @@ namespace robosim::world {
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
 /// Which stripe was nearest to a point of a floor where corners are round, and how far from there it surely
-/// still is: half of what the next one is farther away, and not beyond the borders of its cell, for which
+/// still is: half of what the next one is farther away, and not far beyond the borders of its cell, for which
 /// stripes are looked up. So somebody who moves by less than that between two looks need not seek again. And
 /// how far from there no stripe comes near a footprint. Of lines as the map has them, which stay.
 struct NearStripe {

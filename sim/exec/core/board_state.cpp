@@ -59,9 +59,10 @@ SimTime BoardState::same_until(Pin pin, SimTime t) const {
 
 double BoardState::read_volts(Pin pin, SimTime t) {
   if (pin >= spec_.pin_count) return 0.0;
-  PinSource* const source = drive(pin).mode == PinMode::output ? nullptr : wires_[pin].source;
+  PinState& state = state_.pins[pin];
+  PinSource* const source = state.drive.mode == PinMode::output ? nullptr : wires_[pin].source;
   const double volts = source ? source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
-  PinUse& use = state_.pins[pin].use;
+  PinUse& use = state.use;
   use.lowest_volts = use.measured ? std::min(use.lowest_volts, volts) : volts;
   use.highest_volts = use.measured ? std::max(use.highest_volts, volts) : volts;
   use.measured = true;
@@ -73,9 +74,10 @@ double BoardState::read_volts(Pin pin, SimTime t) {
 double BoardState::convert(Pin pin, double before, SimTime from, SimTime t) {
   const double volts = read_volts(pin, t);
   if (pin >= spec_.pin_count) return volts;
-  const double ohms = drive(pin).mode == PinMode::output ? 0.0 : wires_[pin].ohms;
+  const double ohms = wires_[pin].ohms;
+  const bool charges = ohms > 0.0 && drive(pin).mode != PinMode::output;
   const double held =
-      ohms > 0.0 ? adc_charged(before, volts, ohms, 1e-9 * static_cast<double>(t - from)) : volts;
+      charges ? adc_charged(before, volts, ohms, 1e-9 * static_cast<double>(t - from)) : volts;
   if (adc_watcher_) adc_watcher_->converted(pin, held - volts, t);
   return held;
 }

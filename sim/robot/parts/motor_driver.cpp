@@ -25,21 +25,24 @@ double period_of(const PinDrive& drive) {
 }
 
 world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {
-  // Where both inputs are steady, the enable input alone divides the time.
   const auto steady = [](double share) { return share == 0.0 || share == 1.0; };
-  double ends[4] = {inputs.en, 1.0, 1.0, 1.0};
-  if (!steady(inputs.in1) || !steady(inputs.in2)) {
-    ends[1] = inputs.in1, ends[2] = inputs.in2;
-    std::sort(ends, ends + 3);
-  }
   double share[4] = {0.0, 0.0, 0.0, 0.0};
-  double begin = 0.0;
-  for (const double end : ends) {
-    if (end <= begin) continue;
-    const bool in1 = begin < inputs.in1;
-    const bool in2 = inputs.phase ? !in1 : begin < inputs.in2;
-    share[static_cast<int>(chip.action[begin < inputs.en][in1][in2])] += end - begin;
-    begin = end;
+  const auto add = [&](double time, bool en, bool in1, bool in2) {
+    share[static_cast<int>(chip.action[en][in1][inputs.phase ? !in1 : in2])] += time;
+  };
+  if (steady(inputs.in1) && steady(inputs.in2)) {
+    // The enable input alone divides the time.
+    add(inputs.en, true, inputs.in1 > 0.0, inputs.in2 > 0.0);
+    add(1.0 - inputs.en, false, inputs.in1 > 0.0, inputs.in2 > 0.0);
+  } else {
+    double ends[4] = {inputs.en, inputs.in1, inputs.in2, 1.0};
+    std::sort(ends, ends + 3);
+    double begin = 0.0;
+    for (const double end : ends) {
+      if (end <= begin) continue;
+      add(end - begin, begin < inputs.en, begin < inputs.in1, begin < inputs.in2);
+      begin = end;
+    }
   }
   const double forward = share[static_cast<int>(Bridge::forward)];
   const double reverse = share[static_cast<int>(Bridge::reverse)];
