@@ -63,6 +63,11 @@ class Progress {
     if (!passes_by(body)) look(body, t, events);
   }
 
+  /// Whether an update would find and change nothing.
+  bool passes_by(const world::Body& body) const {
+    if (goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still || contest_) return false;
+    return origin_ && is_near(body.pose()) && !at_rest(body) && !may_depart(body.pose());
+  }
   /// Whether the next updates would find what the last one found, while the body stays where it is.
   bool is_settled(const world::Body& body) const;
   bool reached() const { return reached_; }
@@ -107,11 +112,6 @@ class Progress {
   }
   bool may_depart(const Pose& pose) const {
     return laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture;
-  }
-  // Whether a look would find and change nothing.
-  bool passes_by(const world::Body& body) const {
-    if (goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still || contest_) return false;
-    return origin_ && is_near(body.pose()) && !at_rest(body) && !may_depart(body.pose());
   }
   void look(const world::Body& body, SimTime t, Events& events);
   void visit_places(const world::Body& body, Events& events);

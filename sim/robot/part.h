@@ -96,6 +96,8 @@ struct Roster {
 
   /// As Robot::sight().
   double sight() const;
+  /// Whether begin_tick() of those that want it in every tick would do nothing.
+  bool idles() const;
 };
 
 class Part {
@@ -107,10 +109,19 @@ class Part {
   virtual void meet(const Roster&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
+  /// Whether begin_tick() would do nothing until somebody does something to the part, or something touches
+  /// the body.
+  virtual bool idles() const { return false; }
   /// The board's supply is switched off or on again.
   virtual void power(bool on, SimTime) { static_cast<void>(on); }
   /// Appends what is shown of it, apart from floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}
 };
+
+inline bool Roster::idles() const {
+  for (const Part* part : ticking)
+    if (!part->idles()) return false;
+  return true;
+}
 
 }  // namespace robosim::robot

@@ -98,6 +98,10 @@ struct Robot::Inside {
     }
   }
   bool feeds() const { return cells.kind && !state.is_forced; }
+  bool is_steady() const {
+    const auto steady = [](const WheelMotor* motor) { return !motor || motor->steady(); };
+    return steady(roster.motor[world::left]) && steady(roster.motor[world::right]);
+  }
   void find_supply() {
     if (description.electronics.fed_by_battery)
       view.supply = supply_at(view.battery * body.params().supply_volts, *description.board);
@@ -211,11 +215,14 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   for (const auto& part : in_->parts) part->meet(in_->roster);
   for (FanPart* fan : in_->roster.fans) fan->press_on(in_->body);
   in_->find_steering();
+  command_ = in_->state.command;
   has_battery_ = in_->cells.kind;
   has_tellers_ = !in_->roster.tellers.empty();
 }
 
 Robot::~Robot() = default;
+
+void Robot::begin_idle_tick(SimTime t) { in_->view.tick_start = t; }
 
 void Robot::begin_tick(SimTime t) {
   in_->view.tick_start = t;
@@ -229,10 +236,12 @@ void Robot::begin_tick(SimTime t) {
   std::erase_if(in_->state.bouncing, [](const ButtonPart* part) { return part->settled(); });
 }
 
-bool Robot::end_tick(SimTime t) {
-  const WheelMotor *const l = in_->roster.motor[world::left], *const r = in_->roster.motor[world::right];
-  const bool steady = (!l || l->steady()) && (!r || r->steady());
-  return (!steady || has_battery_) && take_commands(t);
+bool Robot::end_tick(SimTime t) { return (!in_->is_steady() || has_battery_) && take_commands(t); }
+
+bool Robot::idles() const {
+  const Inside& in = *in_;
+  return !has_battery_ && !in.state.edges && in.state.bouncing.empty() && in.is_steady() &&
+         !in.context.board.wants_any_edges() && in.roster.idles();
 }
 
 [[gnu::noinline]] bool Robot::take_commands(SimTime t) {
@@ -305,14 +314,6 @@ Vec2 Robot::sensor_midpoint() const {
     }
   return count > 0.0 ? sum * (1.0 / count) : Vec2{};
 }
-
-bool Robot::driven() const {
-  return in_->state.command[world::left].drive != 0.0 || in_->state.command[world::right].drive != 0.0;
-}
-
-double Robot::left_command() const { return in_->state.command[world::left].drive; }
-
-double Robot::right_command() const { return in_->state.command[world::right].drive; }
 
 void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t); }
 

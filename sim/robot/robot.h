@@ -13,10 +13,10 @@
 #include "sim/base/profile.h"
 #include "sim/base/vec.h"
 #include "sim/robot/fault.h"
+#include "sim/world/body.h"
 
 namespace robosim::world {
 class World;
-class Body;
 }  // namespace robosim::world
 
 namespace robosim::robot {
@@ -71,6 +71,10 @@ class Robot {
   /// Step (3): motor commands become the time average of their pins over the tick that ends at `t`. Whether
   /// one has changed.
   bool end_tick(SimTime t);
+  /// Whether both steps would do nothing in the ticks to come, as long as nothing touches the body, firmware
+  /// leaves the board alone, and no script does anything: then begin_idle_tick() is all there is to do.
+  bool idles() const;
+  void begin_idle_tick(SimTime t);
 
   /// Whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
@@ -90,7 +94,7 @@ class Robot {
   /// What its parts have to tell at `t`, the end of a tick.
   void tell(SimTime t, std::vector<Told>& told);
   /// Whether the last tick's commands drive a motor.
-  bool driven() const;
+  bool driven() const { return command_[0].drive != 0.0 || command_[1].drive != 0.0; }
 
   /// The board's supply is switched off, or on again: parts that share it lose their state.
   void power(bool on, SimTime t);
@@ -152,14 +156,15 @@ class Robot {
   /// Every wired pin, in the order of the robot file.
   std::vector<WiredPin> wiring() const;
   /// The last tick's motor commands, -1..1, for display.
-  double left_command() const;
-  double right_command() const;
+  double left_command() const { return command_[0].drive; }
+  double right_command() const { return command_[1].drive; }
 
  private:
   struct Inside;
   bool take_commands(SimTime t);
 
   std::unique_ptr<Inside> in_;
+  const world::WheelCommand* command_ = nullptr;  // of the last tick, by world::Side
   bool has_battery_ = false, has_tellers_ = false;
 };
 

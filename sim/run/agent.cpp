@@ -179,16 +179,7 @@ void Agent::look_to_the_side() {
 }
 
 inline void Agent::observe(SimTime end) {
-  const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
-  if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
-    state_.midpoint = midpoint;
-    state_.cross_track = world_.floor().distance_to_line(midpoint, state_.line);
-  }
-  if (state_.cross_track > state_.shown.worst_cross_track) {
-    state_.shown.worst_cross_track = state_.cross_track;
-    state_.shown.worst_t = end;
-    state_.shown.worst_at = body_.pose().position;
-  }
+  measure(end);
   if (end % (kLookEvery * kTick) == 0) state_.sees_line = robot_.sees_line();
   if (state_.sees_line && end % (kSideEvery * kTick) == 0) look_to_the_side();
   count_tick(end);
@@ -264,10 +255,10 @@ void Agent::act(SimTime t) {
   robot_.begin_tick(t);
 }
 
-bool Agent::run_firmware(SimTime end) {
-  executor_.run_until(end);
-  const bool steered = robot_.end_tick(end);
-  return std::exchange(state_.stirred, false) || steered;
+SimTime Agent::wakes_at(SimTime end) const {
+  if (finished() || board_detectors_) return 0;
+  const SimTime wakes = executor_.sleeps_until() - kTick + 1;
+  return wakes > end && robot_.idles() ? std::min(wakes, player_.next_act(end)) : 0;
 }
 
 bool Agent::exceeds_budget() {
@@ -294,7 +285,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
-bool Agent::look(SimTime end) {
+bool Agent::look_closely(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
   observe(end);
@@ -309,7 +300,18 @@ bool Agent::look(SimTime end) {
   }
   const std::optional<judge::Verdict> verdict = verdict_at(end);
   if (verdict) finish(*verdict, end);
+  state_.looks_at = next_look(end);
   return verdict.has_value();
+}
+
+// When it must look closely next, whatever happens.
+inline SimTime Agent::next_look(SimTime end) const {
+  if (steering_ || robot_.has_tellers() || progress_.contest()) return 0;
+  const auto after = [end](SimTime every) { return end - end % every + every; };
+  static_assert(kBudgetEvery % (kLookEvery * kTick) == 0);
+  SimTime next = std::min(after(kLookEvery * kTick), after(kSideEvery * kTick));
+  if (setup_.samples_every > 0) next = std::min(next, after(setup_.samples_every));
+  return next;
 }
 
 // Of a competition's, which may go on.

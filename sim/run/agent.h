@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -52,8 +53,11 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// 2 and 3: the firmware runs to `end`, and motors get their commands. Whether anything has happened since
   /// the last time that world or judge could notice.
   bool run_firmware(SimTime end);
+  /// 1 to 3, of the tick at `t`, and the time from which they have something to do again: they do not before
+  /// `wakes`, as this told in the tick before (0: it is not known).
+  SimTime go(SimTime t, SimTime wakes);
   /// 4: goal and judge look at the world at `end`. Whether that gave a verdict: the agent is then finished.
-  bool look(SimTime end);
+  bool look(SimTime end) { return may_pass(end) ? pass(end) : look_closely(end); }
 
   // --- turns of several ticks, while it is apart from others ---
   /// What is to be told in the order of time, once all have come as far.
@@ -124,6 +128,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     double line_side = 0.0;  ///< Robot::line_side(), when it was last seen to a side
     double steered = 0.0;  ///< then: how it steered towards it, -2..2, a running mean; below 0: away from it
     int collisions_told = 0;
+    SimTime looks_at = 0;    ///< until then look() has little to do in each tick: see may_pass()
     bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
@@ -166,6 +171,12 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void feed_board(SimTime t);
   void put(const Pose& where);
   void look_to_the_side();
+  SimTime wakes_at(SimTime end) const;
+  bool may_pass(SimTime end) const;
+  bool pass(SimTime end);
+  bool look_closely(SimTime end);
+  SimTime next_look(SimTime end) const;
+  void measure(SimTime end);
   void observe(SimTime end);
   void watch_steering(SimTime end);
   std::vector<exec::Detected> detected(SimTime t) const;
@@ -214,6 +225,61 @@ inline void Agent::count_tick(SimTime end) {
     ++state_.cross_track_ticks;
   }
   if (!state_.sees_line && robot_.has_line_sensors()) ++state_.off_line_ticks;
+}
+
+[[gnu::always_inline]] inline bool Agent::run_firmware(SimTime end) {
+  executor_.run_until(end);
+  const bool steered = robot_.end_tick(end);
+  return std::exchange(state_.stirred, false) || steered;
+}
+
+inline SimTime Agent::go(SimTime t, SimTime wakes) {
+  if (t < wakes && !body_.in_contact()) {
+    robot_.begin_idle_tick(t);
+    executor_.sleep_until(t + kTick);
+    return wakes;
+  }
+  act(t);
+  run_firmware(t + kTick);
+  return wakes_at(t + kTick);
+}
+
+// The distance from the line.
+inline void Agent::measure(SimTime end) {
+  const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
+  if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
+    state_.midpoint = midpoint;
+    state_.cross_track = world_.floor().distance_to_line(midpoint, state_.line);
+  }
+  if (state_.cross_track > state_.shown.worst_cross_track) {
+    state_.shown.worst_cross_track = state_.cross_track;
+    state_.shown.worst_t = end;
+    state_.shown.worst_at = body_.pose().position;
+  }
+}
+
+// Whether nothing happens in the tick that ends at `end` but that the body goes on: it is no time for what
+// look() does now and then, and there is nothing to tell.
+inline bool Agent::may_pass(SimTime end) const {
+  return end < state_.looks_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
+         body_.collisions() == state_.collisions_told && progress_.passes_by(body_);
+}
+
+// All that look() then does.
+inline bool Agent::pass(SimTime end) {
+  hash_.pose(body_.pose());
+  measure(end);
+  count_tick(end);
+  const std::optional<judge::Verdict> verdict = judge_.look({.t = end,
+                                                             .pose = &body_.pose(),
+                                                             .wheel_travel_m = body_.wheel_travel(),
+                                                             .sees_line = state_.sees_line,
+                                                             .driven = robot_.driven(),
+                                                             .toppled = body_.toppled() != world::Toppled::no,
+                                                             .last_call = end});
+  if (verdict) [[unlikely]]
+    finish(*verdict, end);
+  return verdict.has_value();
 }
 
 }  // namespace robosim::run

@@ -109,10 +109,10 @@ void Simulation::Inside::go_alone(SimTime end) {
   note_acting(0);
   const bool plane = !world.ground();
   std::atomic<SimTime>* const reached = setup.reached;
+  SimTime wakes = 0;
   for (;; clock.t += kTick) {
     if (reached) reached->store(clock.t, std::memory_order_relaxed);
-    agent.act(clock.t);
-    agent.run_firmware(clock.t + kTick);
+    wakes = agent.go(clock.t, wakes);
     if (plane)
       world.step_alone(0);
     else

@@ -55,10 +55,10 @@ void Simulation::Inside::take_turn(std::size_t number, SimTime t, SimTime end) {
   Agent& agent = *agents[number];
   agent.tell_later(&untold);
   note_acting(number);
+  SimTime wakes = 0;
   for (bool goes_on = true; t < end && goes_on; t += kTick) {
     if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
-    agent.act(t);
-    agent.run_firmware(t + kTick);
+    wakes = agent.go(t, wakes);
     world.step_alone(number);
     goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // or it is the last
   }

@@ -19,6 +19,7 @@ class BuiltInDriver final : public exec::Executor {
   void power_on(SimTime t) override;
   void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override;
+  SimTime sleeps_until() const override { return next_; }
   const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {}; }
   SimTime last_call() const override { return next_; }

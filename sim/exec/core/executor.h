@@ -62,6 +62,11 @@ class Executor {
   /// Runs the firmware up to simulated time `t`. Edges and bytes scheduled before arrive at their exact time.
   /// Returns at once when the firmware is off or has crashed.
   virtual void run_until(SimTime t) = 0;
+  /// Up to when run_until() would do nothing but note the time, unless the board gets an edge or byte
+  /// meanwhile, or anybody calls anything else here. 0 = that is not known.
+  virtual SimTime sleeps_until() const { return 0; }
+  /// run_until(), up to that time.
+  virtual void sleep_until(SimTime t) { run_until(t); }
 
   /// Set once the firmware has crashed.
   virtual const std::optional<Crash>& crash() const = 0;

@@ -129,7 +129,6 @@ class HostExecutor::Instance final : public host::Host {
     goes_round_ = !alive && round_finder_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
   }
-
   void take_state(const std::uint8_t* stack) override { kept_.take(state_, from(stack)); }
   bool has_state(const std::uint8_t* stack) override { return kept_.is_like(state_, from(stack)); }
   SimTime same_until(Pin pin, SimTime now) override { return owner_.clocked_.same_until(pin, now); }
@@ -156,11 +155,7 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void crash(const char* reason, const char* file, std::uint32_t line, const void* where) override {
-    Undefined found;
-    found.reason = reason;
-    found.file = file ? file : "";
-    found.line = static_cast<int>(line);
-    report(found, where);
+    report({"", reason, file ? file : "", static_cast<int>(line)}, where);
   }
 
   void bite() override {
@@ -347,6 +342,12 @@ void HostExecutor::run_until(SimTime t) {
   board_.forget_edges(t);
 }
 
+SimTime HostExecutor::sleeps_until() const {
+  if (!instance_ || crash_ || reached_ < watch_until_ || !instance_->is_unwatched()) return 0;
+  return std::min(
+      {clocked_.to_world(instance_->state().wake), board_.next_input(), last_call() + Silence::kFirstLook});
+}
+
 void HostExecutor::restart() {
   const SimTime now = clocked_.to_world(instance_->state().now);
   if (bites_.add(now)) {
@@ -385,8 +386,7 @@ std::string HostExecutor::call_now() const { return instance_ ? text_of(instance
 
 Activity HostExecutor::activity() {
   if (instance_) instance_->come_up();
-  Activity activity;
-  activity.last_call = last_call();
+  Activity activity{.last_call = last_call()};
   if (!instance_) return activity;
   const host::FirmwareState& state = instance_->state();
   activity.call = text_of(state.call);

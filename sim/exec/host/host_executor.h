@@ -36,6 +36,8 @@ class HostExecutor final : public Executor {
   void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
+  SimTime sleeps_until() const override;
+  void sleep_until(SimTime t) override { reached_ = t; }
   const std::optional<Crash>& crash() const override { return crash_; }
   Activity activity() override;
   SourceLine source() override;

@@ -23,6 +23,7 @@ class BumperPart final : public ButtonPart {
   void join(Roster&) override;
   void hold(bool down, SimTime t) override;
   void begin_tick(SimTime) override;
+  bool idles() const override { return settled() && !state_.touches; }
 
  private:
   void follow(bool touches, SimTime t);

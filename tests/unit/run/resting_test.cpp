@@ -1,5 +1,5 @@
-// A run is the same, whether the ticks of robots at rest are left out or not: firmware, scripts, goals and
-// neighbours by chance.
+// A run is the same, whether the ticks of robots at rest, and of firmware that sleeps, are left out or not:
+// firmware, scripts, goals and neighbours by chance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ class OnBoard : public exec::Executor {
 /// Waits most of the time, and now and then drives, prints, looks or crashes.
 class Dozing final : public OnBoard {
  public:
-  Dozing(unsigned seed, const BoardSpec& board) : OnBoard(board), random_(seed) {}
+  Dozing(unsigned seed, const BoardSpec& board, bool tells_sleep)
+      : OnBoard(board), random_(seed), tells_sleep_(tells_sleep) {}
 
   void run_until(SimTime t) override {
     now_ = t;
@@ -54,6 +55,8 @@ class Dozing final : public OnBoard {
                                                          40 * kMillisecond, 900 * kMillisecond, 2 * kSecond}))
       act(next_);
   }
+
+  SimTime sleeps_until() const override { return tells_sleep_ && on_ && !crash_ ? next_ : 0; }
 
   std::string seen;
 
@@ -84,6 +87,7 @@ class Dozing final : public OnBoard {
   }
 
   std::mt19937 random_;
+  const bool tells_sleep_;
 };
 
 /// Drives from a moment on.
@@ -149,7 +153,8 @@ std::string run_of(unsigned seed, bool leaves_rest_out) {
   setup.leaves_rest_out = leaves_rest_out;
   const judge::Goal goal = judge::parse_goal(one_of({"none", "none", "tour", "still"}));
   for (Noting& listener : listeners) {
-    firmware.push_back(std::make_unique<Dozing>(static_cast<unsigned>(random()), *robot.board));
+    firmware.push_back(
+        std::make_unique<Dozing>(static_cast<unsigned>(random()), *robot.board, leaves_rest_out));
     setup.agents.push_back(
         {.robot = &robot, .executor = firmware.back().get(), .goal = goal, .listener = &listener});
   }
