@@ -35,7 +35,6 @@ constexpr rlim_t kConfinedImage = 64 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
-rlim_t memory_before = 0;  // in use when it was forked, bytes; 0 = not known
 
 /// Of one process, on memory that it has.
 constexpr const char* kHarmless[] = {
@@ -131,11 +130,11 @@ void set_limit(int what, rlim_t most) {
 
 /// As RLIMIT_DATA counts it, in bytes.
 rlim_t memory_in_use() {
-  // Without a stream, whose first use in a process takes longer than all the rest; opened once, as opening it
-  // takes longer than reading it.
-  static const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
+  // Without a stream, whose first use in a process takes longer than all the rest. Of this process, and now:
+  // the chips of a fleet have been made since it was forked.
+  const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
   char text[256];
-  const ssize_t bytes = file.is_open() ? ::pread(file.get(), text, sizeof text - 1, 0) : 0;
+  const ssize_t bytes = file.is_open() ? ::read(file.get(), text, sizeof text - 1) : 0;
   if (bytes <= 0) return 0;
   text[bytes] = '\0';
   char* field = text;
@@ -238,7 +237,7 @@ std::string why_not_confined() {
 }
 
 void confine(const CallKey& key) {
-  set_limit(RLIMIT_DATA, kConfinedMemory + (memory_before > 0 ? memory_before : memory_in_use()));
+  set_limit(RLIMIT_DATA, kConfinedMemory + memory_in_use());
   std::set_new_handler([] { ::_exit(kNoMemoryStatus); });
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_FSIZE, kConfinedImage);
@@ -260,9 +259,7 @@ void confine(const CallKey& key) {
 }
 
 void prepare_to_confine() {
-  if (!why_not_confined().empty()) return;
-  filter_for_all();
-  memory_before = memory_in_use();
+  if (why_not_confined().empty()) filter_for_all();
 }
 
 long keyed_read(int fd, void* data, std::size_t bytes) {
