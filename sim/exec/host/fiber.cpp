@@ -28,7 +28,13 @@ GuardedMemory::GuardedMemory(std::size_t bytes) : page_(static_cast<std::size_t>
 #endif
 }
 
-GuardedMemory::~GuardedMemory() { munmap(begin_ - page_, bytes_ + 2 * page_); }
+GuardedMemory::~GuardedMemory() {
+#ifdef ROBOSIM_ASAN
+  // Those of frames that are abandoned here would hold for an image that is mapped here next.
+  ASAN_UNPOISON_MEMORY_REGION(begin_, bytes_);
+#endif
+  munmap(begin_ - page_, bytes_ + 2 * page_);
+}
 
 bool GuardedMemory::in_guard_before(const void* address) const {
   return address >= begin_ - page_ && address < begin_;

@@ -105,7 +105,7 @@ TEST(ParsedJson, IsWhatNlohmannMakesOfIt) {
                            ",",
                            ":"})
     expect_same(text);
-  for (const int depth : {1, 15, 16, 17, 18, 100, 10'000}) {
+  for (const int depth : {1, 15, 16, 17, 18, 100}) {
     const auto levels = static_cast<std::size_t>(depth);
     expect_same(std::string(levels, '[') + std::string(levels, ']'));
     expect_same(std::string(levels, '['));
