@@ -94,7 +94,12 @@ class Driver {
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"
-        "const until = async (is) => { while (!is()) await new Promise((r) => setTimeout(r, 20)); };"
+        "const until = async (is) => {"
+        "  for (let i = 0; !is(); i++) {"
+        "    if (i === 2000) throw new Error(`waited in vain for ${is}`);"
+        "    await new Promise((r) => setTimeout(r, 20));"
+        "  }"
+        "};"
         "const drawn = () => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));"
         "const key = (name, more = {}) => document.body.dispatchEvent("
         "new KeyboardEvent('keydown', { key: name, bubbles: true, ...more }));"

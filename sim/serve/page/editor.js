@@ -39,7 +39,7 @@ export function segmentTo({ x, y, heading }, toX, toY) {
 
 export class Editor {
   constructor({ listed, maps }) {
-    Object.assign(this, { listed, maps, undone: [], known: '', typing: false, floor: null, path: null, cursor: { x: 1, y: 1 }, asked: 0 });
+    Object.assign(this, { listed, maps, undone: [], known: '', typing: false, floor: null, path: null, cursor: { x: 1, y: 1 }, asked: 0, said: 0 });
     this.fit();
     this.canvas = $('sheet');
     this.text = $('map-text');
@@ -105,7 +105,7 @@ export class Editor {
 
   /** What the text means; the floor that was last understood stays. */
   async look() {
-    const mine = ++this.asked;
+    const mine = ++this.asked, { said } = this;
     this.known = this.text.value;
     $('map-replace').hidden = true;
     try {
@@ -113,14 +113,17 @@ export class Editor {
       const { floor } = await answer.json();
       if (mine !== this.asked) return;
       this.floor = floor;
-      this.say('');
+      if (said === this.said) this.say('');  // what was said since then stays
     } catch (error) {
       if (mine === this.asked) this.say(error.message);
     }
     if (mine === this.asked) this.canvas.ariaBusy = 'false';
     this.draw();
   }
-  say(sentence) { $('map-said').textContent = sentence; }
+  say(sentence) {
+    this.said++;
+    $('map-said').textContent = sentence;
+  }
 
   async save(replace) {
     try {

@@ -24,7 +24,7 @@ const empty = (frame) => new Promise((done) => {
 export class Watch {
   /** `tell`: { say(text), begun(page), did(lines, agent), refused(sentence), gone() }. */
   constructor(frame, tell) {
-    Object.assign(this, { frame, tell, page: null, feed: null, header: null, early: [] });
+    Object.assign(this, { frame, tell, page: null, feed: null, header: null, early: [], asked: Promise.resolve() });
   }
 
   /** To its end; gives { status, recording, sentence }. */
@@ -70,7 +70,9 @@ export class Watch {
     }
   }
 
+  /** One after the other: requests that are under way together may arrive in any order. */
   ask(request) {
-    post(`/api/live/${this.number}`, { id: 1, ...request }).catch((error) => this.tell.refused(error.message));
+    this.asked = this.asked.then(() => post(`/api/live/${this.number}`, { id: 1, ...request }))
+      .catch((error) => this.tell.refused(error.message));
   }
 }
