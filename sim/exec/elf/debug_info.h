@@ -51,7 +51,7 @@ class DebugInfo {
     std::string file;
     int line = 0;
   };
-  /// Addresses of the global and static variables that are one number, enumerator or pointer each.
+  /// Addresses of the user's global and static variables that are one number, enumerator or pointer each.
   std::vector<std::uint32_t> numbers() const;
 
   /// A variable, or constant, of the user's that has a place of its own.

@@ -118,6 +118,13 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   }
 }
 
+// tone() writes how often the pin has to change, 4 bytes, while the tone before still counts them down.
+TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
+  start("void setup() {}\nvoid loop() { tone(11, 4000, 512); delayMicroseconds(random(1000)); }\n");
+  run(500 * kMillisecond);
+  EXPECT_EQ(torn().text, "");
+}
+
 TEST_P(TearingTest, IsNotLookedForUnlessSomebodyAsks) {
   if (sanitize_) return;
   avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(counted("seen = ticks;")));
