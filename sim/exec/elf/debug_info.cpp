@@ -156,8 +156,7 @@ void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses) {
     std::size_t count = 0;
     if (dwarf_tag(&child) == DW_TAG_variable && dwarf_attr_integrate(&child, DW_AT_location, &attribute) &&
         dwarf_getlocation(&attribute, &operations, &count) == 0 && count == 1 &&
-        operations[0].atom == DW_OP_addr && is_number(child) &&
-        !is_core_file(tidy(dwarf_decl_file(&child))))
+        operations[0].atom == DW_OP_addr && is_number(child) && !is_core_file(tidy(dwarf_decl_file(&child))))
       addresses.push_back(static_cast<std::uint32_t>(operations[0].number));
     find_numbers(child, addresses);
   } while (dwarf_siblingof(&child, &child) == 0);

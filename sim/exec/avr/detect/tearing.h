@@ -11,8 +11,8 @@
 //
 // A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
 // is masked meanwhile are none; nor is a byte that is written, and not made of what it held. Looked at are
-// global numbers of the sketch and its libraries whose addresses stand in its instructions. The core's own are
-// not: that tone() writes its counter while the tone before still counts it down is no fault of a sketch.
+// global numbers of the sketch and its libraries whose addresses stand in its instructions. The core's own
+// are not: that tone() writes its counter while the tone before still counts it down is no fault of a sketch.
 #pragma once
 
 #include <cstdint>
