@@ -247,28 +247,25 @@ void Tearing::visited(std::uint32_t pc) {
 Cycle Tearing::soon() const { return static_cast<Cycle>(chip_.core().clock_hz / kSoon_hz); }
 
 void Tearing::touch(std::size_t access) {
-  const Number& number = numbers_[accesses_[access].number];
-  std::erase_if(
-      armed_, [&](const Armed& armed) { return accesses_[armed.access].number == accesses_[access].number; });
+  const std::size_t number = accesses_[access].number;
+  std::erase_if(armed_, [&](const Armed& armed) { return accesses_[armed.access].number == number; });
   if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler comes before
-  for (std::uint64_t vectors = chip_.may_interrupt(); vectors; vectors &= vectors - 1) {
-    const int vector = std::countr_zero(vectors);
-    if (const auto at = would_change(number, vector)) armed_.push_back({access, vector, *at, chip_.cycle()});
-  }
+  const std::uint64_t vectors = chip_.may_interrupt();
+  if (vectors) armed_.push_back({access, vectors, chip_.cycle(), chip_.cpu().data, chip_.cpu().state});
 }
 
-/// Where a handler that came now would change the number; nothing if it would not.
-std::optional<std::uint32_t> Tearing::would_change(const Number& number, int vector) {
-  const Cpu& cpu = chip_.cpu();
-  alone_.data = cpu.data;
-  alone_.state = cpu.state;
+/// Where the handler, had it come then, would have changed the number; nothing if it would not have.
+std::optional<std::uint32_t> Tearing::would_have_changed(const Armed& armed, int vector) {
+  const Number& number = numbers_[accesses_[armed.access].number];
+  alone_.data = armed.data;
+  alone_.state = armed.state;
   alone_.state.sp_watch = 0;
   alone_.state.passing = ~0u;
   const std::uint64_t before = value_of(number, alone_.data);
   alone_.enter(vector);
   for (int i = 0; i < kMostOfHandler && alone_.open_handlers() > 0; ++i) {
     const std::uint32_t pc = alone_.pc();
-    if (alone_.run(alone_.cycle() + 1) != Cpu::Stop::reached) return std::nullopt;
+    if (alone_.run(alone_.cycle() + 1) != robosim::avr::Cpu::Stop::reached) return std::nullopt;
     if (value_of(number, alone_.data) != before) return 2 * pc;
   }
   return std::nullopt;
@@ -288,9 +285,11 @@ void Tearing::leave() {
     const bool changes = number.before != value_of(number, chip_.cpu().data);
     const bool many = access.deed == Deed::writes_back ||
                       (number.changed >> (std::countr_zero(number.changed) / 8 * 8)) > 0xFF;
-    if (armed.vector != vector_ || !changes || !many || began < armed.at || began - armed.at > soon())
+    if (!(armed.vectors >> vector_ & 1) || !changes || !many || began < armed.at || began - armed.at > soon())
       continue;
-    found_ = Found{number.symbol, access.deed, access.pc, armed.handler_pc, began - armed.at};
+    const auto handler_pc = would_have_changed(armed, vector_);
+    if (!handler_pc) continue;
+    found_ = Found{number.symbol, access.deed, access.pc, *handler_pc, began - armed.at};
     return;
   }
 }

@@ -58,11 +58,13 @@ class Tearing {
     std::size_t number = 0;
     Deed deed = Deed::reads;
   };
+  /// An access that a handler may have torn, and what held there: to be looked at once one has come.
   struct Armed {
     std::size_t access = 0;
-    int vector = 0;
-    std::uint32_t handler_pc = 0;
+    std::uint64_t vectors = 0;  ///< that are enabled
     robosim::avr::Cycle at = 0;
+    std::vector<std::uint8_t> data;
+    robosim::avr::Cpu::State state;
   };
 
   void find_accesses(const DebugInfo& debug);
@@ -72,7 +74,7 @@ class Tearing {
   bool is_read_again(std::uint32_t pc, std::size_t number) const;
   robosim::avr::Cycle soon() const;
   void touch(std::size_t access);
-  std::optional<std::uint32_t> would_change(const Number& number, int vector);
+  std::optional<std::uint32_t> would_have_changed(const Armed& armed, int vector);
   void enter(int vector);
   void leave();
   std::uint64_t value_of(const Number& number, const std::vector<std::uint8_t>& data) const;
