@@ -203,8 +203,7 @@ void WatchedChip::count(LineCounts& lines) {
 }
 
 void WatchedChip::look_for_tearing(const DebugInfo& debug) {
-  tearing_.emplace(firmware_, debug, chip_);
-  for (const std::uint32_t place : tearing_->places()) set_trap(kTearingTrap, place);
+  tearing_.emplace(firmware_, debug, chip_, [this](std::uint32_t pc) { set_trap(kTearingTrap, pc); });
 }
 
 void WatchedChip::show(Detector& detector, std::uint32_t pc) {
@@ -213,14 +212,15 @@ void WatchedChip::show(Detector& detector, std::uint32_t pc) {
 }
 
 void WatchedChip::restore(const Saved& saved) {
+  constexpr unsigned kThatStay = kBreakpoint | kDetectorTrap | kTearingTrap;
   const std::vector<TrapPlace> here = std::exchange(state_.traps, {});
   for (const TrapPlace& place : here) chip_.cpu().set_mark(place.pc / 2, false);
   state_ = saved.own;
-  for (TrapPlace& place : state_.traps) place.traps &= ~unsigned{kBreakpoint};
+  for (TrapPlace& place : state_.traps) place.traps &= ~kThatStay;
   std::erase_if(state_.traps, [](const TrapPlace& place) { return place.traps == 0; });
   for (const TrapPlace& place : state_.traps) chip_.cpu().set_mark(place.pc / 2, true);
   for (const TrapPlace& place : here)
-    if (place.traps & kBreakpoint) set_trap(kBreakpoint, place.pc);
+    if (place.traps & kThatStay) set_trap(static_cast<Trap>(place.traps & kThatStay), place.pc);
   chip_.restore(saved.chip);
 }
 

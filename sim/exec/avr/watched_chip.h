@@ -145,7 +145,7 @@ class WatchedChip final : robosim::avr::Visitor {
     Kept::Copy chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
-  /// But for breakpoints, which are the debugger's: they stay.
+  /// But for breakpoints, which are the debugger's, and the traps of detectors: they stay.
   void restore(const Saved& saved);
 
   /// When the watchdog has reset it last; 0 = never.

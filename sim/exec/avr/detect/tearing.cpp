@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "sim/elf/avr_addresses.h"
 
@@ -129,23 +130,37 @@ class Trail {
 
 }  // namespace
 
-Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip)
-    : firmware_(firmware), chip_(chip), alone_(chip.cpu().chip(), chip.cpu().flash(), chip.cpu().last_ram()) {
+Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
+                 std::function<void(std::uint32_t pc)> show)
+    : firmware_(firmware),
+      chip_(chip),
+      show_(std::move(show)),
+      alone_(chip.cpu().chip(), chip.cpu().flash(), chip.cpu().last_ram()) {
   for (const std::uint32_t address : debug.numbers()) {
     const Symbol* const symbol = address >= kAvrData ? firmware.symbols.variable_at(address) : nullptr;
     if (!symbol || symbol->address != address || symbol->size < 1 || symbol->size > kLargestNumber) continue;
     numbers_.push_back({symbol, static_cast<Address>(address - kAvrData)});
   }
   find_accesses(debug);
+  if (accesses_.empty()) return;
+  keep_accessed_numbers();
+  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector) show_(2 * chip_.cpu().entry_of(vector));
+  for (std::uint32_t pc = 0; 2 * pc < firmware_.code_end; pc += chip_.cpu().instruction(pc).words)
+    if (chip_.cpu().instruction(pc).op == Op::reti) show_(2 * pc);
 }
 
-std::vector<std::uint32_t> Tearing::places() const {
-  if (accesses_.empty()) return {};
-  std::vector<std::uint32_t> all = leaves_;
-  for (const Access& access : accesses_) all.push_back(access.pc);
-  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector)
-    all.push_back(2 * chip_.cpu().entry_of(vector));
-  return all;
+void Tearing::keep_accessed_numbers() {
+  std::vector<Number> kept;
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    bool is_accessed = false;
+    for (Access& access : accesses_) {
+      if (access.number != n) continue;
+      access.number = kept.size();
+      is_accessed = true;
+    }
+    if (is_accessed) kept.push_back(numbers_[n]);
+  }
+  numbers_ = std::move(kept);
 }
 
 std::optional<std::size_t> Tearing::touched(const Instruction& i) const {
@@ -158,7 +173,6 @@ std::optional<std::size_t> Tearing::touched(const Instruction& i) const {
 void Tearing::find_accesses(const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   for (std::uint32_t pc = 0; 2 * pc < firmware_.code_end; pc += cpu.instruction(pc).words) {
-    if (cpu.instruction(pc).op == Op::reti) leaves_.push_back(2 * pc);
     if (const auto number = touched(cpu.instruction(pc)))
       numbers_[*number].symbol->size == 1 ? add_update(pc, debug) : add_group(pc, debug);
   }
@@ -278,7 +292,7 @@ void Tearing::enter(int vector) {
 
 void Tearing::leave() {
   const Cycle began = chip_.cpu().state.handler_began;
-  for (Number& number : numbers_) number.changed |= number.before ^ value_of(number, chip_.cpu().data);
+  for (std::size_t n = 0; n < numbers_.size(); ++n) note_change(n);
   for (const Armed& armed : armed_) {
     const Access& access = accesses_[armed.access];
     const Number& number = numbers_[access.number];
@@ -292,6 +306,15 @@ void Tearing::leave() {
     found_ = Found{number.symbol, access.deed, access.pc, *handler_pc, began - armed.at};
     return;
   }
+}
+
+void Tearing::note_change(std::size_t number) {
+  Number& here = numbers_[number];
+  const std::uint64_t changed = here.before ^ value_of(here, chip_.cpu().data);
+  if (changed && !here.changed)
+    for (const Access& access : accesses_)
+      if (access.number == number) show_(access.pc);
+  here.changed |= changed;
 }
 
 }  // namespace robosim::exec::avr

@@ -9,6 +9,9 @@
 //   that handler did come, within 50 µs, and changed it
 //   of a number of several bytes, handlers have changed more than one in this run
 //
+// Nobody looks at a number's accesses before a handler has changed it once: most numbers are the program's
+// own, and to be told of each access costs time.
+//
 // A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
 // is masked meanwhile are none; nor is a byte that is written, and not made of what it held. Looked at are
 // global numbers of the sketch and its libraries whose addresses stand in its instructions. The core's own
@@ -16,6 +19,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -37,10 +41,10 @@ class Tearing {
     robosim::avr::Cycle later = 0;  ///< by how much the handler came too late
   };
 
-  Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip);
+  /// Asks by `show` for visited() at a place, in bytes; of some places only later.
+  Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
+          std::function<void(std::uint32_t pc)> show);
 
-  /// Where visited() is to be called, in bytes.
-  std::vector<std::uint32_t> places() const;
   /// The instruction there is about to run.
   void visited(std::uint32_t pc);
   const std::optional<Found>& found() const { return found_; }
@@ -68,6 +72,7 @@ class Tearing {
   };
 
   void find_accesses(const DebugInfo& debug);
+  void keep_accessed_numbers();
   void add_group(std::uint32_t pc, const DebugInfo& debug);
   void add_update(std::uint32_t pc, const DebugInfo& debug);
   std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
@@ -77,16 +82,17 @@ class Tearing {
   std::optional<std::uint32_t> would_have_changed(const Armed& armed, int vector);
   void enter(int vector);
   void leave();
+  void note_change(std::size_t number);
   std::uint64_t value_of(const Number& number, const std::vector<std::uint8_t>& data) const;
 
   const Firmware& firmware_;
   const robosim::avr::Chip& chip_;
+  const std::function<void(std::uint32_t)> show_;
   robosim::avr::Cpu alone_;
   std::vector<Number> numbers_;
-  std::vector<Access> accesses_;       ///< by pc
-  std::vector<std::uint32_t> leaves_;  ///< where RETI stands
-  std::vector<Armed> armed_;           ///< the last access to each number that could be torn
-  int vector_ = 0;                     ///< whose handler runs
+  std::vector<Access> accesses_;  ///< by pc
+  std::vector<Armed> armed_;      ///< the last access to each number that could be torn
+  int vector_ = 0;                ///< whose handler runs
   std::optional<Found> found_;
 };
 

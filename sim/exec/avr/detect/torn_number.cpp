@@ -51,9 +51,8 @@ std::string torn_text(const Tearing::Found& found, const DebugInfo& debug, std::
 TornNumber::TornNumber(Machine& machine, const Program& program)
     : machine_(machine),
       debug_(program.debug),
-      tearing_(program.firmware, program.debug, machine.chip().chip()) {
-  for (const std::uint32_t place : tearing_.places()) machine.chip().show(*this, place);
-}
+      tearing_(program.firmware, program.debug, machine.chip().chip(),
+               [this](std::uint32_t pc) { machine_.chip().show(*this, pc); }) {}
 
 void TornNumber::visited(std::uint32_t pc, robosim::avr::Cycle) {
   if (tearing_.found()) return;

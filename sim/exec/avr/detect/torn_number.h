@@ -28,7 +28,7 @@ class TornNumber final : public Detector {
   std::vector<Detected> found() const override;
 
  private:
-  const Machine& machine_;
+  Machine& machine_;
   const DebugInfo& debug_;
   Tearing tearing_;
   SimTime found_at_ = 0;
