@@ -1,6 +1,9 @@
 #include "sim/run/scenery.h"
 
+#include <string>
+
 #include "sim/base/error.h"
+#include "sim/trace/trace_hash.h"
 
 namespace robosim::run {
 
@@ -13,6 +16,8 @@ Task::Task(const Errand& errand, const grid::Map& map, const grid::Stripes& stri
 Scenery::Scenery(const grid::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
 
 void Scenery::prepare(std::size_t number, const Errand& errand) {
+  // The first hash asks the processor what vectors it has, which takes long in a virtual machine.
+  [[maybe_unused]] static const std::string hashed = trace::TraceHash().text();
   if (number >= prepared_.size()) prepared_.resize(number + 1);
   Prepared& prepared = prepared_[number];
   if (prepared.task && prepared.errand == errand) return;
