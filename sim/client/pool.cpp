@@ -39,12 +39,13 @@ struct Pool::Worker {
   std::size_t run = 0;
 
   /// Throws what Runner throws.
-  void begin(std::size_t index, const Task& task, const Start& start) {
+  void begin(std::size_t index, Task task, const Start& start) {
     if (!runner || target != task.target) {
       runner.reset();
       runner = std::make_unique<Runner>(start(task.target));
       target = task.target;
     }
+    task.request.started = false;  // nobody hears it, and each line costs all three processes a turn
     runner->begin(task.request);
     run = index;
     busy = true;

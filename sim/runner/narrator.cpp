@@ -39,7 +39,7 @@ Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& 
 }
 
 void Narrator::began(const run::Beginning& beginning) {
-  tell(to_wire(beginning));
+  if (request_.started) tell(to_wire(beginning));
   if (columns_) columns_->begin(beginning.readings);
   if (sources_) bundler_->sources(agent_);
   if (request_.gdb_port > 0) tell_(wire::DebuggerAwaited{request_.gdb_port});

@@ -97,6 +97,7 @@ struct RunRequest {
   std::string script_file = "script";  ///< its name in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
   std::int64_t columns_every_ns = 0;   ///< stream samples so often, and all that happens at pins, as columns
+  bool started = true;                 ///< tell how it begins, which a client waits for that watches
   bool pins = false;                   ///< stream pin changes
   bool serial = false;                 ///< stream what the firmware prints
   bool notes = false;                  ///< stream what happens: "station 2 visited"
@@ -158,6 +159,8 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "multiple "
     "of the tick; 0 = there are no `columns`",
     {.unit = "ns", .presence = when(r.columns_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
+  v("started", r.started, "`false`: there is no `started`, for a client that waits for the answer alone",
+    {.presence = when(!r.started)});
   v("batches", r.batches,
     "`true`: `sample`, `pin`, `level`, `volts` and `byte` events come many in one `batch`, some of them "
     "late; "

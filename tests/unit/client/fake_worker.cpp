@@ -4,6 +4,7 @@
 //   input        answers with an error of kind "input"
 //   slow         says a lot before it answers
 //   any other    is the verdict
+// It ends itself, too, where it shall tell how a run begins: a pool waits for answers alone.
 #include <unistd.h>
 
 #include <iostream>
@@ -20,7 +21,7 @@ int main() {
     const auto asked = parse_request(line);
     const auto& request = std::get<RunRequest>(*asked.request);
     const std::string& what = request.image;
-    if (what == "die") return 7;
+    if (what == "die" || request.started) return 7;
     if (what == "never") ::pause();
     if (what == "input") {
       say(asked.id, ErrorAnswer{"input", "no such map"});

@@ -327,6 +327,17 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner, many runs";
 }
 
+TEST_F(SessionTest, SaysNothingButItsAnswerToAClientThatWaitsForThatAlone) {
+  Session session(drivers());
+  session.line();
+  const auto told = session.ask_for<wire::RunResult>(wire::Request(request_));
+  EXPECT_EQ(session.events.size(), 1u);
+  request_.started = false;
+  const auto untold = session.ask_for<wire::RunResult>(wire::Request(request_));
+  EXPECT_EQ(session.events.size(), 0u);
+  EXPECT_EQ(untold.trace_hash, told.trace_hash);
+}
+
 TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
   request_.name = "A";
   request_.start = "10,14,E";
