@@ -145,7 +145,8 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
   }
   if (by_itself) return host::set_pwm(pin, static_cast<uint8_t>(value));
   host::Timer& timer = host::timer(by.timer);
-  timer.set_connection(by.channel, timer.connection(by.channel) | 2);
+  const uint8_t connection = timer.connection(by.channel);
+  if (!(connection & 2)) timer.set_connection(by.channel, connection | 2);
   // An 8-bit register keeps the low byte of a value out of range.
   timer.set_compare(by.channel, timer.is_wide() ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
   host::refresh_pin(pin);

@@ -84,7 +84,7 @@ class Timer {
   /// Whether a channel drives its pin, if that is an output.
   bool drives(int channel) const;
   /// How it does so.
-  ROBOSIM_RARE PinDrive drive(int channel) const;
+  PinDrive drive(int channel) const;
   /// Of a channel whose drive is PWM: the level at a moment since the registers were last written, and when
   /// behind that it changes next; kNever if it does not.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }

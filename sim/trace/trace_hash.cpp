@@ -46,16 +46,14 @@ TraceHash& TraceHash::operator=(const TraceHash& other) {
 TraceHash::~TraceHash() = default;
 
 void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
-  word(kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
-       static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm));
-  word(static_cast<std::uint64_t>(t));
-  word(bits_of(drive.duty));
-  word(drive.tone_hz);
+  const std::uint64_t how =
+      kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
+      static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm);
+  add({how, static_cast<std::uint64_t>(t), bits_of(drive.duty), drive.tone_hz});
 }
 
 void TraceHash::serial(std::uint8_t byte, SimTime t) {
-  word(kSerialTag | byte);
-  word(static_cast<std::uint64_t>(t));
+  add({kSerialTag | byte, static_cast<std::uint64_t>(t)});
 }
 
 void TraceHash::flush() {

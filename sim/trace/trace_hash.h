@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -41,9 +42,9 @@ class TraceHash {
 
   static constexpr std::size_t kPoseWords = 4;
 
-  void word(std::uint64_t value) {
-    if (used_ == words_.size()) flush();
-    words_[used_++] = value;
+  void add(std::initializer_list<std::uint64_t> values) {
+    if (used_ + values.size() > words_.size()) flush();
+    for (const std::uint64_t value : values) words_[used_++] = value;
   }
   void flush();
 

@@ -36,36 +36,47 @@ std::unique_ptr<Part> MotorSpec::make(PartContext& context) const {
 }
 
 MotorPart::MotorPart(const MotorSpec& spec, PartContext& context)
-    : WheelMotor(spec, context), spec_(spec), context_(context) {}
+    : WheelMotor(spec, context), spec_(spec), context_(context) {
+  context.kept.add(state_);
+}
 
 void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
   roster.differential = spec_.both;
   roster.breakable.push_back(this);
-  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, context_.description.driver.standby})
-    if (pin != kNoPin) context_.netlist.watch(pin, *this);
+  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, context_.description.driver.standby}) {
+    if (pin == kNoPin) continue;
+    context_.netlist.watch(pin, *this);
+    take(pin, context_.netlist.drive(pin));
+  }
   begin(told());
 }
 
-void MotorPart::pin_changed(Pin, const PinDrive&, SimTime t) { set(told(), t); }
+void MotorPart::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  take(pin, drive);
+  set(told(), t);
+}
+
+void MotorPart::take(Pin pin, const PinDrive& drive) {
+  const double share = high_share(drive);
+  if (pin == spec_.en) state_.en = share;
+  if (pin == spec_.in1) state_.in1 = share;
+  if (pin == spec_.in2) state_.in2 = share;
+  if (pin == context_.description.driver.standby) state_.awake = share;
+}
 
 world::WheelCommand MotorPart::told() const {
-  const auto share = [this](Pin pin, double unwired) {
-    return pin == kNoPin ? unwired : high_share(context_.netlist.drive(pin));
-  };
-  const Driver& driver = context_.description.driver;
-  const double awake = share(driver.standby, 1.0);
-  if (awake <= 0.0) return {};
+  if (state_.awake <= 0.0) return {};
   double period = 0.0;
   if (context_.description.motors.inductance.value > 0.0) {
     for (const Pin pin : {spec_.en, spec_.in1, spec_.in2})
       if (pin != kNoPin) period = std::max(period, period_of(context_.netlist.drive(pin)));
   }
-  world::WheelCommand command = bridge_command(*driver.chip, {share(spec_.en, 1.0), share(spec_.in1, 0.0),
-                                                              share(spec_.in2, 0.0), spec_.phase, period});
-  command.drive *= spec_.reversed ? -awake : awake;
-  command.brake *= awake;
-  command.against *= awake;
+  world::WheelCommand command = bridge_command(*context_.description.driver.chip,
+                                               {state_.en, state_.in1, state_.in2, spec_.phase, period});
+  command.drive *= spec_.reversed ? -state_.awake : state_.awake;
+  command.brake *= state_.awake;
+  command.against *= state_.awake;
   return command;
 }
 

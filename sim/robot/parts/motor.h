@@ -32,11 +32,18 @@ class MotorPart final : public WheelMotor, public PinWatcher {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
 
  private:
+  void take(Pin, const PinDrive&);
   /// What the pins say.
   world::WheelCommand told() const;
 
+  /// Shares of time for which they are high. A pin that is not wired stays as it is here.
+  struct State {
+    double awake = 1.0, en = 1.0, in1 = 0.0, in2 = 0.0;
+  };
+
   const MotorSpec& spec_;
   PartContext& context_;
+  State state_;
 };
 
 }  // namespace robosim::robot
