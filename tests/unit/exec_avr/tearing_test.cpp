@@ -60,6 +60,19 @@ TEST_P(TearingTest, ANumberThatAHandlerMayChangeWhileItIsRead) {
   EXPECT_EQ(found.where.function, "loop");
 }
 
+TEST_P(TearingTest, ANumberThatIsReadWithInterruptsOffSometimesOnly) {
+  start(counted("if (ready) noInterrupts(); seen = ticks; interrupts();"));
+  run(100 * kMillisecond);
+  EXPECT_EQ(torn().kind, "torn_read");
+}
+
+TEST_P(TearingTest, ANumberThatAHandlerChangesByAFunctionAndAPointer) {
+  start("__attribute__((noinline)) void add(volatile unsigned long* to) { *to += 40; }\n" +
+        counted("seen = ticks;", "add(&ticks);"));
+  run(100 * kMillisecond);
+  EXPECT_EQ(torn().kind, "torn_read");
+}
+
 TEST_P(TearingTest, ANumberThatAHandlerMayChangeWhileItIsWritten) {
   start(counted("if (++seen % 500 == 0) ticks = 0;", "ticks += 400;"));
   run(100 * kMillisecond);

@@ -48,10 +48,44 @@ bool is_straight(Op op) {
   }
 }
 
+bool is_store_by_pointer(Op op) { return op >= Op::st_x && op <= Op::st_z_dec; }
+
+bool may_skip(Op op) {
+  return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
+}
+
 bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
   const auto frames = debug.frames(pc);
   return std::any_of(frames.begin(), frames.end(),
                      [](const SourceLine& frame) { return !is_core_file(frame.file); });
+}
+
+/// By word: whether interrupts are off there, as a CLI stands before it, with no way in between.
+std::vector<bool> without_interrupts(const Cpu& cpu, std::uint32_t code_end) {
+  std::vector<bool> off(code_end / 2 + 2), entered(off.size());
+  const auto enter = [&](std::int64_t pc) {
+    if (pc >= 0 && pc < static_cast<std::int64_t>(entered.size()))
+      entered[static_cast<std::size_t>(pc)] = true;
+  };
+  for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
+    const Instruction& i = cpu.instruction(pc);
+    if (i.op == Op::jmp || i.op == Op::call) enter(i.k);
+    if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
+      enter(std::int64_t{pc} + 1 + i.k);
+  }
+  bool is_off = false, may_be_skipped = false;
+  for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
+    const Instruction& i = cpu.instruction(pc);
+    is_off = is_off && !entered[pc];
+    off[pc] = is_off;
+    if (i.op == Op::bclr && i.b == Cpu::kI)
+      is_off = !may_be_skipped;
+    else if ((i.op == Op::bset && i.b == Cpu::kI) || i.op == Op::out || !is_straight(i.op))
+      is_off = false;
+    may_be_skipped =
+        i.op == Op::cpse || i.op == Op::sbrc || i.op == Op::sbrs || i.op == Op::sbic || i.op == Op::sbis;
+  }
+  return off;
 }
 
 /// Where a value is that was read from memory, register by register: as it was read, or changed.
@@ -144,9 +178,43 @@ Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim
   find_accesses(debug);
   if (accesses_.empty()) return;
   keep_accessed_numbers();
-  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector) show_(2 * chip_.cpu().entry_of(vector));
-  for (std::uint32_t pc = 0; 2 * pc < firmware_.code_end; pc += chip_.cpu().instruction(pc).words)
-    if (chip_.cpu().instruction(pc).op == Op::reti) show_(2 * pc);
+  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector) {
+    std::vector<std::uint32_t> leaves;
+    if (!may_write_numbers(vector, leaves)) continue;
+    show_(2 * chip_.cpu().entry_of(vector));
+    for (const std::uint32_t pc : leaves) show_(2 * pc);
+  }
+}
+
+/// Whether a handler, or what it calls, stores to one of the numbers or where a pointer leads, or nobody can
+/// tell; and where it ends.
+bool Tearing::may_write_numbers(int vector, std::vector<std::uint32_t>& leaves) const {
+  const Cpu& cpu = chip_.cpu();
+  std::vector<bool> seen(firmware_.code_end / 2 + 2);
+  std::vector<std::uint32_t> next = {cpu.entry_of(vector)};
+  bool writes = false;
+  while (!next.empty()) {
+    const std::uint32_t pc = next.back();
+    next.pop_back();
+    if (2 * pc >= firmware_.code_end) writes = true;
+    if (2 * pc >= firmware_.code_end || seen[pc]) continue;
+    seen[pc] = true;
+    const Instruction& i = cpu.instruction(pc);
+    const std::uint32_t behind = pc + i.words;
+    const auto relative = static_cast<std::uint32_t>(static_cast<std::int64_t>(pc) + 1 + i.k);
+    if (i.op == Op::reti) leaves.push_back(pc);
+    if (is_store_by_pointer(i.op) || i.op == Op::ijmp || i.op == Op::icall || i.op == Op::eijmp ||
+        i.op == Op::eicall || (i.op == Op::sts && touched(i)))
+      writes = true;
+    if (i.op == Op::jmp || i.op == Op::call) next.push_back(static_cast<std::uint32_t>(i.k));
+    if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
+      next.push_back(relative);
+    if (may_skip(i.op)) next.push_back(behind + cpu.instruction(behind).words);
+    if (i.op != Op::jmp && i.op != Op::rjmp && i.op != Op::ret && i.op != Op::reti && i.op != Op::ijmp &&
+        i.op != Op::eijmp)
+      next.push_back(behind);
+  }
+  return writes;
 }
 
 void Tearing::keep_accessed_numbers() {
@@ -176,6 +244,8 @@ void Tearing::find_accesses(const DebugInfo& debug) {
     if (const auto number = touched(cpu.instruction(pc)))
       numbers_[*number].symbol->size == 1 ? add_update(pc, debug) : add_group(pc, debug);
   }
+  const std::vector<bool> off = without_interrupts(cpu, firmware_.code_end);
+  std::erase_if(accesses_, [&](const Access& access) { return off[access.pc / 2]; });
   std::sort(accesses_.begin(), accesses_.end(), [](const Access& a, const Access& b) { return a.pc < b.pc; });
   const auto same = std::unique(accesses_.begin(), accesses_.end(),
                                 [](const Access& a, const Access& b) { return a.pc == b.pc; });
@@ -254,8 +324,7 @@ void Tearing::visited(std::uint32_t pc) {
   }
   if (cpu.open_handlers() != 1) return;
   if (cpu.instruction(pc / 2).op == Op::reti) return leave();
-  for (int vector = 1; vector < cpu.chip().vectors; ++vector)
-    if (2 * cpu.entry_of(vector) == pc) enter(vector);
+  if (2 * cpu.entry_of(cpu.state.vector) == pc) enter(cpu.state.vector);
 }
 
 Cycle Tearing::soon() const { return static_cast<Cycle>(chip_.core().clock_hz / kSoon_hz); }
@@ -291,6 +360,8 @@ void Tearing::enter(int vector) {
 }
 
 void Tearing::leave() {
+  const int vector = std::exchange(vector_, 0);
+  if (vector == 0) return;
   const Cycle began = chip_.cpu().state.handler_began;
   for (std::size_t n = 0; n < numbers_.size(); ++n) note_change(n);
   for (const Armed& armed : armed_) {
@@ -299,9 +370,9 @@ void Tearing::leave() {
     const bool changes = number.before != value_of(number, chip_.cpu().data);
     const bool many = access.deed == Deed::writes_back ||
                       (number.changed >> (std::countr_zero(number.changed) / 8 * 8)) > 0xFF;
-    if (!(armed.vectors >> vector_ & 1) || !changes || !many || began < armed.at || began - armed.at > soon())
+    if (!(armed.vectors >> vector & 1) || !changes || !many || began < armed.at || began - armed.at > soon())
       continue;
-    const auto handler_pc = would_have_changed(armed, vector_);
+    const auto handler_pc = would_have_changed(armed, vector);
     if (!handler_pc) continue;
     found_ = Found{number.symbol, access.deed, access.pc, *handler_pc, began - armed.at};
     return;

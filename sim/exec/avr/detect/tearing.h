@@ -73,6 +73,7 @@ class Tearing {
 
   void find_accesses(const DebugInfo& debug);
   void keep_accessed_numbers();
+  bool may_write_numbers(int vector, std::vector<std::uint32_t>& leaves) const;
   void add_group(std::uint32_t pc, const DebugInfo& debug);
   void add_update(std::uint32_t pc, const DebugInfo& debug);
   std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
@@ -92,7 +93,7 @@ class Tearing {
   std::vector<Number> numbers_;
   std::vector<Access> accesses_;  ///< by pc
   std::vector<Armed> armed_;      ///< the last access to each number that could be torn
-  int vector_ = 0;                ///< whose handler runs
+  int vector_ = 0;                ///< whose handler runs; 0 = none that is looked at
   std::optional<Found> found_;
 };
 
