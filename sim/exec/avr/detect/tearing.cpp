@@ -82,8 +82,7 @@ std::vector<bool> without_interrupts(const Cpu& cpu, std::uint32_t code_end) {
       is_off = !may_be_skipped;
     else if ((i.op == Op::bset && i.b == Cpu::kI) || i.op == Op::out || !is_straight(i.op))
       is_off = false;
-    may_be_skipped =
-        i.op == Op::cpse || i.op == Op::sbrc || i.op == Op::sbrs || i.op == Op::sbic || i.op == Op::sbis;
+    may_be_skipped = may_skip(i.op);
   }
   return off;
 }
