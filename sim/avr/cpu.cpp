@@ -245,6 +245,7 @@ void Cpu::enter(int vector) {
   state.sreg &= static_cast<std::uint8_t>(~kI);
   state.pc = entry_of(vector);
   state.cycle += chip_.return_address_bytes == 3 ? 5 : 4;
+  on_entered();
 }
 
 void Cpu::count_time(Cycle until) {
@@ -260,11 +261,11 @@ void Cpu::count_time(Cycle until) {
   state.cycle += kJump + static_cast<Cycle>(time_count_->count(data.data(), state.sp, state.sreg)) + kReturn;
   state.last_pc = time_count_pc_ + TimeCount::kWords - 1;
   note_jump(state.last_pc);
+  state.pc = target_of(static_cast<std::uint32_t>(data[state.sp + 1u] << 8 | data[state.sp + 2u]));
+  state.sp = static_cast<std::uint16_t>(sp + 2);
   leave_handler();
   state.held_at = state.cycle;
   state.sreg |= kI;
-  state.pc = target_of(static_cast<std::uint32_t>(data[state.sp + 1u] << 8 | data[state.sp + 2u]));
-  state.sp = static_cast<std::uint16_t>(sp + 2);
 }
 
 std::uint32_t Cpu::entry_of(int vector) const {

@@ -246,6 +246,9 @@ class Cpu {
   std::vector<std::uint32_t> last_jumps() const;
   /// Interrupt handlers that are open.
   int open_handlers() const { return state.open_handlers; }
+  /// The processor has entered a handler; and RETI has returned from one, when interrupts are not enabled
+  /// yet.
+  Call on_entered, on_left;
   /// Another task goes on, on a stack of its own: it was in so many handlers.
   void set_open_handlers(int count);
   Cycle handler_cycles() const {
@@ -311,8 +314,9 @@ class Cpu {
   void push_pc(std::uint32_t pc);
   std::uint32_t pop_pc();
   void leave_handler() {
-    if (state.open_handlers == 0 || --state.open_handlers > 0) return;
-    state.handler_cycles += state.cycle - state.handler_began;
+    if (state.open_handlers > 0 && --state.open_handlers == 0)
+      state.handler_cycles += state.cycle - state.handler_began;
+    on_left();
   }
   /// Where the program counter goes on: behind the flash, if `pc` is.
   std::uint32_t target_of(std::uint32_t pc) {

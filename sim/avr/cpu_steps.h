@@ -133,17 +133,17 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.pc = target_of(to);                                                          \
     RESUME;                                                                            \
   }
-// RETI, where no other handler waits to be entered.
-#define RETURN_FROM_HANDLER                                                                   \
-  if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting) [[likely]] { \
-    state.cycle = end - static_cast<Cycle>(left);                                             \
-    state.last_pc = static_cast<std::uint32_t>(i - code);                                     \
-    leave_handler();                                                                          \
-    if (!(flags.others & kI)) state.held_at = state.cycle;                                    \
-    flags.others |= kI;                                                                       \
-    const auto to = static_cast<std::uint32_t>(r[sp + 1] << 8 | r[sp + 2]);                   \
-    sp = static_cast<std::uint16_t>(sp + 2);                                                  \
-    JUMP(to);                                                                                 \
+// RETI, where no other handler waits to be entered, and nobody wants to know.
+#define RETURN_FROM_HANDLER                                                                             \
+  if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting && !on_left.function) { \
+    state.cycle = end - static_cast<Cycle>(left);                                                       \
+    state.last_pc = static_cast<std::uint32_t>(i - code);                                               \
+    leave_handler();                                                                                    \
+    if (!(flags.others & kI)) state.held_at = state.cycle;                                              \
+    flags.others |= kI;                                                                                 \
+    const auto to = static_cast<std::uint32_t>(r[sp + 1] << 8 | r[sp + 2]);                             \
+    sp = static_cast<std::uint16_t>(sp + 2);                                                            \
+    JUMP(to);                                                                                           \
   }
 #define JUMP(target)                                             \
   {                                                              \

@@ -23,8 +23,9 @@ FloorLooks::FloorLooks(const robot::Robot& robot, exec::Executor& executor) : ex
 
 SimTime FloorLooks::last(SimTime now) const {
   SimTime last = -1;
+  const exec::BoardProbe& probe = executor_->probe();
   for (const Pin pin : pins_) {
-    const exec::PinUse& use = executor_->probe().use(pin);
+    const exec::PinUse& use = probe.use(pin);
     last = std::max(last, use.awaited ? now : use.last_seen);
   }
   return last;

@@ -256,7 +256,7 @@ void Agent::act(SimTime t) {
 }
 
 SimTime Agent::wakes_at(SimTime end) const {
-  if (finished() || board_detectors_) return 0;
+  if (finished()) return 0;
   const SimTime wakes = executor_.sleeps_until() - kTick + 1;
   return wakes > end && robot_.idles() ? std::min(wakes, player_.next_act(end)) : 0;
 }
@@ -306,7 +306,7 @@ bool Agent::look_closely(SimTime end) {
 
 // When it must look closely next, whatever happens.
 inline SimTime Agent::next_look(SimTime end) const {
-  if (steering_ || robot_.has_tellers() || progress_.contest()) return 0;
+  if (robot_.has_tellers() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
   static_assert(kBudgetEvery % (kLookEvery * kTick) == 0);
   SimTime next = std::min(after(kLookEvery * kTick), after(kSideEvery * kTick));

@@ -82,7 +82,10 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// been asked at `end`. `end`: none.
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
-  void begin_rest(SimTime t) { robot_.begin_tick(t); }
+  void begin_rest(SimTime t) {
+    if (board_detectors_) board_detectors_->booted(player_.boots());
+    robot_.begin_tick(t);
+  }
   bool has_crashed() const { return crash_.has_value(); }
   /// 4, at the end of one.
   void rest(SimTime end);
@@ -270,6 +273,8 @@ inline bool Agent::pass(SimTime end) {
   hash_.pose(body_.pose());
   measure(end);
   count_tick(end);
+  if (steering_) [[unlikely]]
+    watch_steering(end);
   const std::optional<judge::Verdict> verdict = judge_.look({.t = end,
                                                              .pose = &body_.pose(),
                                                              .wheel_travel_m = body_.wheel_travel(),

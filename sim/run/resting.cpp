@@ -1,7 +1,8 @@
 // A robot at rest, on a floor on which nothing moves, costs next to nothing. Of its ticks only firmware and
-// parts run, poses are hashed and ticks are counted; what act() and look() would find again and again is left
-// out. Each kRestSpan they are done in full, and whenever firmware does something. What a row of looks leaves
-// behind that find the same is what its last one leaves: that is made up for before anything changes.
+// parts run, detectors look on, poses are hashed and ticks are counted; what act() and look() would find
+// again and again is left out. Each kRestSpan they are done in full, and whenever firmware does something.
+// What a row of looks leaves behind that find the same is what its last one leaves: that is made up for
+// before anything changes.
 #include <algorithm>
 
 #include "sim/run/agent.h"
@@ -9,7 +10,7 @@
 namespace robosim::run {
 
 SimTime Agent::rests_until(SimTime end) const {
-  if (setup_.controller || setup_.detect || robot_.has_tellers() || robot_.fed_volts()) return end;
+  if (setup_.controller || robot_.has_tellers() || robot_.fed_volts()) return end;
   if (finished()) return kNever;
   const SimTime next_look = end - end % kRestSpan + kRestSpan;
   if (!progress_.is_settled(body_) || next_look - judge_.stuck_since() >= judge::kStuckAfter ||
@@ -25,6 +26,7 @@ void Agent::rest(SimTime end) {
   hash_.pose(body_.pose());
   if (state_.sees_line && end % (kSideEvery * kTick) == 0) look_to_the_side();
   count_tick(end);
+  if (steering_) watch_steering(end);
 }
 
 void Agent::catch_up(SimTime t) {

@@ -204,11 +204,40 @@ void WatchedChip::count(LineCounts& lines) {
 
 void WatchedChip::look_for_tearing(const DebugInfo& debug) {
   tearing_.emplace(firmware_, debug, chip_, [this](std::uint32_t pc) { set_trap(kTearingTrap, pc); });
+  tell_of_handlers();
 }
 
 void WatchedChip::show(Detector& detector, std::uint32_t pc) {
   shown_.emplace(pc, &detector);
   set_trap(kDetectorTrap, pc);
+}
+
+void WatchedChip::show_handlers(Detector& detector) {
+  told_of_handlers_.push_back(&detector);
+  tell_of_handlers();
+}
+
+void WatchedChip::tell_of_handlers() {
+  chip_.cpu().on_entered = robosim::avr::Cpu::call<&WatchedChip::handler_entered>(this);
+  chip_.cpu().on_left = robosim::avr::Cpu::call<&WatchedChip::handler_left>(this);
+}
+
+void WatchedChip::handler_entered() {
+  for (Detector* const each : told_of_handlers_) each->entered(vector(), cycle());
+  if (tearing_) tearing_->entered(vector());
+}
+
+void WatchedChip::handler_left() {
+  for (Detector* const each : told_of_handlers_) each->left();
+  if (!tearing_) return;
+  tearing_->left();
+  is_torn();
+}
+
+bool WatchedChip::is_torn() {
+  const auto& found = tearing_->found();
+  if (found) fail(Fault::Kind::torn, found->pc, found->number->address);
+  return found.has_value();
 }
 
 void WatchedChip::restore(const Saved& saved) {
@@ -239,10 +268,7 @@ bool WatchedChip::others_visited(std::uint32_t pc, Cycle at, unsigned traps) {
       each->second->visited(2 * pc, at);
   if (traps & kTearingTrap) {
     tearing_->visited(2 * pc);
-    if (const auto& found = tearing_->found()) {
-      fail(Fault::Kind::torn, found->pc, found->number->address);
-      return false;
-    }
+    if (is_torn()) return false;
   }
   if (others == 0) return true;
   if (!rounds_ || !rounds_->is_running() || others != kLoopTrap) return false;

@@ -83,6 +83,8 @@ class WatchedChip final : robosim::avr::Visitor {
   const std::optional<Tearing>& tearing() const { return tearing_; }
   /// `detector`, which outlives the chip's use, is told when the instruction at `pc` is about to run.
   void show(Detector& detector, std::uint32_t pc);
+  /// It is told when a handler is entered and when one returns.
+  void show_handlers(Detector& detector);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// The traps, as a sum, that run_to() returned for.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
@@ -161,6 +163,10 @@ class WatchedChip final : robosim::avr::Visitor {
  private:
   bool visited(std::uint32_t pc, Cycle at) override;
   bool others_visited(std::uint32_t pc, Cycle at, unsigned traps);
+  void handler_entered();
+  void handler_left();
+  void tell_of_handlers();
+  bool is_torn();
   void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) override;
 
   const robosim::avr::Cpu& cpu() const { return chip_.cpu(); }
@@ -186,6 +192,7 @@ class WatchedChip final : robosim::avr::Visitor {
   LineCounts* lines_ = nullptr;
   std::optional<Tearing> tearing_;
   std::multimap<std::uint32_t, Detector*> shown_;  ///< by place
+  std::vector<Detector*> told_of_handlers_;
   bool singly_ = false;
   State state_;
   robosim::avr::Chip chip_;

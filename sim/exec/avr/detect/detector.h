@@ -20,6 +20,11 @@ class Detector {
   virtual void visited(std::uint32_t pc, robosim::avr::Cycle at) {
     static_cast<void>(pc), static_cast<void>(at);
   }
+  /// The processor has entered a handler, or returned from one (WatchedChip::show_handlers).
+  virtual void entered(int vector, robosim::avr::Cycle at) {
+    static_cast<void>(vector), static_cast<void>(at);
+  }
+  virtual void left() {}
   virtual std::vector<Detected> found() const = 0;
 };
 

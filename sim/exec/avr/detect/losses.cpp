@@ -34,8 +34,7 @@ Losses::Losses(Machine& machine, const Firmware& firmware, const DebugInfo& debu
   robosim::avr::Core& core = machine.chip().chip().core();
   core.on_lost = [](void* self, int vector) { static_cast<Losses*>(self)->lost(vector); };
   core.on_lost_self = this;
-  if (firmware.find_variable("timer0_millis"))
-    machine.chip().show(*this, 2 * cpu_.entry_of(overflow_of(timer_)));
+  if (firmware.find_variable("timer0_millis")) machine.chip().show_handlers(*this);
 }
 
 Losses::~Losses() { machine_.chip().chip().core().on_lost = nullptr; }
@@ -77,7 +76,8 @@ Cycle Losses::tick() const {
   return counts_to_255 ? Cycle{256} * timer_.prescalers[b & kClockMask] : 0;
 }
 
-void Losses::visited(std::uint32_t, Cycle at) {
+void Losses::entered(int vector, Cycle at) {
+  if (vector != overflow_of(timer_)) return;
   const Cycle period = tick(), slept = machine_.chip().sleep_cycles(), bitten = machine_.chip().last_bite();
   const bool goes_on =
       flagged_ != 0 && period == period_ && slept == slept_ && bitten == bitten_ && period > 0;

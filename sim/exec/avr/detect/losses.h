@@ -38,7 +38,7 @@ class Losses final : public Detector {
   Losses(const Losses&) = delete;
   Losses& operator=(const Losses&) = delete;
 
-  void visited(std::uint32_t pc, Cycle at) override;
+  void entered(int vector, Cycle at) override;
   std::vector<Detected> found() const override { return seen_.all(); }
 
  private:

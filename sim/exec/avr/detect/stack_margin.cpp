@@ -10,9 +10,9 @@ namespace robosim::exec::avr {
 namespace {
 
 using robosim::avr::Cpu;
-using robosim::avr::Op;
 
 constexpr int kLeast = 16;
+constexpr std::size_t kMostOpenCalls = 32;
 
 std::uint64_t bit(int vector) { return std::uint64_t{1} << vector; }
 
@@ -30,10 +30,8 @@ StackMargin::StackMargin(Machine& machine, const Program& program)
       handlers_(machine.chip().spec().vectors) {
   nearest_.room = program.firmware.last_ram + 1;
   WatchedChip& chip = machine.chip();
-  for (int vector = 1; vector < chip.spec().vectors; ++vector) chip.show(*this, 2 * cpu_.entry_of(vector));
+  chip.show_handlers(*this);
   if (main_ != 0) chip.show(*this, main_);
-  for (std::uint32_t pc = cpu_.entry_of(chip.spec().vectors); 2 * pc < firmware_.code_end; ++pc)
-    if (cpu_.instruction(pc).op == Op::reti) chip.show(*this, 2 * pc);
 }
 
 StackMargin::~StackMargin() {
@@ -46,15 +44,21 @@ int StackMargin::heap_end() const {
   return std::max<int>(end, firmware_.globals_end);
 }
 
-/// The user's line at `pc`, or that which has called it; calls behind the return to `until` are others'.
-SourceLine StackMargin::place(std::uint32_t pc, std::uint32_t until) const {
-  const SourceLine* where = &debug_.place(pc);
-  if (where->file.empty())
-    machine_.stack().each_call(until, [&](const Stack::Call& call) {
-      where = &debug_.place(call.pc);
-      return !where->file.empty();
-    });
-  return *where;
+/// The instruction that ran last; calls behind the return to `until` are others'.
+StackMargin::Chain StackMargin::here(std::uint32_t until) const {
+  Chain chain = {machine_.chip().last_pc()};
+  machine_.stack().each_call(until, [&](const Stack::Call& call) {
+    chain.push_back(call.pc);
+    return chain.size() > kMostOpenCalls;
+  });
+  return chain;
+}
+
+/// The innermost line that is the user's; empty if none is.
+SourceLine StackMargin::place(const Chain& chain) const {
+  for (const std::uint32_t pc : chain)
+    if (const SourceLine& where = debug_.place(pc); !where.file.empty()) return where;
+  return {};
 }
 
 void StackMargin::went_low() {
@@ -84,8 +88,7 @@ void StackMargin::look() {
 void StackMargin::look_at_main() {
   const int end = heap_end(), room = cpu_.sp() + 1 - end;
   if (room > nearest_.room || room < 0) return;
-  if (room < nearest_.room)
-    nearest_ = {room, end > firmware_.globals_end, 0, place(machine_.chip().last_pc(), 0), machine_.now()};
+  if (room < nearest_.room) nearest_ = {room, end > firmware_.globals_end, 0, here(0), machine_.now()};
   nearest_.may_come |= machine_.chip().chip().may_interrupt();
 }
 
@@ -96,24 +99,16 @@ void StackMargin::look_at_handler() {
   const int bytes = open.began - cpu_.sp();
   if (bytes <= handler.bytes) return;
   handler.bytes = bytes;
-  handler.pc = machine_.chip().last_pc();
-  handler.where = place(handler.pc, open.interrupted);
+  handler.where = here(open.interrupted);
 }
 
-void StackMargin::visited(std::uint32_t pc, Cycle) {
+void StackMargin::visited(std::uint32_t, Cycle) {
+  if (!has_own_stacks_) look();
+}
+
+void StackMargin::entered(int vector, Cycle) {
   if (has_own_stacks_) return;
-  if (pc == main_) {
-    look();
-  } else if (cpu_.instruction(pc / 2).op == Op::reti) {
-    leaves();
-  } else {
-    entered(static_cast<int>(pc / (2 * cpu_.entry_of(1))));
-  }
-}
-
-void StackMargin::entered(int vector) {
   const int open = machine_.chip().open_handlers();
-  if (open == 0) return;  // by a jump
   const auto began = static_cast<std::uint16_t>(cpu_.sp() + cpu_.chip().return_address_bytes);
   open_.resize(static_cast<std::size_t>(open - 1));
   if (open > 1) handlers_[static_cast<std::size_t>(open_.back().vector)].nests = true;
@@ -122,13 +117,13 @@ void StackMargin::entered(int vector) {
   Handler& handler = handlers_[static_cast<std::size_t>(vector)];
   if (handler.bytes == 0) {
     handler.bytes = cpu_.chip().return_address_bytes;
-    handler.pc = 2 * cpu_.entry_of(vector);
+    handler.where = {2 * cpu_.entry_of(vector)};
   }
   await_deeper();
 }
 
-void StackMargin::leaves() {
-  if (open_.empty()) return;
+void StackMargin::left() {
+  if (has_own_stacks_ || open_.empty()) return;
   look_at_handler();
   open_.pop_back();
   await_deeper();
@@ -151,9 +146,9 @@ void StackMargin::await_deeper() {
 /// "the handler at Count.ino:3"; "the core's handler __vector_16, in wiring.c"
 std::string StackMargin::name(int vector) const {
   const Handler& handler = handlers_[static_cast<std::size_t>(vector)];
-  if (!handler.where.file.empty())
-    return fmt::format("the handler at {}:{}", handler.where.file, handler.where.line);
-  const auto frames = debug_.frames(handler.pc);
+  const SourceLine where = place(handler.where);
+  if (!where.file.empty()) return fmt::format("the handler at {}:{}", where.file, where.line);
+  const auto frames = debug_.frames(handler.where.front());
   const std::string file =
       frames.empty() ? "" : std::filesystem::path(frames.back().file).filename().string();
   return fmt::format("the core's handler __vector_{}{}", vector, file.empty() ? "" : ", in " + file);
@@ -192,7 +187,7 @@ std::vector<Detected> StackMargin::found() const {
       names, nearest_.room);
   seen.mend =
       "Keep texts in flash (F(\"…\"), PROGMEM), make buffers and arrays smaller, and do without recursion.";
-  seen.where = nearest_.where;
+  seen.where = place(nearest_.where);
   seen.first_s = 1e-9 * static_cast<double>(nearest_.at);
   return {seen};
 }

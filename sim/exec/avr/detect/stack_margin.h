@@ -40,15 +40,19 @@ class StackMargin final : public Detector {
   StackMargin& operator=(const StackMargin&) = delete;
 
   void visited(std::uint32_t pc, Cycle at) override;
+  void entered(int vector, Cycle at) override;
+  void left() override;
   std::vector<Detected> found() const override;
 
  private:
+  /// An instruction, and the calls that were open then, the innermost first; which line that is, is asked
+  /// only if there is something to tell.
+  using Chain = std::vector<std::uint32_t>;
   /// Of a vector.
   struct Handler {
     int bytes = 0;       ///< the most, its return address included; 0 = it never ran
     bool nests = false;  ///< others may come while it runs
-    std::uint32_t pc = 0;
-    SourceLine where;  ///< where it took most; empty = not in the user's code
+    Chain where;         ///< it took most
   };
   /// A handler that runs.
   struct Open {
@@ -61,7 +65,7 @@ class StackMargin final : public Detector {
     int room = 0;
     bool has_heap = false;       ///< it is the heap that is next
     std::uint64_t may_come = 0;  ///< interrupts that were enabled there; a bit a vector
-    SourceLine where;
+    Chain where;
     SimTime at = 0;
   };
 
@@ -70,11 +74,10 @@ class StackMargin final : public Detector {
   void look();
   void look_at_main();
   void look_at_handler();
-  void entered(int vector);
-  void leaves();
   void await_deeper();
   int heap_end() const;
-  SourceLine place(std::uint32_t pc, std::uint32_t until) const;
+  Chain here(std::uint32_t until) const;
+  SourceLine place(const Chain& chain) const;
   std::string name(int vector) const;
 
   Machine& machine_;

@@ -13,6 +13,7 @@ using robosim::avr::Address;
 using robosim::avr::Cpu;
 using robosim::avr::Cycle;
 using robosim::avr::Instruction;
+using robosim::avr::Interrupts;
 using robosim::avr::Op;
 
 constexpr std::uint32_t kLargestNumber = 8;
@@ -177,43 +178,35 @@ Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim
   find_accesses(debug);
   if (accesses_.empty()) return;
   keep_accessed_numbers();
-  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector) {
-    std::vector<std::uint32_t> leaves;
-    if (!may_write_numbers(vector, leaves)) continue;
-    show_(2 * chip_.cpu().entry_of(vector));
-    for (const std::uint32_t pc : leaves) show_(2 * pc);
-  }
+  for (int vector = 1; vector < chip_.cpu().chip().vectors; ++vector)
+    if (may_write_numbers(vector)) writers_ |= Interrupts::bit(vector);
 }
 
 /// Whether a handler, or what it calls, stores to one of the numbers or where a pointer leads, or nobody can
-/// tell; and where it ends.
-bool Tearing::may_write_numbers(int vector, std::vector<std::uint32_t>& leaves) const {
+/// tell.
+bool Tearing::may_write_numbers(int vector) const {
   const Cpu& cpu = chip_.cpu();
   std::vector<bool> seen(firmware_.code_end / 2 + 2);
   std::vector<std::uint32_t> next = {cpu.entry_of(vector)};
-  bool writes = false;
   while (!next.empty()) {
     const std::uint32_t pc = next.back();
     next.pop_back();
-    if (2 * pc >= firmware_.code_end) writes = true;
-    if (2 * pc >= firmware_.code_end || seen[pc]) continue;
+    if (2 * pc >= firmware_.code_end) return true;
+    if (seen[pc]) continue;
     seen[pc] = true;
     const Instruction& i = cpu.instruction(pc);
     const std::uint32_t behind = pc + i.words;
     const auto relative = static_cast<std::uint32_t>(static_cast<std::int64_t>(pc) + 1 + i.k);
-    if (i.op == Op::reti) leaves.push_back(pc);
     if (is_store_by_pointer(i.op) || i.op == Op::ijmp || i.op == Op::icall || i.op == Op::eijmp ||
         i.op == Op::eicall || (i.op == Op::sts && touched(i)))
-      writes = true;
+      return true;
     if (i.op == Op::jmp || i.op == Op::call) next.push_back(static_cast<std::uint32_t>(i.k));
     if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
       next.push_back(relative);
     if (may_skip(i.op)) next.push_back(behind + cpu.instruction(behind).words);
-    if (i.op != Op::jmp && i.op != Op::rjmp && i.op != Op::ret && i.op != Op::reti && i.op != Op::ijmp &&
-        i.op != Op::eijmp)
-      next.push_back(behind);
+    if (i.op != Op::jmp && i.op != Op::rjmp && i.op != Op::ret && i.op != Op::reti) next.push_back(behind);
   }
-  return writes;
+  return false;
 }
 
 void Tearing::keep_accessed_numbers() {
@@ -316,14 +309,8 @@ void Tearing::visited(std::uint32_t pc) {
   const Cpu& cpu = chip_.cpu();
   const auto access = std::lower_bound(accesses_.begin(), accesses_.end(), pc,
                                        [](const Access& a, std::uint32_t place) { return a.pc < place; });
-  if (access != accesses_.end() && access->pc == pc) {
-    if (cpu.open_handlers() == 0 && cpu.interrupts_enabled())
-      touch(static_cast<std::size_t>(access - accesses_.begin()));
-    return;
-  }
-  if (cpu.open_handlers() != 1) return;
-  if (cpu.instruction(pc / 2).op == Op::reti) return leave();
-  if (2 * cpu.entry_of(cpu.state.vector) == pc) enter(cpu.state.vector);
+  if (access != accesses_.end() && access->pc == pc && cpu.open_handlers() == 0 && cpu.interrupts_enabled())
+    touch(static_cast<std::size_t>(access - accesses_.begin()));
 }
 
 Cycle Tearing::soon() const { return static_cast<Cycle>(chip_.core().clock_hz / kSoon_hz); }
@@ -353,12 +340,14 @@ std::optional<std::uint32_t> Tearing::would_have_changed(const Armed& armed, int
   return std::nullopt;
 }
 
-void Tearing::enter(int vector) {
+void Tearing::entered(int vector) {
+  if (found_ || chip_.cpu().open_handlers() != 1 || !(writers_ & Interrupts::bit(vector))) return;
   vector_ = vector;
   for (Number& number : numbers_) number.before = value_of(number, chip_.cpu().data);
 }
 
-void Tearing::leave() {
+void Tearing::left() {
+  if (found_ || chip_.cpu().open_handlers() != 0) return;
   const int vector = std::exchange(vector_, 0);
   if (vector == 0) return;
   const Cycle began = chip_.cpu().state.handler_began;

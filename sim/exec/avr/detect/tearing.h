@@ -41,12 +41,15 @@ class Tearing {
     robosim::avr::Cycle later = 0;  ///< by how much the handler came too late
   };
 
-  /// Asks by `show` for visited() at a place, in bytes; of some places only later.
+  /// Asks by `show` for visited() at a place, in bytes, once a handler has changed what is touched there.
   Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
           std::function<void(std::uint32_t pc)> show);
 
   /// The instruction there is about to run.
   void visited(std::uint32_t pc);
+  /// The processor has entered a handler, or returned from one.
+  void entered(int vector);
+  void left();
   const std::optional<Found>& found() const { return found_; }
 
  private:
@@ -73,7 +76,7 @@ class Tearing {
 
   void find_accesses(const DebugInfo& debug);
   void keep_accessed_numbers();
-  bool may_write_numbers(int vector, std::vector<std::uint32_t>& leaves) const;
+  bool may_write_numbers(int vector) const;
   void add_group(std::uint32_t pc, const DebugInfo& debug);
   void add_update(std::uint32_t pc, const DebugInfo& debug);
   std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
@@ -81,8 +84,6 @@ class Tearing {
   robosim::avr::Cycle soon() const;
   void touch(std::size_t access);
   std::optional<std::uint32_t> would_have_changed(const Armed& armed, int vector);
-  void enter(int vector);
-  void leave();
   void note_change(std::size_t number);
   std::uint64_t value_of(const Number& number, const std::vector<std::uint8_t>& data) const;
 
@@ -93,6 +94,7 @@ class Tearing {
   std::vector<Number> numbers_;
   std::vector<Access> accesses_;  ///< by pc
   std::vector<Armed> armed_;      ///< the last access to each number that could be torn
+  std::uint64_t writers_ = 0;     ///< handlers that may write a number; a bit a vector
   int vector_ = 0;                ///< whose handler runs; 0 = none that is looked at
   std::optional<Found> found_;
 };

@@ -52,11 +52,17 @@ TornNumber::TornNumber(Machine& machine, const Program& program)
     : machine_(machine),
       debug_(program.debug),
       tearing_(program.firmware, program.debug, machine.chip().chip(),
-               [this](std::uint32_t pc) { machine_.chip().show(*this, pc); }) {}
+               [this](std::uint32_t pc) { machine_.chip().show(*this, pc); }) {
+  machine.chip().show_handlers(*this);
+}
 
-void TornNumber::visited(std::uint32_t pc, robosim::avr::Cycle) {
+void TornNumber::visited(std::uint32_t pc, robosim::avr::Cycle) { tearing_.visited(pc); }
+
+void TornNumber::entered(int vector, robosim::avr::Cycle) { tearing_.entered(vector); }
+
+void TornNumber::left() {
   if (tearing_.found()) return;
-  tearing_.visited(pc);
+  tearing_.left();
   if (tearing_.found()) found_at_ = machine_.now();
 }
 

@@ -3,7 +3,6 @@
 // there, and not in an image built for checking.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +24,8 @@ class TornNumber final : public Detector {
   TornNumber(Machine& machine, const Program& program);
 
   void visited(std::uint32_t pc, robosim::avr::Cycle at) override;
+  void entered(int vector, robosim::avr::Cycle at) override;
+  void left() override;
   std::vector<Detected> found() const override;
 
  private:
