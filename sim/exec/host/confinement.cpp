@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "sim/base/descriptor.h"
+#include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/under_asan.h"
 
 namespace robosim::exec {
@@ -259,6 +260,10 @@ void confine(const CallKey& key) {
 }
 
 void prepare_to_confine() {
+  ensure_signal_stack();
+  // What libfmt binds at its first use each process would look for anew, in all libraries: memchr(), for one,
+  // which it asks about texts of 32 bytes and more.
+  static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);
   if (why_not_confined().empty()) filter_for_all();
 }
 
