@@ -241,11 +241,11 @@ void Cpu::enter(int vector) {
   state.vector = static_cast<std::uint8_t>(vector);
   if (state.open_handlers++ == 0) state.handler_began = state.cycle;
   state.last_pc = state.pc;
-  push_pc(state.pc);
   state.sreg &= static_cast<std::uint8_t>(~kI);
   state.pc = entry_of(vector);
   state.cycle += chip_.return_address_bytes == 3 ? 5 : 4;
   on_entered();
+  push_pc(state.last_pc);
 }
 
 void Cpu::count_time(Cycle until) {

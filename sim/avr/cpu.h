@@ -246,8 +246,8 @@ class Cpu {
   std::vector<std::uint32_t> last_jumps() const;
   /// Interrupt handlers that are open.
   int open_handlers() const { return state.open_handlers; }
-  /// The processor has entered a handler; and RETI has returned from one, when interrupts are not enabled
-  /// yet.
+  /// The processor enters a handler, but has not put the return address on the stack yet; and RETI has
+  /// returned from one, but has not enabled interrupts yet.
   Call on_entered, on_left;
   /// Another task goes on, on a stack of its own: it was in so many handlers.
   void set_open_handlers(int count);

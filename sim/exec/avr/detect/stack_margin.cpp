@@ -109,10 +109,9 @@ void StackMargin::visited(std::uint32_t, Cycle) {
 void StackMargin::entered(int vector, Cycle) {
   if (has_own_stacks_) return;
   const int open = machine_.chip().open_handlers();
-  const auto began = static_cast<std::uint16_t>(cpu_.sp() + cpu_.chip().return_address_bytes);
   open_.resize(static_cast<std::size_t>(open - 1));
   if (open > 1) handlers_[static_cast<std::size_t>(open_.back().vector)].nests = true;
-  open_.push_back({vector, began, machine_.chip().interrupted_pc()});
+  open_.push_back({vector, cpu_.sp(), machine_.chip().interrupted_pc()});
   ran_ |= bit(vector);
   Handler& handler = handlers_[static_cast<std::size_t>(vector)];
   if (handler.bytes == 0) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/elf/avr_addresses.h"
+#include "sim/exec/avr/detect/code.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -22,145 +23,11 @@ constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
 constexpr int kMostOfHandler = 5000;  // instructions
 constexpr std::int64_t kSoon_hz = 20'000;
 
-bool is_straight(Op op) {
-  switch (op) {
-    case Op::rjmp:
-    case Op::jmp:
-    case Op::rcall:
-    case Op::call:
-    case Op::ijmp:
-    case Op::icall:
-    case Op::eijmp:
-    case Op::eicall:
-    case Op::ret:
-    case Op::reti:
-    case Op::brbs:
-    case Op::brbc:
-    case Op::cpse:
-    case Op::sbrc:
-    case Op::sbrs:
-    case Op::sbic:
-    case Op::sbis:
-    case Op::sleep:
-    case Op::illegal:
-      return false;
-    default:
-      return true;
-  }
-}
-
-bool is_store_by_pointer(Op op) { return op >= Op::st_x && op <= Op::st_z_dec; }
-
-bool may_skip(Op op) {
-  return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
-}
-
 bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
   const auto frames = debug.frames(pc);
   return std::any_of(frames.begin(), frames.end(),
                      [](const SourceLine& frame) { return !is_core_file(frame.file); });
 }
-
-/// By word: whether interrupts are off there, as a CLI stands before it, with no way in between.
-std::vector<bool> without_interrupts(const Cpu& cpu, std::uint32_t code_end) {
-  std::vector<bool> off(code_end / 2 + 2), entered(off.size());
-  const auto enter = [&](std::int64_t pc) {
-    if (pc >= 0 && pc < static_cast<std::int64_t>(entered.size()))
-      entered[static_cast<std::size_t>(pc)] = true;
-  };
-  for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
-    const Instruction& i = cpu.instruction(pc);
-    if (i.op == Op::jmp || i.op == Op::call) enter(i.k);
-    if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
-      enter(std::int64_t{pc} + 1 + i.k);
-  }
-  bool is_off = false, may_be_skipped = false;
-  for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
-    const Instruction& i = cpu.instruction(pc);
-    is_off = is_off && !entered[pc];
-    off[pc] = is_off;
-    if (i.op == Op::bclr && i.b == Cpu::kI)
-      is_off = !may_be_skipped;
-    else if ((i.op == Op::bset && i.b == Cpu::kI) || i.op == Op::out || !is_straight(i.op))
-      is_off = false;
-    may_be_skipped = may_skip(i.op);
-  }
-  return off;
-}
-
-/// Where a value is that was read from memory, register by register: as it was read, or changed.
-class Trail {
- public:
-  explicit Trail(int reg) : read_(bit(reg)) {}
-  bool is_changed(int reg) const { return (changed_ & bit(reg)) != 0; }
-  void follow(const Instruction& i) {
-    switch (i.op) {
-      case Op::add:
-      case Op::adc:
-      case Op::sub:
-      case Op::sbc:
-      case Op::and_:
-      case Op::or_:
-      case Op::eor:
-        if (i.a == i.b && (i.op == Op::eor || i.op == Op::sub)) return drop(i.a);
-        if (has(i.a) || has(i.b)) change(i.a);
-        return;
-      case Op::mov:
-        return copy(i.a, i.b);
-      case Op::movw:
-        copy(i.a, i.b);
-        return copy(i.a + 1, i.b + 1);
-      case Op::subi:
-      case Op::sbci:
-      case Op::andi:
-      case Op::ori:
-      case Op::adiw:
-      case Op::sbiw:
-      case Op::com:
-      case Op::neg:
-      case Op::swap:
-      case Op::inc:
-      case Op::dec:
-      case Op::asr:
-      case Op::lsr:
-      case Op::ror:
-      case Op::bld:
-        if (has(i.a)) change(i.a);
-        return;
-      case Op::mul:
-      case Op::muls:
-      case Op::mulsu: {
-        const bool made = has(i.a) || has(i.b);
-        for (const int product : {0, 1}) made ? change(product) : drop(product);
-        return;
-      }
-      case Op::cp:
-      case Op::cpc:
-      case Op::cpi:
-      case Op::bst:
-      case Op::push:
-      case Op::sts:
-      case Op::out:
-        return;
-      default:
-        drop(i.a);
-    }
-  }
-
- private:
-  static std::uint32_t bit(int reg) { return std::uint32_t{1} << (reg & 31); }
-  bool has(int reg) const { return ((read_ | changed_) & bit(reg)) != 0; }
-  void drop(int reg) { read_ &= ~bit(reg), changed_ &= ~bit(reg); }
-  void change(int reg) { read_ &= ~bit(reg), changed_ |= bit(reg); }
-  void copy(int to, int from) {
-    const bool was_read = (read_ & bit(from)) != 0, was_changed = is_changed(from);
-    drop(to);
-    if (was_read) read_ |= bit(to);
-    if (was_changed) changed_ |= bit(to);
-  }
-
-  std::uint32_t read_, changed_ = 0;
-};
 
 }  // namespace
 
@@ -195,16 +62,10 @@ bool Tearing::may_write_numbers(int vector) const {
     if (seen[pc]) continue;
     seen[pc] = true;
     const Instruction& i = cpu.instruction(pc);
-    const std::uint32_t behind = pc + i.words;
-    const auto relative = static_cast<std::uint32_t>(static_cast<std::int64_t>(pc) + 1 + i.k);
     if (is_store_by_pointer(i.op) || i.op == Op::ijmp || i.op == Op::icall || i.op == Op::eijmp ||
         i.op == Op::eicall || (i.op == Op::sts && touched(i)))
       return true;
-    if (i.op == Op::jmp || i.op == Op::call) next.push_back(static_cast<std::uint32_t>(i.k));
-    if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
-      next.push_back(relative);
-    if (may_skip(i.op)) next.push_back(behind + cpu.instruction(behind).words);
-    if (i.op != Op::jmp && i.op != Op::rjmp && i.op != Op::ret && i.op != Op::reti) next.push_back(behind);
+    add_next(cpu, pc, true, next);
   }
   return false;
 }
@@ -237,7 +98,9 @@ void Tearing::find_accesses(const DebugInfo& debug) {
       numbers_[*number].symbol->size == 1 ? add_update(pc, debug) : add_group(pc, debug);
   }
   const std::vector<bool> off = without_interrupts(cpu, firmware_.code_end);
-  std::erase_if(accesses_, [&](const Access& access) { return off[access.pc / 2]; });
+  const std::vector<bool> handlers = of_handlers(cpu, firmware_.code_end);
+  std::erase_if(accesses_,
+                [&](const Access& access) { return off[access.pc / 2] || handlers[access.pc / 2]; });
   std::sort(accesses_.begin(), accesses_.end(), [](const Access& a, const Access& b) { return a.pc < b.pc; });
   const auto same = std::unique(accesses_.begin(), accesses_.end(),
                                 [](const Access& a, const Access& b) { return a.pc == b.pc; });
