@@ -14,7 +14,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 /// Looks at a sensor now and then, and drives straight on; or, half-way between two looks, more slowly.
-class Distracted final : public exec::Executor {
+class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
 
@@ -32,7 +32,7 @@ class Distracted final : public exec::Executor {
   exec::Activity activity() override { return {0, "delay(700)", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
 
- private:
+ protected:
   static constexpr Pin kMiddle = 16;
 
   void drive(double power, SimTime t) {
@@ -44,9 +44,30 @@ class Distracted final : public exec::Executor {
   }
 
   exec::BoardState board_{*find_board("uno")};
-  SimTime looks_every_, next_ = 0;
+  SimTime next_ = 0;
+
+ private:
+  SimTime looks_every_;
   bool plans_;
   std::optional<exec::Crash> crash_;
+};
+
+/// Stands and looks at a sensor, and drives without a further look from two seconds on, `later` than the
+/// last one.
+class Starts final : public Distracted {
+ public:
+  explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}
+  void power_on(SimTime t) override { drive(0.0, t); }
+  void run_until(SimTime t) override {
+    constexpr SimTime kStart = 2 * kSecond;
+    for (; next_ < t; next_ += kMillisecond) {
+      if (next_ <= kStart - later_) board_.read_volts(kMiddle, next_);
+      if (next_ == kStart) drive(1.0, next_);
+    }
+  }
+
+ private:
+  SimTime later_;
 };
 
 std::vector<wire::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
@@ -79,6 +100,15 @@ TEST(Blind, IsNobodyWhoLooksInTime) {
   EXPECT_THAT(detected(loses_it_all_the_same, 10 * kSecond), IsEmpty());
   test::BuiltInDriver follows;
   EXPECT_THAT(detected(follows, 10 * kSecond), IsEmpty());
+}
+
+TEST(Blind, IsWhoStartsByItsLastLook) {
+  Starts at_once(0);
+  const auto found = detected(at_once, 6 * kSecond);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "blind");
+  Starts by_plan(40 * kMillisecond);
+  EXPECT_THAT(detected(by_plan, 6 * kSecond), IsEmpty());
 }
 
 TEST(Blind, IsNobodyWhoMeansTo) {
