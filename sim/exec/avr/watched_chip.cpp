@@ -231,10 +231,10 @@ void WatchedChip::handler_left() {
   for (Detector* const each : told_of_handlers_) each->left();
   if (!tearing_) return;
   tearing_->left();
-  is_torn();
+  fail_if_torn();
 }
 
-bool WatchedChip::is_torn() {
+bool WatchedChip::fail_if_torn() {
   const auto& found = tearing_->found();
   if (found) fail(Fault::Kind::torn, found->pc, found->number->address);
   return found.has_value();
@@ -268,7 +268,7 @@ bool WatchedChip::others_visited(std::uint32_t pc, Cycle at, unsigned traps) {
       each->second->visited(2 * pc, at);
   if (traps & kTearingTrap) {
     tearing_->visited(2 * pc);
-    if (is_torn()) return false;
+    if (fail_if_torn()) return false;
   }
   if (others == 0) return true;
   if (!rounds_ || !rounds_->is_running() || others != kLoopTrap) return false;

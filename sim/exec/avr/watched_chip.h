@@ -166,7 +166,7 @@ class WatchedChip final : robosim::avr::Visitor {
   void handler_entered();
   void handler_left();
   void tell_of_handlers();
-  bool is_torn();
+  bool fail_if_torn();
   void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) override;
 
   const robosim::avr::Cpu& cpu() const { return chip_.cpu(); }
