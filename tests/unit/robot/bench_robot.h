@@ -74,4 +74,16 @@ class BenchRobot {
   SimTime now = 0;
 };
 
+/// A reflectance sensor "eye" on A0, at the axle's centre; `keys` go into its table.
+inline std::string reflectance_sensor(const std::string& keys) {
+  return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
+         "footprint = \"6 mm\"\n" +
+         keys;
+}
+
+/// Its axle's centre so far beside the middle of the line, which it is along.
+inline void place_beside_line(BenchRobot& bench, double metres) {
+  bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
+}
+
 }  // namespace robosim::robot

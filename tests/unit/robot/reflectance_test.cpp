@@ -9,19 +9,8 @@
 namespace robosim::robot {
 namespace {
 
-// One sensor at the axle's centre; `keys` go into its table.
-std::string sensor(const std::string& keys) {
-  return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
-         "footprint = \"6 mm\"\n" +
-         keys;
-}
-
-void place_beside_line(BenchRobot& bench, double metres) {
-  bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
-}
-
 TEST(AnalogReflectance, GoesFromWhiteToBlackOverOneFootprint) {
-  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
   EXPECT_DOUBLE_EQ(bench.volts(kA0), 4.5);
   place_beside_line(bench, 0.010);
   EXPECT_NEAR(bench.volts(kA0), 2.5, 1e-9);
@@ -42,14 +31,14 @@ TEST(AnalogReflectance, EachElementOfAnArrayMayHaveVoltagesOfItsOwn) {
 }
 
 TEST(AnalogReflectance, BlackLowSwapsTheDefaults) {
-  BenchRobot bench(sensor("black = \"low\"\n"));
+  BenchRobot bench(reflectance_sensor("black = \"low\"\n"));
   EXPECT_LT(bench.volts(kA0), 1.0);
   place_beside_line(bench, 0.030);
   EXPECT_GT(bench.volts(kA0), 4.0);
 }
 
 TEST(AnalogReflectance, ReadsInsideTheTickSeeTheBodyMove) {
-  BenchRobot bench(sensor("") + R"([[part]]
+  BenchRobot bench(reflectance_sensor("") + R"([[part]]
 name = "left"
 type = "motor"
 pins = { in1 = 5, in2 = 6 }
@@ -70,8 +59,8 @@ pins = { in1 = 9, in2 = 10 }
 }
 
 TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
-  BenchRobot near(sensor("height = \"3 mm\"\n"));
-  BenchRobot far(sensor("height = \"6 mm\"\n"));
+  BenchRobot near(reflectance_sensor("height = \"3 mm\"\n"));
+  BenchRobot far(reflectance_sensor("height = \"6 mm\"\n"));
   EXPECT_DOUBLE_EQ(near.volts(kA0), far.volts(kA0));
   place_beside_line(near, 0.03);
   place_beside_line(far, 0.03);
@@ -80,8 +69,8 @@ TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
 
 // What the sensor answers over white, far from the line, 0.5 V white and 4.5 V black.
 double white_volts(const std::string& keys, Profile profile, std::uint64_t seed = 1) {
-  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys), profile,
-                   seed);
+  BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys),
+                   profile, seed);
   place_beside_line(bench, 0.03);
   return bench.volts(kA0);
 }
@@ -131,7 +120,7 @@ TEST(AnalogReflectance, SeesASmallerSpotFromTypical2OnOneForAllElements) {
 
 TEST(AnalogReflectance, IsLessNoisyOverBlackFromTypical2On) {
   const auto noise = [](Profile profile, double beside_line) {
-    BenchRobot bench(sensor("noise = 0.01\n"), profile, 3);
+    BenchRobot bench(reflectance_sensor("noise = 0.01\n"), profile, 3);
     place_beside_line(bench, beside_line);
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < 4000; ++i) {
@@ -146,7 +135,7 @@ TEST(AnalogReflectance, IsLessNoisyOverBlackFromTypical2On) {
 }
 
 TEST(AnalogReflectance, SeesTheBrightnessOfTheFloor) {
-  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
   bench.world.vary_floor(NoiseStream(1, 0, "floor", "brightness"), 0.05);
   place_beside_line(bench, 0.03);
   const double bright = bench.world.floor().brightness(bench.line() + Vec2{0.0, 0.03});
@@ -157,7 +146,7 @@ TEST(AnalogReflectance, SeesTheBrightnessOfTheFloor) {
 }
 
 TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
-  BenchRobot bench(sensor("emitter = 3\n"));
+  BenchRobot bench(reflectance_sensor("emitter = 3\n"));
   place_beside_line(bench, 0.03);
   const double lit = bench.volts(kA0);
   EXPECT_LT(lit, 1.0) << "nobody drives the pin: the emitter is on";
@@ -169,8 +158,8 @@ TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
 
 TEST(AnalogReflectance, TypicalSensorsDifferAndAreNoisy) {
   const std::string keys = "noise = 0.01\nwhite_volts = { value = \"0.4 V\", spread = \"25 %\" }\n";
-  BenchRobot one(sensor(keys), Profile::typical, 1);
-  BenchRobot other(sensor(keys), Profile::typical, 2);
+  BenchRobot one(reflectance_sensor(keys), Profile::typical, 1);
+  BenchRobot other(reflectance_sensor(keys), Profile::typical, 2);
   place_beside_line(one, 0.03);
   place_beside_line(other, 0.03);
   double sum[2] = {}, squares = 0.0;
@@ -188,10 +177,10 @@ TEST(AnalogReflectance, TypicalSensorsDifferAndAreNoisy) {
 }
 
 TEST(AnalogReflectance, EqualSeedsGiveEqualReadingsWhateverElseIsOnTheRobot) {
-  BenchRobot alone(sensor("noise = 0.01\n"), Profile::typical, 7);
+  BenchRobot alone(reflectance_sensor("noise = 0.01\n"), Profile::typical, 7);
   BenchRobot more(
       "[[part]]\nname = \"other\"\ntype = \"reflectance\"\npin = \"A1\"\nat = [\"5 mm\", \"0 mm\"]\n" +
-          sensor("noise = 0.01\n"),
+          reflectance_sensor("noise = 0.01\n"),
       Profile::typical, 7);
   for (int i = 0; i < 100; ++i) {
     more.volts(kA0 + 1);
@@ -218,128 +207,8 @@ footprint = "6 mm"
   EXPECT_EQ(readings[2].value, 0.0);
 }
 
-TEST(DigitalReflectance, HasTheConfiguredPolarity) {
-  BenchRobot high(sensor("read = \"digital\"\n"));
-  BenchRobot low(sensor("read = \"digital\"\nblack = \"low\"\n"));
-  EXPECT_TRUE(high.level(kA0));
-  EXPECT_FALSE(low.level(kA0));
-  EXPECT_EQ(high.volts(kA0), 5.0);
-  place_beside_line(high, 0.03);
-  place_beside_line(low, 0.03);
-  EXPECT_FALSE(high.level(kA0));
-  EXPECT_TRUE(low.level(kA0));
-}
-
-TEST(DigitalReflectance, HysteresisKeepsTheStateNearTheThreshold) {
-  BenchRobot bench(sensor("read = \"digital\"\nthreshold = 0.5\nhysteresis = 0.4\n"));
-  place_beside_line(bench, 0.03);
-  EXPECT_FALSE(bench.level(kA0));
-  place_beside_line(bench, 0.0094);  // blackness 0.6
-  EXPECT_FALSE(bench.level(kA0));
-  place_beside_line(bench, 0.0);
-  EXPECT_TRUE(bench.level(kA0));
-  place_beside_line(bench, 0.0106);  // blackness 0.4
-  EXPECT_TRUE(bench.level(kA0));
-  place_beside_line(bench, 0.03);
-  EXPECT_FALSE(bench.level(kA0));
-}
-
-TEST(DigitalReflectance, InterruptsSeeItsEdges) {
-  BenchRobot bench(sensor("read = \"digital\"\n"));
-  bench.board.edges_wanted = true;
-  bench.tick();
-  place_beside_line(bench, 0.03);
-  bench.ticks(2);
-  using Edge = FakeBoard::Edge;
-  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(Edge{kA0, true, kTick}, Edge{kA0, false, 2 * kTick}));
-}
-
-TEST(DigitalReflectance, AnInterruptAttachedOverBlackMeetsNoEdgeUntilTheLineEnds) {
-  BenchRobot bench(sensor("read = \"digital\"\n"));
-  bench.ticks(3);
-  bench.board.want_edges(kA0, bench.now);
-  bench.ticks(3);
-  EXPECT_THAT(bench.board.edges, ::testing::IsEmpty());
-  place_beside_line(bench, 0.03);
-  bench.tick();
-  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, bench.now}));
-}
-
-TEST(DigitalReflectance, AnInterruptAttachedAgainMeetsNoEdgeOfTheTimeBetween) {
-  BenchRobot bench(sensor("read = \"digital\"\n"));
-  bench.board.want_edges(kA0, bench.now);
-  bench.tick();
-  bench.board.edges_wanted = false;
-  place_beside_line(bench, 0.03);
-  bench.ticks(3);
-  bench.board.want_edges(kA0, bench.now);
-  bench.ticks(3);
-  EXPECT_THAT(bench.board.edges, ::testing::IsEmpty());
-}
-
-class RcReflectance : public ::testing::Test {
- protected:
-  static std::string keys() {
-    return sensor("read = \"rc\"\nwhite_time = \"200 us\"\nblack_time = \"2500 us\"\n");
-  }
-  // Charges for `charge` and releases the pin; the time until it reads low, exact.
-  static SimTime time_discharge(BenchRobot& bench, SimTime charge = 10 * kMicrosecond) {
-    const SimTime begin = bench.now;
-    bench.board.output(kA0, true, begin);
-    bench.board.input(kA0, false, begin + charge);
-    SimTime low = 0, high = 4 * kMillisecond;
-    while (high - low > 1) {
-      const SimTime middle = (low + high) / 2;
-      (bench.board.read_level(kA0, begin + charge + middle) ? low : high) = middle;
-    }
-    return high;
-  }
-};
-
-TEST_F(RcReflectance, TakesBlackTimeOverBlackAndWhiteTimeOverWhite) {
-  BenchRobot bench(keys());
-  EXPECT_EQ(time_discharge(bench), 2500 * kMicrosecond);
-  place_beside_line(bench, 0.03);
-  bench.ticks(5);
-  EXPECT_EQ(time_discharge(bench), 200 * kMicrosecond);
-}
-
-TEST_F(RcReflectance, HalfwayTheDischargeRatesAverage) {
-  BenchRobot bench(keys());
-  place_beside_line(bench, 0.010);
-  const double expected = 1.0 / (0.5 / 2500e3 + 0.5 / 200e3);
-  EXPECT_NEAR(static_cast<double>(time_discharge(bench)), expected, 2.0);
-}
-
-TEST_F(RcReflectance, AHalfChargedCapacitorIsLowAtOnce) {
-  BenchRobot bench(keys());
-  EXPECT_EQ(time_discharge(bench, 5 * kMicrosecond), 1);
-}
-
-TEST_F(RcReflectance, ThreeQuartersOfTheChargeLastHalfTheTime) {
-  BenchRobot bench(keys());
-  EXPECT_NEAR(static_cast<double>(time_discharge(bench, 7500)), 1250e3, 2.0);
-}
-
-TEST_F(RcReflectance, ReadsHighWhileItIsChargedAndLowBefore) {
-  BenchRobot bench(keys());
-  EXPECT_FALSE(bench.level(kA0));
-  bench.board.output(kA0, true, 0);
-  EXPECT_TRUE(bench.board.read_level(kA0, 5 * kMicrosecond));
-}
-
-TEST_F(RcReflectance, ItsFallIsAnEdgeInTheTickInWhichItHappens) {
-  BenchRobot bench(keys());
-  bench.board.edges_wanted = true;
-  bench.board.output(kA0, true, 0);
-  bench.board.input(kA0, false, 10 * kMicrosecond);
-  EXPECT_TRUE(bench.board.edges.empty()) << "it falls two ticks later";
-  bench.ticks(3);
-  EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, 2510 * kMicrosecond}));
-}
-
 TEST(ReflectanceFaults, StuckDeadOffsetAndOk) {
-  BenchRobot bench(sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
+  BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
   place_beside_line(bench, 0.03);
   const auto with = [&](const char* kind, std::vector<std::string> arguments) {
     bench.robot.fault("eye", kind, arguments);
@@ -353,7 +222,7 @@ TEST(ReflectanceFaults, StuckDeadOffsetAndOk) {
 }
 
 TEST(ReflectanceFaults, NoisyComesOnTopEvenInTheIdealProfile) {
-  BenchRobot bench(sensor("noise = 0.0\n"));
+  BenchRobot bench(reflectance_sensor("noise = 0.0\n"));
   place_beside_line(bench, 0.010);
   const double quiet = bench.volts(kA0);
   bench.robot.fault("eye", "noisy", {"0.1"});
@@ -363,7 +232,7 @@ TEST(ReflectanceFaults, NoisyComesOnTopEvenInTheIdealProfile) {
 }
 
 TEST(ReflectanceFaults, SwappedSensorsSeeEachOthersFloor) {
-  BenchRobot bench(sensor("") +
+  BenchRobot bench(reflectance_sensor("") +
                    "[[part]]\nname = \"side\"\ntype = \"reflectance\"\npin = \"A1\"\n"
                    "at = [\"0 mm\", \"40 mm\"]\n");
   const double black = bench.volts(kA0), white = bench.volts(kA0 + 1);
@@ -377,7 +246,7 @@ TEST(ReflectanceFaults, ASwapEndsForBothWithTheNextFaultOfEither) {
     return std::string("[[part]]\nname = \"") + name + "\"\ntype = \"reflectance\"\npin = \"" + pin +
            "\"\nat = [\"0 mm\", \"" + y + "\"]\n";
   };
-  BenchRobot bench(sensor("") + other("side", "A1", "40 mm") + other("edge", "A2", "10 mm"));
+  BenchRobot bench(reflectance_sensor("") + other("side", "A1", "40 mm") + other("edge", "A2", "10 mm"));
   const double black = bench.volts(kA0), white = bench.volts(kA0 + 1), grey = bench.volts(kA0 + 2);
   const auto sees = [&](double a0, double a1, double a2) {
     EXPECT_EQ(bench.volts(kA0), a0);
@@ -395,7 +264,7 @@ TEST(ReflectanceFaults, ASwapEndsForBothWithTheNextFaultOfEither) {
 }
 
 TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
-  BenchRobot bench(sensor(""));
+  BenchRobot bench(reflectance_sensor(""));
   const auto message = [&](const char* part, const char* kind, std::vector<std::string> arguments) {
     try {
       bench.robot.read_fault(part, kind, arguments);
@@ -417,7 +286,7 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
 
 TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {
   for (const std::string map : {"", "+++\npaint = \"white on black\"\n+++\n"}) {
-    const Description description = parse_description(kBareRobot + sensor(""), "bench.toml");
+    const Description description = parse_description(kBareRobot + reflectance_sensor(""), "bench.toml");
     BenchRobot seeks(description, Profile::typical, 3, map), never(description, Profile::typical, 3, map);
     const auto shown = [](BenchRobot& bench) { return bench.robot.readings().front().value; };
     for (const double aside : {0.0, 0.009, 0.011, 0.013, 0.03}) {
@@ -430,7 +299,7 @@ TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {
 }
 
 TEST(Reflectance, InTheAirASensorSeesBlackAndNoLine) {
-  BenchRobot bench(sensor(""));
+  BenchRobot bench(reflectance_sensor(""));
   const double on_line = bench.volts(kA0);
   EXPECT_TRUE(bench.robot.sees_line());
   place_beside_line(bench, 0.03);
@@ -442,7 +311,7 @@ TEST(Reflectance, InTheAirASensorSeesBlackAndNoLine) {
 }
 
 TEST(Reflectance, ACoveredSensorSeesBlack) {
-  BenchRobot bench(sensor(""));
+  BenchRobot bench(reflectance_sensor(""));
   place_beside_line(bench, 0.03);
   const double white = bench.volts(kA0);
   bench.robot.cover("eye", true);
@@ -453,7 +322,7 @@ TEST(Reflectance, ACoveredSensorSeesBlack) {
 }
 
 TEST(Reflectance, TheRobotKnowsWhetherItSeesTheLine) {
-  BenchRobot bench(sensor(""));
+  BenchRobot bench(reflectance_sensor(""));
   EXPECT_TRUE(bench.robot.has_line_sensors());
   EXPECT_TRUE(bench.robot.sees_line());
   place_beside_line(bench, 0.03);
@@ -465,7 +334,8 @@ TEST(Reflectance, TheRobotKnowsWhetherItSeesTheLine) {
 constexpr const char* kLamp = "+++\n[[light]]\nlevel = 0.25\n+++\n";
 
 BenchRobot lit_bench(const std::string& keys) {
-  return BenchRobot(parse_description(kBareRobot + sensor(keys), "bench.toml"), Profile::ideal, 1, kLamp);
+  return BenchRobot(parse_description(kBareRobot + reflectance_sensor(keys), "bench.toml"), Profile::ideal, 1,
+                    kLamp);
 }
 
 TEST(RoomLight, MakesAllWhiterAndAHigherSensorMore) {
@@ -484,7 +354,8 @@ TEST(RoomLight, DoesNotReachACoveredSensor) {
 }
 
 TEST(Rise, IsTheTimeFromTenToNinetyPercentBehindAnEmitterThatIsSwitched) {
-  BenchRobot bench(sensor("emitter = 3\nrise = \"100 us\"\nwhite_volts = \"0 V\"\nblack_volts = \"5 V\"\n"));
+  BenchRobot bench(
+      reflectance_sensor("emitter = 3\nrise = \"100 us\"\nwhite_volts = \"0 V\"\nblack_volts = \"5 V\"\n"));
   place_beside_line(bench, 0.03);
   EXPECT_NEAR(bench.volts(kA0), 0.0, 1e-9);
   bench.board.output(3, false, 0);
@@ -499,7 +370,7 @@ TEST(Rise, KeepsASensorBehindTheFloorThatItMovesOver) {
   const std::string motors =
       "[[part]]\nname = \"left\"\ntype = \"motor\"\npins = { in1 = 5, in2 = 6 }\n"
       "[[part]]\nname = \"right\"\ntype = \"motor\"\npins = { in1 = 9, in2 = 10 }\n";
-  BenchRobot quick(sensor("") + motors), slow(sensor("rise = \"1 ms\"\n") + motors);
+  BenchRobot quick(reflectance_sensor("") + motors), slow(reflectance_sensor("rise = \"1 ms\"\n") + motors);
   for (BenchRobot* bench : {&quick, &slow}) {
     bench->body().place({bench->line() + Vec2{0.0, -0.025}, {0.0, 1.0}});
     bench->board.output(5, true, 0);
