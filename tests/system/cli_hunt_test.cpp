@@ -142,6 +142,37 @@ TEST_F(CliHunt, TellsOfARobotThatDoesNotDriveWhateverIsDoneToIt) {
   EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("in none of them the robot drove")));
 }
 
+TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
+  folder_.write("Tries/Tries.ino",
+                "#include <LineKit.h>\n"
+                "const uint8_t PINS[] = {A0, A1, A2, A3, A4};\n"
+                "AnalogLineSensors sensors(PINS);\n"
+                "DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));\n"
+                "int side = 1;\n"
+                "void setup() { sensors.begin(); sensors.setRange(110, 880); motors.begin(); }\n"
+                "void loop() {\n"
+                "  sensors.read();\n"
+                "  const int off = sensors.position();\n"
+                "  if (off > 500) side = 1;\n"
+                "  if (off < -500) side = -1;\n"
+                "  if (sensors.seesLine()) motors.drive(80 + off / 20, 80 - off / 20);\n"
+                "  else motors.drive(side * 75, side * -75);\n"  // where a line ends it turns round
+                "  delay(5);\n"
+                "}\n");
+  const char* const kSays =
+      "it comes to its goal on a, and not on most floors like it: how it drives there is no finding; "
+      "--map a makes it one\n";
+  const std::vector<std::string> hunt = {"hunt", "./Tries", "--runs", "96", "--target", "host"};
+  const Ended guessed = command(hunt);
+  EXPECT_EQ(guessed.status, 0) << guessed.out;
+  EXPECT_THAT(guessed.out, HasSubstr(kSays));
+  std::vector<std::string> asked = hunt;
+  asked.insert(asked.end(), {"--map", "a", "--out", "asked"});
+  const Ended told = command(asked);
+  EXPECT_EQ(told.status, 1) << told.out;
+  EXPECT_THAT(told.out, AllOf(HasSubstr("a drawn map"), Not(HasSubstr(kSays))));
+}
+
 TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
   sketch(kCrashesWhenPressed);
   const Ended whole = hunt({"--out", "found"}, "40");

@@ -45,6 +45,7 @@ class Hunt {
   bool make_round();
   bool feel();
   bool hear();
+  bool tour();
   std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result,
                               const std::vector<Symptom>& found, const std::vector<std::string>& ran);
   void count(const HuntWorld& world, const HuntRow& row);

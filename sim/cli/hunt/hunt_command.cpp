@@ -73,6 +73,12 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
   text += hunt.remark();
   for (const std::string& map : hunt.plain().reached() ? bench.left_maps() : std::vector<std::string>{})
     text += fmt::format("not on {0}, where it did not come to its goal: --map {0} hunts there\n", map);
+  for (const HuntSpace::Map& map : bench.space().maps)
+    if (!map.tours)
+      text += fmt::format(
+          "it comes to its goal on {0}, and not on most floors like it: how it drives there is no finding; "
+          "--map {0} makes it one\n",
+          map.name);
   if (bench.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),
                         bench.refused() == 1 ? "" : "s", bench.refusal());

@@ -88,7 +88,7 @@ double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& p
 }
 
 bool tells_behaviour(const HuntWorld& world, const HuntSpace& space) {
-  return !space.builds[world.build].checked &&
+  return !space.builds[world.build].checked && (!world.network || space.maps[world.map].tours) &&
          std::none_of(world.deeds.begin(), world.deeds.end(), [](const Deed& deed) {
            return deed.kind == kPowerOff || deed.kind == kHeld || deed.kind == kTwisted;
          });

@@ -46,8 +46,9 @@ struct Symptom {
 /// In simulated seconds: a robot as fast as it is in the plain world would long be there. 0 = nobody knows.
 double patience_s(const HuntWorld& world, const HuntSpace& space, const Plain& plain);
 
-/// Checks change a sketch's timing, who is switched off begins anew wherever it is, and who was held or
-/// twisted may be anywhere: how the robot behaves then says nothing of the sketch.
+/// Checks change a sketch's timing, who is switched off begins anew wherever it is, who was held or twisted
+/// may be anywhere, and who tours one floor by luck tours no others: how the robot behaves then says nothing
+/// of the sketch.
 bool tells_behaviour(const HuntWorld& world, const HuntSpace& space);
 
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld& world,

@@ -16,7 +16,7 @@ namespace {
 using worlds::Die;
 using worlds::Fault;
 
-constexpr int kMostSquares = 4, kMostPieces = 10, kFewPieces = 3, kMostFaults = 2;
+constexpr int kMostSquares = 4, kMostPieces = 10, kUsualPieces = 5, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
 constexpr int kHeldFor_ms = 300, kAfterHeld_ms = 4'000;  // a button at power-on
 constexpr int kLongBefore_ms = 40'000, kBehindDeed_ms = 4'000;
@@ -31,6 +31,10 @@ int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
 
+worlds::LineNetwork network_like(const HuntSpace::Map& map, int pieces, const Die& die) {
+  return worlds::grow({pieces, 3, 4, map.cycles, 0}, die);
+}
+
 void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most_pieces = kMostPieces) {
   world.track.reset();
   world.network.reset();
@@ -38,7 +42,7 @@ void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most
   const HuntSpace::Map& like = space.maps[world.map];
   if (!space.draws_maps || chance(die, 40)) return;
   if (like.tracks) world.track = worlds::lay_out({1 + die(kMostSquares), apart(like), 0}, die);
-  if (like.networks) world.network = worlds::grow({1 + die(most_pieces), 3, 4, like.cycles, 0}, die);
+  if (like.networks) world.network = network_like(like, 1 + die(most_pieces), die);
 }
 
 /// Many sketches look at their buttons when they are switched on; it is long over when the robot is to go.
@@ -229,6 +233,19 @@ std::vector<HuntWorld> draw_round(const HuntSpace& space, const std::vector<Note
   std::vector<HuntWorld> worlds;
   for (const std::uint64_t run : runs) worlds.push_back(draw_world(space, noted, seed, run));
   if (runs.size() == kRound) draw_family(worlds, space, noted, seed, runs);
+  return worlds;
+}
+
+std::vector<HuntWorld> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
+                                     std::size_t count) {
+  std::vector<HuntWorld> worlds(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Dice dice(seed, "network", i);
+    worlds[i].build = space.host_twin.value_or(0);
+    worlds[i].map = map;
+    worlds[i].network = network_like(space.maps[map], kUsualPieces, std::ref(dice));
+    worlds[i].deeds = space.opening;
+  }
   return worlds;
 }
 

@@ -86,6 +86,7 @@ struct HuntSpace {
     int cycles = 0;                         ///< of its network, roughly
     double cell_mm = 100.0, corner_mm = 0.0;
     std::vector<grid::CellAt> line = {};  ///< its cells with line, but for the start
+    bool tours = true;                    ///< the sketch comes to its goal on others like it, too
   };
   std::vector<Build> builds;
   std::optional<std::size_t> host_twin;  ///< the build that chips are held against, the last one
@@ -134,6 +135,10 @@ struct Noted {
 std::vector<HuntWorld> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                   const std::vector<std::uint64_t>& runs);
 inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< worlds
+
+/// So many, in which nothing is done to it, each on another network that is like the map.
+std::vector<HuntWorld> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
+                                     std::size_t count);
 
 /// Simpler by a step; those that are simpler by far come first. Ends after finitely many steps.
 std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space);

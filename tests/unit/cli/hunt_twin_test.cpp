@@ -283,6 +283,17 @@ TEST(HuntSymptom, IsNotHowARobotBehavesWhoseWheelWasHeld) {
   EXPECT_TRUE(tells_behaviour(world, space));
 }
 
+TEST(HuntSymptom, IsNotHowARobotBehavesOnNetworksWhichItIsNotFor) {
+  HuntSpace space = space_of_a_talker();
+  space.maps.front().tours = false;
+  HuntWorld world;
+  EXPECT_TRUE(tells_behaviour(world, space));
+  world.network.emplace();
+  EXPECT_FALSE(tells_behaviour(world, space));
+  space.maps.front().tours = true;
+  EXPECT_TRUE(tells_behaviour(world, space));
+}
+
 TEST(HuntTwin, PartsWhereOnlyOneDrives) {
   EXPECT_EQ(apart(sent("", 4.0), sent("", 0.0)), "drives; stands");
   EXPECT_EQ(apart(sent("", 4.0), sent("", 1.0)), "");
