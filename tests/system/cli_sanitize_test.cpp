@@ -232,5 +232,20 @@ TEST(CliSanitize, TellsWhichDeadlineBreaksWhenMillisGoesBackToZero) {
   EXPECT_TRUE(prints.empty()) << prints;
 }
 
+TEST(CliSanitize, BlamesNoSketchForAWrapThatAnyOtherMicrosecondTurnsAside) {
+  if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
+  const nlohmann::json seconds = detected_in(
+      "  while (millis() - begin < 700) {}\n  for (int i = 0; i < 40; i++) Serial.println(millis() / 1000);");
+  EXPECT_TRUE(seconds.empty()) << seconds;
+  // How long it takes to make a float of it depends on how large it is.
+  const nlohmann::json by_count = detected_in(
+      "  unsigned n = 0;\n  while (millis() - begin < 700) { volatile float f = millis(); n++; }\n"
+      "  if (n % 2) delay(300);");
+  EXPECT_TRUE(by_count.empty()) << by_count;
+  const nlohmann::json seen = detected_in("  while (millis() < end) {}\n  Serial.println(millis() / 1000);");
+  ASSERT_EQ(seen.size(), 1u) << seen;
+  EXPECT_EQ(seen[0]["detector"], "clock_wrap");
+}
+
 }  // namespace
 }  // namespace robosim::test

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -27,6 +28,11 @@ constexpr std::int64_t kMillisWrap = (std::int64_t{1} << 32) * kMillisecond;
 constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
 // So much lower a clock does not go back to 0 in the run, nor micros(), and millis() % 1000 is the same.
 constexpr std::int64_t kLower = 2000 * kSecond;
+// What a clock passes at other times, and goes on: one digit more and one bit more, of the seconds, too.
+struct Step {
+  std::int64_t to, beside;  ///< a clock that stands so much higher or lower passes none
+};
+constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
 constexpr std::size_t kMostMoments = 6;
 constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
@@ -93,25 +99,40 @@ bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
 }
 
-/// Whether it has sent what millis() or micros() gave: ten digits that are one behind 0, so that all that
-/// waits for the serial port then takes less.
+/// Whether it has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds or minutes, and
+/// so much with it that it may wait for the serial port: behind 0 that number has one digit, and takes less.
 bool prints_clock(const Look& look, std::int64_t clock) {
+  constexpr std::int64_t kUnits[] = {1000,    kMillisecond, 10 * kMillisecond, 100 * kMillisecond,
+                                     kSecond, 60 * kSecond};
+  constexpr std::size_t kFewest = 5, kMostDigits = 10;
+  constexpr double kBuffer = 64.0;  // bytes
+  if (static_cast<double>(look.result.serial.size()) < kBuffer * look.result.time_s) return false;
   const auto lasted = static_cast<std::int64_t>(look.result.time_s * 1e9);
   const auto is_of = [&](std::uint64_t number, std::int64_t unit) {
     const auto since = static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(clock / unit);
-    return static_cast<std::int64_t>(since) * unit <= lasted;
+    return static_cast<std::int64_t>(since) * unit <= lasted + unit;
   };
   const std::string& text = look.result.serial;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
-    if (end - at == 10) {
-      const std::uint64_t number = std::strtoull(text.substr(at, 10).c_str(), nullptr, 10);
-      if (is_of(number, kMillisecond) || is_of(number, 1000)) return true;
+    if (end - at >= kFewest && end - at <= kMostDigits) {
+      const std::uint64_t number = std::strtoull(text.substr(at, end - at).c_str(), nullptr, 10);
+      if (std::any_of(std::begin(kUnits), std::end(kUnits), [&](auto unit) { return is_of(number, unit); }))
+        return true;
     }
     at = std::max(end, at + 1);
   }
   return false;
+}
+
+/// Whether it does something else as soon as its clock has a digit or a bit more: what takes a microsecond
+/// longer is enough for that, and what it does when its clock goes back to 0 says nothing.
+bool is_touchy(client::Runner& runner, const wire::RunRequest& request, std::int64_t moment) {
+  return std::any_of(std::begin(kSteps), std::end(kSteps), [&](const Step& step) {
+    const std::int64_t clock = step.to - moment;
+    return differ(run(runner, request, clock), run(runner, request, clock + step.beside), moment);
+  });
 }
 
 /// Shortly after the sketch has driven a pin, before it drives none for long: there it may wait.
@@ -180,6 +201,7 @@ std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunReques
     if (!differ(wrapped, some, moment)) continue;
     const Look usual = run(runner, request, clock - kLower);
     if (!differ(wrapped, usual, moment)) continue;
+    if (is_touchy(runner, request, moment)) return {};
     const Look micros = run(runner, request, kMicrosWrap - moment);
     const bool by_micros = differ(micros, run(runner, request, kMicrosWrap - moment - kLower), moment);
     if (client::Interrupts::count() > 0) return {};

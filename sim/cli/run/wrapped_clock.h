@@ -9,12 +9,13 @@
 // So the run is made again with a clock that goes back to 0 on the way, and once more with one that stands
 // nearly as high and does not. Where these two differ from there on (another verdict, another way in the next
 // 2 s, a pin that changes no more), the sketch is not made for it. Which line ran far more often, or no more,
-// is found by counting lines.
+// is found by counting lines. A robot that parts by a microsecond more or less does so whenever its clock has
+// a digit or a bit more, too; of such a sketch nothing is told.
 //
 // The moments that are tried are the middle of the run, and those at which the sketch has just driven a pin
 // and then drives none for long, as while it waits. What it cannot see: deadlines that are pending at none of
-// them; variables of 16 bits; sketches that look at how long they have been on, or print their clock, whose
-// digits are fewer from there on.
+// them; variables of 16 bits; sketches that look at how long they have been on, or send their clock (in
+// microseconds to minutes) among 64 bytes and more each second: its digits are fewer from there on.
 //
 // Mended by comparing durations, which are right across 0: millis() - start >= 50, both `unsigned long`.
 #pragma once
