@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/base/wall_clock.h"
-#include "sim/cli/hunt/deeds.h"
 #include "sim/cli/hunt/twin.h"
 
 namespace robosim::cli {
