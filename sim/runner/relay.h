@@ -35,7 +35,7 @@ class Relay {
   /// (ImageContent::sealed(), in ascending order), and no others.
   void enter(const std::vector<int>& kept);
   /// Nothing new from the system for this process, ever (sim/exec/host/confinement.h), if that can be had.
-  void confine() const;
+  void confine(bool has_grown) const;
   /// A line for the client, now.
   void tell(const std::string& line) const;
   /// The line that ends the run.

@@ -21,6 +21,17 @@ std::int64_t processor_ns(pid_t process) {
 
 }  // namespace
 
+RunWatch::State& RunWatch::state() {
+  static const Shared<State> shared;
+  return *shared.get();
+}
+
+RunWatch::RunWatch() : state_(state()) {
+  state_.reached = kNotBegun;
+  state_.acting = 0;
+  state_.waits = false;
+}
+
 void RunWatch::follow(pid_t run) {
   run_ = run;
   heard();
@@ -29,9 +40,9 @@ void RunWatch::follow(pid_t run) {
 void RunWatch::heard() { wall_us_ = wall_us(); }
 
 RunWatch::Found RunWatch::look() {
-  const SimTime reached = shared_->reached.load(std::memory_order_relaxed);
+  const SimTime reached = state_.reached.load(std::memory_order_relaxed);
   const std::int64_t processor = processor_ns(run_);
-  const int acting = shared_->acting.load(std::memory_order_relaxed);
+  const int acting = state_.acting.load(std::memory_order_relaxed);
   if (reached != seen_ || acting != seen_acting_ || reached == kNotBegun) {
     seen_ = reached;
     seen_acting_ = acting;
@@ -43,7 +54,7 @@ RunWatch::Found RunWatch::look() {
   constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
   const std::int64_t silent_us = wall_us() - wall_us_;
   // Whether it is stopped takes a file to be read: that is asked of long silences alone.
-  if (shared_->waits || (silent_us >= kLongest_us / 2 && is_stopped())) heard();
+  if (state_.waits || (silent_us >= kLongest_us / 2 && is_stopped())) heard();
   return wall_us() - wall_us_ >= kLongest_us ? Found::sleeps : Found::nothing;
 }
 

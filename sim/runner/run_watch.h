@@ -18,16 +18,19 @@ namespace robosim::runner {
 constexpr int kLongestTick_s = 5;    ///< of processor time
 constexpr int kLongestSleep_s = 30;  ///< of wall time
 
-/// Its constructor throws std::system_error.
+/// One at a time: what it shares with a run's process has been shared with those before, which have ended.
 class RunWatch {
  public:
+  /// Throws std::system_error.
+  RunWatch();
+
   // In the run's process.
 
   /// Is told how far the run has come.
-  std::atomic<SimTime>& reached() { return shared_->reached; }
+  std::atomic<SimTime>& reached() { return state_.reached; }
   /// And whose firmware runs.
-  std::atomic<int>& acting() { return shared_->acting; }
-  void wait_for_client(bool waits) { shared_->waits = waits; }
+  std::atomic<int>& acting() { return state_.acting; }
+  void wait_for_client(bool waits) { state_.waits = waits; }
 
   // In its parent.
 
@@ -45,9 +48,10 @@ class RunWatch {
     std::atomic<int> acting{0};
     std::atomic<bool> waits{false};
   };
+  static State& state();
   bool is_stopped() const;
 
-  Shared<State> shared_;
+  State& state_;
   pid_t run_ = -1;
   SimTime seen_ = kNotBegun;
   int seen_acting_ = 0;

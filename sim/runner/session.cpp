@@ -168,7 +168,9 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
                 return relay->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
-    if (exec::why_not_confined().empty()) relay->confine();
+    // The chips of a fleet have been made since the fork, and a map that was not read ahead.
+    const bool has_grown = !request.agents.empty() || !ahead.map;
+    if (exec::why_not_confined().empty()) relay->confine(has_grown);
   }
   if (request.ways) return go_all_ways(run, request, relay ? std::function<void()>() : start_watchdog);
   wire::RunResult result = run.go();

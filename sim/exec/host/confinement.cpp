@@ -36,6 +36,7 @@ constexpr rlim_t kConfinedImage = 64 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
+rlim_t memory_when_prepared = 0;
 
 /// Of one process, on memory that it has.
 constexpr const char* kHarmless[] = {
@@ -49,6 +50,8 @@ class Filter {
  public:
   Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
     if (!filter_) throw std::runtime_error("no filter of system calls");
+    // A tree: whenever a process takes it, the kernel goes through it for each call that there is.
+    ::seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);
   }
 
   /// Calls that this machine does not know are left out.
@@ -129,13 +132,13 @@ void set_limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(what), &limit);
 }
 
-/// As RLIMIT_DATA counts it, in bytes.
-rlim_t memory_in_use() {
-  // Without a stream, whose first use in a process takes longer than all the rest. Of this process, and now:
-  // the chips of a fleet have been made since it was forked.
-  const Descriptor file(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC));
+Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)); }
+
+/// As RLIMIT_DATA counts it, in bytes, of the process that has opened `statm`.
+rlim_t memory_in_use(const Descriptor& statm) {
+  // Without a stream, whose first use in a process takes longer than all the rest.
   char text[256];
-  const ssize_t bytes = file.is_open() ? ::read(file.get(), text, sizeof text - 1) : 0;
+  const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
   if (bytes <= 0) return 0;
   text[bytes] = '\0';
   char* field = text;
@@ -223,9 +226,9 @@ std::string_view subject_of(std::string_view call) {
 std::string what_kernel_lacks() {
   if (!kKnownMachine) return "on this kind of processor it is not written yet";
   // Support means that the filter's address, which is none, is looked at.
-  if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) == 0 || errno != EFAULT)
-    return "the kernel has no filter of system calls (seccomp)";
-  return "";
+  static const bool has_filter =
+      ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
+  return has_filter ? "" : "the kernel has no filter of system calls (seccomp)";
 }
 
 std::string why_not_confined() {
@@ -237,8 +240,8 @@ std::string why_not_confined() {
   return what_kernel_lacks();
 }
 
-void confine(const CallKey& key) {
-  set_limit(RLIMIT_DATA, kConfinedMemory + memory_in_use());
+void confine(const CallKey& key, bool has_grown) {
+  set_limit(RLIMIT_DATA, kConfinedMemory + (has_grown ? memory_in_use(open_statm()) : memory_when_prepared));
   std::set_new_handler([] { ::_exit(kNoMemoryStatus); });
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_FSIZE, kConfinedImage);
@@ -261,6 +264,8 @@ void confine(const CallKey& key) {
 
 void prepare_to_confine() {
   ensure_signal_stack();
+  static const Descriptor statm = open_statm();
+  memory_when_prepared = memory_in_use(statm);
   // What libfmt binds at its first use each process would look for anew, in all libraries: memchr(), for one,
   // which it asks about texts of 32 bytes and more.
   static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);

@@ -31,8 +31,10 @@ std::string why_not_confined();
 
 /// From here on, for ever: no new file, socket or process, no signal to others, no program; at most
 /// kConfinedMemory. What else it asks for raises SIGSYS. Throws std::runtime_error if that cannot be.
-void confine(const CallKey& key);
-/// What is the same for all processes: done once before they are forked, it saves each a millisecond.
+/// `has_grown`: whether it may have taken much memory since prepare_to_confine(). To ask for that takes a
+/// process that is new as long as it takes all the rest of this.
+void confine(const CallKey& key, bool has_grown);
+/// Before each process is forked: what is the same for all is done once, and saves each a millisecond.
 void prepare_to_confine();
 constexpr std::uint64_t kConfinedMemory = 512
                                           << 20;  ///< more bytes of variables, heap and stacks than it has
