@@ -60,7 +60,7 @@ Deed pressing(const HuntSpace& space, const Die& die) {
 Deed holding(const HuntSpace& space, const Die& die) {
   const std::string& motor = pick(die, space.parts.motors);
   if (chance(die, 30)) return {0, fmt::format("fault {} stuck for {}ms", motor, 200 + die(600)), kHeld};
-  return {0, fmt::format("fault {} reversed for {}ms", motor, 200 + die(300)), kTwisted};
+  return {0, fmt::format("fault {} reversed for {}ms", motor, 200 + die(600)), kTwisted};
 }
 
 Deed switching_off(const Die& die) {

@@ -274,6 +274,23 @@ TEST(HuntDeeds, BeginBehindLinesOfTheSketchTheLastOfThemLast) {
   EXPECT_EQ(beginnings_of("ready"), std::vector<std::string>{"ready"});
 }
 
+TEST(HuntDeeds, TwistARobotSoFarThatItHasToLookForItsLine) {
+  HuntSpace space = space_of_a_talker();
+  space.parts.motors = {"left"};
+  int far = 0;
+  for (std::uint64_t run = 0; run < 500; ++run) {
+    const HuntWorld world = draw_round(space, {}, 1, {run}).front();
+    for (const Deed& deed : world.deeds) {
+      if (deed.kind != kTwisted) continue;
+      const int ms = std::stoi(deed.what.substr(deed.what.rfind(' ') + 1));
+      EXPECT_GE(ms, 200);
+      EXPECT_LT(ms, 800);
+      if (ms > 500) ++far;
+    }
+  }
+  EXPECT_GT(far, 2);
+}
+
 TEST(HuntSymptom, IsNotHowARobotBehavesWhoseWheelWasHeld) {
   const HuntSpace space = space_of_a_talker();
   HuntWorld world;
