@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hal/board/board_spec.h"
+
 namespace robosim::judge {
 
 std::string waiting_call(const exec::Activity& activity) {

@@ -43,6 +43,7 @@ TEST_F(CliHunt, FindsWhatAButtonBringsAboutAndLeavesTheSmallestRunThatShowsIt) {
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("in loop, Tries.ino:5."),
                                HasSubstr("oval; it needs press start\n"), Not(HasSubstr("finding 2"))));
+  EXPECT_THAT(ended.err, HasSubstr("in loop, Tries.ino:5. Looking for the smallest world"));
   for (const char* file : {"hunt-Tries/1/run.html", "hunt-Tries/1/script.txt", "hunt-Tries/checks.toml"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
 

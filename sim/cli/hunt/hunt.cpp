@@ -77,6 +77,7 @@ bool Hunt::is_known(const HuntFinding& finding, HuntRow& row) const {
 bool Hunt::add(HuntFinding finding, HuntRow& row) {
   if (is_known(finding, row)) return true;
   if (has_enough_of(finding.symptom)) return true;
+  listener_.seen(finding.symptom, row.run);
   if (!shrink(finding)) return false;
   // As small as it is now it may be one that is known.
   if (is_known(finding, row)) return true;

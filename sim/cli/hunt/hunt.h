@@ -18,6 +18,8 @@ namespace robosim::cli {
 /// Who hears of it while it goes on.
 struct HuntListener {
   std::function<void(const std::string& sentence)> progress;
+  /// It was not seen before; whether it is a finding its smallest world says, which is looked for now.
+  std::function<void(const Symptom& symptom, std::uint64_t run)> seen;
   std::function<void(const HuntFinding& finding, std::size_t number)> found;
 };
 

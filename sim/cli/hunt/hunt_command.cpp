@@ -118,6 +118,11 @@ int hunt_command(const HuntArguments& arguments) {
   HuntLog log(out, bench.fingerprint(), part_of(arguments), arguments.resume);
   Hunt hunt(bench, arguments, out, log,
             {[&](const std::string& sentence) { progress.update(sentence); },
+             [&](const Symptom& symptom, std::uint64_t run) {
+               progress.clear();
+               complain(fmt::format("robosim: run {}: {} Looking for the smallest world that shows it\n",
+                                    run + 1, symptom.sentence));
+             },
              [&](const HuntFinding& finding, std::size_t number) {
                progress.clear();
                print(hunt_text(finding, number, out) + "\n");
