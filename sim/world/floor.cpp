@@ -231,37 +231,25 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// The distance to the nearest stripe of those that are looked up in the point's cell. What is found holds in
-// that cell alone; or, where nobody minds what is farther than `reach` away, as far beyond its borders as
-// other stripes are surely farther than that: those are stripes_reach_ from the cell.
+// What is found holds in the point's cell; or, where nobody minds what is farther than `reach` away, as far
+// beyond its borders as stripes that are not looked up there are surely farther than that: those are
+// stripes_reach_ from the cell. But beyond the map there are none.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
-  constexpr double kRounding = 1e-9, kFar = 1e9;  // m: more than what distances are rounded by; and than any
-  found = {p};
+  constexpr double kRounding = 1e-9;  // m
+  found = {};
   int column, row;
   double x, y;
   if (!locate(p, column, row, x, y)) return stripes_reach_;
-  double nearest = kFar, next = kFar;
-  for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
-    const grid::Stripe& stripe = stripes_->all()[i];
-    if (painted_only && !stripe.painted) continue;
-    const double away = grid::distance(stripe, p);
-    next = std::min(next, std::max(nearest, away));
-    if (!(away < nearest)) continue;
-    nearest = away;
-    found.number = i;
-  }
-  double room = 0.5 * (next - nearest);
-  if (!painted_only) room = std::min(room, stripes_reach_ - nearest);  // beyond, other cells are looked at
-  double border = 0.5 * cell_ - std::max(std::fabs(x), std::fabs(y));
   const bool is_at_edge = column == 0 || row == 0 || column == width_ - 1 || row == height_ - 1;
-  if (reach < stripes_reach_ && !is_at_edge) border += std::min(stripes_reach_ - reach, cell_);
-  const auto square = [&](double way) {
-    const double sure = std::max(std::min(way, border) - kRounding, 0.0);
-    return sure * sure;
-  };
-  found.room = square(room);
-  found.clear = square(nearest - reach);
-  return nearest;
+  const double beyond = reach < stripes_reach_ && !is_at_edge ? std::min(stripes_reach_ - reach, cell_) : 0.0;
+  const Vec2 centre = {(column + 0.5) * cell_, (row + 0.5) * cell_};
+  const double way = 0.5 * cell_ + beyond - kRounding;
+  return found.seek({stripes_->all(),
+                     stripes_->near({column, height_ - 1 - row}),
+                     {centre - Vec2{way, way}, centre + Vec2{way, way}},
+                     painted_only,
+                     reach},
+                    p);
 }
 
 double Floor::sought_coverage(Vec2 p, double footprint_m, NearStripe& found) const {

@@ -17,6 +17,7 @@
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
+#include "sim/world/near_stripe.h"
 #include "sim/world/painted_areas.h"
 #include "sim/world/painted_lines.h"
 #include "sim/world/painted_marks.h"
@@ -27,22 +28,6 @@ namespace robosim::world {
 /// The standard deviation of a floor's brightness, as a share of it, where a map does not say another. Of two
 /// floors that were measured one has 0.05, the other 0.15: docs/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
-
-/// Which stripe was nearest to a point of a floor where corners are round, and how far from there it surely
-/// still is: half of what the next one is farther away, and not far beyond the borders of its cell, for which
-/// stripes are looked up. So somebody who moves by less than that between two looks need not seek again. And
-/// how far from there no stripe comes near a footprint. Of lines as the map has them, which stay.
-struct NearStripe {
-  Vec2 at;             ///< where it was sought
-  double room = 0.0;   ///< the square of how far from there that holds, m2; 0 = it must be sought
-  double clear = 0.0;  ///< the same of no stripe being in reach of the footprint
-  std::uint32_t number = 0;
-
-  double square_to(Vec2 p) const {
-    const Vec2 moved = p - at;
-    return dot(moved, moved);
-  }
-};
 
 /// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
 /// map says `floor = "raster"`): each painted line cell is dark as a whole.
@@ -273,17 +258,16 @@ inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {
 
 inline double Floor::drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const {
   if (!stripes_ || !quads_.empty()) return drawn_coverage(p, footprint_m);
-  const double moved = last.square_to(p);
-  if (moved < last.clear) return 0.0;
-  if (!(moved < last.room)) return sought_coverage(p, footprint_m, last);
+  if (!last.holds(p)) return sought_coverage(p, footprint_m, last);
+  if (last.is_clear()) return 0.0;
   const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
-  return ramp(std::min(reach, grid::distance(stripes_->all()[last.number], p)), reach, footprint);
+  return ramp(std::min(reach, last.distance(stripes_->all(), p)), reach, footprint);
 }
 
 inline double Floor::distance_to_line(Vec2 p, NearStripe& last) const {
-  if (!(last.square_to(p) < last.room)) return sought_distance(p, last);
-  const double nearest = grid::distance(stripes_->all()[last.number], p);
-  return std::sqrt(nearest * nearest);
+  if (!last.holds(p)) return sought_distance(p, last);
+  const double nearest = last.distance(stripes_->all(), p);
+  return nearest < stripes_reach_ ? nearest : sought_distance(p, last);
 }
 
 inline double Floor::distance_to_line(Vec2 p) const {

@@ -1,0 +1,70 @@
+// What somebody who looks at a floor again and again knows of the lines near by, where corners are round:
+// most looks are then one subtraction. Of lines as the map has them, which stay.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "sim/base/vec.h"
+#include "sim/grid/stripes.h"
+
+namespace robosim::world {
+
+/// Part of a floor, its sides parallel to the map's; m.
+struct FloorBox {
+  Vec2 low, high;
+
+  /// Whether it is inside, not on a side. Nothing is where it is empty.
+  bool holds(Vec2 p) const { return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y; }
+  /// Keeps what is at most `way` away from p.
+  void keep(Vec2 p, double way);
+};
+
+/// Which stripe is nearest, as it was sought for one place, and in which box about that place the same holds.
+class NearStripe {
+ public:
+  /// Whether it is known there. Nowhere, before anything was sought.
+  bool holds(Vec2 p) const { return box_.holds(p); }
+  /// Where it holds: whether no stripe comes near the footprint for which it was sought.
+  bool is_clear() const { return kind_ == Kind::clear; }
+  /// m from the nearest stripe: where it holds, and it is not clear. The bits are grid::distance's.
+  double distance(std::span<const grid::Stripe> all, Vec2 p) const {
+    if (kind_ == Kind::level) return std::fabs(p.y - at_.y);
+    if (kind_ == Kind::upright) return std::fabs(p.x - at_.x);
+    if (kind_ == Kind::arc) return std::fabs(length(p - at_) - radius_);
+    return distance_of_two(all, p);
+  }
+
+  /// What counts in a part of the floor.
+  struct Around {
+    std::span<const grid::Stripe> all;
+    std::span<const std::uint32_t> near;  ///< those of them that can be nearest inside the box
+    FloorBox box;
+    bool painted_only;
+    double reach;  ///< m: nobody minds a stripe that is farther away
+  };
+  /// The distance from p, which is in the box, to the nearest stripe, m; kNoStripe if there is none.
+  double seek(const Around&, Vec2 p);
+  static constexpr double kNoStripe = 1e9;
+
+ private:
+  enum class Kind : std::uint8_t {
+    clear,
+    level,    // beside a segment along x: its ends do not matter
+    upright,  // along y
+    arc,      // within its quarter
+    two       // the nearest of these two, which may be one
+  };
+  double distance_of_two(std::span<const grid::Stripe> all, Vec2 p) const;
+  void beside(const grid::Stripe&, Vec2 p);
+
+  FloorBox box_;
+  Vec2 at_;              // on the segment; the arc's centre
+  double radius_ = 0.0;  // m
+  std::uint32_t first_ = 0, second_ = 0;
+  Kind kind_ = Kind::two;
+};
+
+}  // namespace robosim::world
