@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/base/for_avx.h"
 #include "sim/world/step.h"
 #include "sim/world/walls.h"
 
@@ -208,7 +209,7 @@ void Body::spin() {
 }
 
 // The tick of a body that just rolls. False, and nothing is done, if it is another one.
-bool Body::roll_on(const Walls& walls) {
+ROBOSIM_FOR_AVX_TOO bool Body::roll_on(const Walls& walls) {
   if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
   Rolling<Pair> next;
   const Rolling<Pair> now = {pose_.position.x,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/base/for_avx.h"
 #include "sim/robot/parts/motor_driver.h"
 #include "sim/robot/parts/reflectance_rc.h"
 
@@ -261,6 +262,21 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       stream_(figures.stream),
       state_{.at = home_, .now = healthy_} {
   context.kept.add(state_);
+}
+
+ROBOSIM_FOR_AVX_TOO double Sensor::blackness(SimTime t) {
+  const Pose pose = context_.view.pose_at(t - lag_);
+  const Optics optics = this->optics(pose);
+  const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at), optics.footprint);
+  const double white = 1.0 - c;
+  double b = 1.0 -
+             optics.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
+             state_.now.shift;
+  if (context_.view.world->lighting().is_lit()) b -= room_light(pose, t);
+  if (state_.now.noise > 0.0)
+    b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
+         stream_.gauss(state_.samples++);
+  return b;
 }
 
 double Sensor::room_light(const Pose& pose, SimTime t) const {

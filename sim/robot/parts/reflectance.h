@@ -143,20 +143,7 @@ class Sensor : public Breakable {
 
  protected:
   /// Takes a sample of noise.
-  double blackness(SimTime t) {
-    const Pose pose = context_.view.pose_at(t - lag_);
-    const Optics optics = this->optics(pose);
-    const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at), optics.footprint);
-    const double white = 1.0 - c;
-    double b = 1.0 -
-               optics.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
-               state_.now.shift;
-    if (context_.view.world->lighting().is_lit()) b -= room_light(pose, t);
-    if (state_.now.noise > 0.0)
-      b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
-           stream_.gauss(state_.samples++);
-    return b;
-  }
+  double blackness(SimTime t);
   bool stuck() const { return state_.stuck >= 0.0; }
   /// The number after `fault NAME stuck`.
   double stuck_at() const { return state_.stuck; }
