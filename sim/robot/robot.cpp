@@ -245,21 +245,21 @@ bool Robot::idles() const {
 }
 
 [[gnu::noinline]] bool Robot::take_commands(SimTime t) {
+  Inside& in = *in_;
   bool changed = false;
   for (const Side side : {world::left, world::right}) {
-    WheelMotor* motor = in_->roster.motor[side];
+    WheelMotor* motor = in.roster.motor[side];
     if (!motor || motor->steady()) continue;
-    const world::WheelCommand command = motor->take(in_->view.tick_start, t);
-    world::WheelCommand& last = in_->state.command[side];
-    if (command == last) continue;
+    const world::WheelCommand command = motor->take(in.view.tick_start, t);
+    if (command == in.state.command[side]) continue;
     changed = true;
-    last = command;
-    in_->body.command(side, command);
-    if (!in_->roster.differential) continue;
-    in_->state.command[world::right] = command;
-    in_->body.command(world::right, command);
+    in.state.command[side] = command;
+    in.body.command(side, command);
+    if (!in.roster.differential) continue;
+    in.state.command[world::right] = command;
+    in.body.command(world::right, command);
   }
-  if (in_->feeds()) in_->feed();
+  if (in.feeds()) in.feed();
   return changed;
 }
 

@@ -24,6 +24,7 @@ Narrator::Narrator(const wire::RunRequest& request, int agent, const BoardSpec& 
       wants_columns_(request.columns_every_ns > 0),
       wants_pins_(request.pins || (wants_columns_ && bundler_)),
       wants_inputs_(request.io || (wants_columns_ && bundler_)),
+      hears_pins_(wants_pins_ || wants_columns_),
       quick_inputs_(wants_inputs_ ? bundler_ : nullptr) {
   sample_.agent = agent;
   const bool has_sources = wants_columns_ && executor.trace_drives();
@@ -67,6 +68,7 @@ void Narrator::happened(const wire::RunEvent& event) {
 }
 
 void Narrator::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
+  if (!hears_pins_) return;
   if (goes_on(quick_pins_, agent_, t, pin))
     return quick_pins_->pin(agent_, t, pin, board_.pins[pin].name, drive, 0);
   change_pin(pin, drive, t);

@@ -66,6 +66,7 @@ class Narrator final : public run::Listener {
   Tell tell_;
   Bundler* const bundler_;  ///< null = events and columns are told as they are
   const bool wants_columns_, wants_pins_, wants_inputs_;
+  const bool hears_pins_;          ///< else there is nothing to do for a pin
   Bundler* quick_pins_ = nullptr;  ///< if it is told all of them, and no sources
   Bundler* const quick_inputs_;    ///< if it is told all of them
   std::string line_;

@@ -9,7 +9,6 @@
 #endif
 
 #include <bit>
-#include <cstring>
 
 namespace robosim::trace {
 
@@ -18,20 +17,6 @@ static_assert(std::endian::native == std::endian::little, "trace hashes are defi
 struct TraceHash::State {
   XXH3_state_t hash;
 };
-
-namespace {
-// Tags keep records of different kinds apart. A pose needs none: it comes once a tick.
-constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
-constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
-
-std::uint64_t bits_of(double value) {
-  std::uint64_t bits = 0;
-  static_assert(sizeof bits == sizeof value);
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
-}  // namespace
 
 TraceHash::TraceHash() : state_(std::make_unique<State>()) { XXH3_64bits_reset(&state_->hash); }
 TraceHash::TraceHash(const TraceHash& other) : state_(std::make_unique<State>()) { *this = other; }
@@ -45,15 +30,10 @@ TraceHash& TraceHash::operator=(const TraceHash& other) {
 
 TraceHash::~TraceHash() = default;
 
-void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
-  const std::uint64_t how =
-      kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
-      static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm);
-  add({how, static_cast<std::uint64_t>(t), bits_of(drive.duty), drive.tone_hz});
-}
-
 void TraceHash::serial(std::uint8_t byte, SimTime t) {
-  add({kSerialTag | byte, static_cast<std::uint64_t>(t)});
+  std::uint64_t* const words = take(2);
+  words[0] = kSerialTag | byte;
+  words[1] = static_cast<std::uint64_t>(t);
 }
 
 void TraceHash::flush() {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -27,9 +26,7 @@ class TraceHash {
   /// The pose at the end of a tick. Called once a tick: the hash needs no time for it.
   void pose(const Pose& pose) {
     static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
-    if (used_ + kPoseWords > words_.size()) flush();
-    std::memcpy(&words_[used_], &pose, sizeof pose);
-    used_ += kPoseWords;
+    std::memcpy(take(kPoseWords), &pose, sizeof pose);
   }
   void pin(Pin pin, const PinDrive& drive, SimTime t);
   void serial(std::uint8_t byte, SimTime t);
@@ -41,10 +38,16 @@ class TraceHash {
   struct State;
 
   static constexpr std::size_t kPoseWords = 4;
+  // Tags keep records of different kinds apart. A pose needs none: it comes once a tick.
+  static constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
+  static constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
 
-  void add(std::initializer_list<std::uint64_t> values) {
-    if (used_ + values.size() > words_.size()) flush();
-    for (const std::uint64_t value : values) words_[used_++] = value;
+  /// Room for so many words more, which are then written there.
+  std::uint64_t* take(std::size_t count) {
+    if (used_ + count > words_.size()) [[unlikely]]
+      flush();
+    used_ += count;
+    return &words_[used_ - count];
   }
   void flush();
 
@@ -52,5 +55,17 @@ class TraceHash {
   std::array<std::uint64_t, 512> words_;
   std::size_t used_ = 0;
 };
+
+inline void TraceHash::pin(Pin pin, const PinDrive& drive, SimTime t) {
+  const std::uint64_t how =
+      kPinTag | static_cast<std::uint64_t>(pin) << 16 | static_cast<std::uint64_t>(drive.mode) << 8 |
+      static_cast<std::uint64_t>(drive.level) << 1 | static_cast<std::uint64_t>(drive.pwm);
+  std::uint64_t* const words = take(4);
+  words[0] = how;
+  words[1] = static_cast<std::uint64_t>(t);
+  static_assert(sizeof drive.duty == sizeof words[2]);
+  std::memcpy(&words[2], &drive.duty, sizeof words[2]);
+  words[3] = drive.tone_hz;
+}
 
 }  // namespace robosim::trace

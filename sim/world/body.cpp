@@ -19,12 +19,13 @@ double after_friction(double impulse, double friction) {
 
 }  // namespace
 
-void Body::command(Side side, WheelCommand command) {
+void Body::command(Side side, const WheelCommand& command) {
   Unit& unit = unit_[side];
   unit.drive = bounded(command.drive, 1.0);
   unit.brake = std::min(std::max(bounded(command.brake, 1.0), 0.0), 1.0 - std::fabs(unit.drive));
-  if (winds_) set_winding(side, command);
   tell_roller(side);
+  if (winds_) [[unlikely]]
+    set_winding(side, command);
 }
 
 void Body::place(const Pose& pose) {

@@ -180,8 +180,9 @@ class Body {
   /// Kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
-  void command(Side, WheelCommand);  ///< holds until the next call; values beyond ±1 and 0..1 are cut
-  void place(const Pose&);           ///< lifted and put down, at rest
+  /// Holds until the next call; values beyond ±1 and 0..1 are cut.
+  void command(Side, const WheelCommand&);
+  void place(const Pose&);  ///< lifted and put down, at rest
 
   // What goes wrong with it, until the next call.
   /// The driver's supply, V; of the constructor on it is params().supply_volts.

@@ -36,15 +36,45 @@ std::unique_ptr<Part> MotorSpec::make(PartContext& context) const {
 }
 
 MotorPart::MotorPart(const MotorSpec& spec, PartContext& context)
-    : WheelMotor(spec, context), spec_(spec), context_(context) {
+    : WheelMotor(spec, context),
+      spec_(spec),
+      context_(context),
+      chip_(*context.description.driver.chip),
+      standby_(context.description.driver.standby),
+      has_inductance_(context.description.motors.inductance.value > 0.0) {
   context.kept.add(state_);
+}
+
+[[gnu::noinline]] double MotorPart::period() const {
+  double period = 0.0;
+  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2})
+    if (pin != kNoPin) period = std::max(period, period_of(context_.netlist.drive(pin)));
+  return period;
+}
+
+inline world::WheelCommand MotorPart::told() const {
+  if (state_.awake <= 0.0) return {};
+  world::WheelCommand command = bridge_command(
+      chip_, {state_.en, state_.in1, state_.in2, spec_.phase, has_inductance_ ? period() : 0.0});
+  command.drive *= spec_.reversed ? -state_.awake : state_.awake;
+  command.brake *= state_.awake;
+  command.against *= state_.awake;
+  return command;
+}
+
+inline void MotorPart::take(Pin pin, const PinDrive& drive) {
+  const double share = high_share(drive);
+  if (pin == spec_.en) state_.en = share;
+  if (pin == spec_.in1) state_.in1 = share;
+  if (pin == spec_.in2) state_.in2 = share;
+  if (pin == standby_) state_.awake = share;
 }
 
 void MotorPart::join(Roster& roster) {
   roster.motor[spec_.wheel] = this;
   roster.differential = spec_.both;
   roster.breakable.push_back(this);
-  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, context_.description.driver.standby}) {
+  for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, standby_}) {
     if (pin == kNoPin) continue;
     context_.netlist.watch(pin, *this);
     take(pin, context_.netlist.drive(pin));
@@ -55,29 +85,6 @@ void MotorPart::join(Roster& roster) {
 void MotorPart::pin_changed(Pin pin, const PinDrive& drive, SimTime t) {
   take(pin, drive);
   set(told(), t);
-}
-
-void MotorPart::take(Pin pin, const PinDrive& drive) {
-  const double share = high_share(drive);
-  if (pin == spec_.en) state_.en = share;
-  if (pin == spec_.in1) state_.in1 = share;
-  if (pin == spec_.in2) state_.in2 = share;
-  if (pin == context_.description.driver.standby) state_.awake = share;
-}
-
-world::WheelCommand MotorPart::told() const {
-  if (state_.awake <= 0.0) return {};
-  double period = 0.0;
-  if (context_.description.motors.inductance.value > 0.0) {
-    for (const Pin pin : {spec_.en, spec_.in1, spec_.in2})
-      if (pin != kNoPin) period = std::max(period, period_of(context_.netlist.drive(pin)));
-  }
-  world::WheelCommand command = bridge_command(*context_.description.driver.chip,
-                                               {state_.en, state_.in1, state_.in2, spec_.phase, period});
-  command.drive *= spec_.reversed ? -state_.awake : state_.awake;
-  command.brake *= state_.awake;
-  command.against *= state_.awake;
-  return command;
 }
 
 }  // namespace robosim::robot

@@ -35,6 +35,8 @@ class MotorPart final : public WheelMotor, public PinWatcher {
   void take(Pin, const PinDrive&);
   /// What the pins say.
   world::WheelCommand told() const;
+  /// s, of their PWM, as bridge_command() wants it.
+  double period() const;
 
   /// Shares of time for which they are high. A pin that is not wired stays as it is here.
   struct State {
@@ -43,6 +45,9 @@ class MotorPart final : public WheelMotor, public PinWatcher {
 
   const MotorSpec& spec_;
   PartContext& context_;
+  const DriverChip& chip_;
+  const Pin standby_;
+  const bool has_inductance_;  ///< else nobody minds the period
   State state_;
 };
 

@@ -1,6 +1,8 @@
 // Motor drivers: what the levels of their inputs make of a motor, averaged over a PWM period.
 #pragma once
 
+#include <algorithm>
+
 #include "hal/board/board.h"
 #include "sim/robot/description.h"
 #include "sim/world/body.h"
@@ -8,7 +10,12 @@
 namespace robosim::robot {
 
 /// The share of time for which a pin is high. The driver's own resistor pulls an undriven pin low.
-double high_share(const PinDrive& drive);
+inline double high_share(const PinDrive& drive) {
+  if (drive.mode != PinMode::output) return drive.mode == PinMode::input_pullup ? 1.0 : 0.0;
+  if (drive.tone_hz) return 0.5;
+  if (drive.pwm) return drive.duty;
+  return drive.level ? 1.0 : 0.0;
+}
 /// s, of its PWM; 0 = it has none, or none that is known.
 double period_of(const PinDrive& drive);
 
@@ -26,6 +33,40 @@ struct BridgeInputs {
 /// table:
 ///   drive = f - r,  brake = s + 2 min(f, r),  against = min(f, r)
 /// because equal forward and reverse shares hold the motor at 0 V, which brakes it.
-world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
+inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
+
+/// For how long each of the chip's actions holds, as a share of time.
+class BridgeShares {
+ public:
+  BridgeShares(const DriverChip& chip, bool phase) : chip_(chip), phase_(phase) {}
+  void add(double time, bool en, bool in1, bool in2) {
+    share_[static_cast<int>(chip_.action[en][in1][phase_ ? !in1 : in2])] += time;
+  }
+  world::WheelCommand command(double period_s) const {
+    const double forward = share_[static_cast<int>(Bridge::forward)];
+    const double reverse = share_[static_cast<int>(Bridge::reverse)];
+    const double shorted = share_[static_cast<int>(Bridge::shorted)];
+    const double against = std::min(forward, reverse);
+    return {forward - reverse, shorted + 2.0 * against, against, period_s};
+  }
+
+ private:
+  const DriverChip& chip_;
+  const bool phase_;
+  double share_[4] = {0.0, 0.0, 0.0, 0.0};
+};
+
+/// bridge_command() where more inputs than the enable input divide the time.
+world::WheelCommand divided_command(const DriverChip& chip, BridgeInputs inputs);
+
+inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {
+  const auto changes = [](double share) { return share > 0.0 && share < 1.0; };
+  if (changes(inputs.in1) || changes(inputs.in2)) [[unlikely]]
+    return divided_command(chip, inputs);
+  BridgeShares shares(chip, inputs.phase);
+  shares.add(inputs.en, true, inputs.in1 > 0.0, inputs.in2 > 0.0);
+  shares.add(1.0 - inputs.en, false, inputs.in1 > 0.0, inputs.in2 > 0.0);
+  return shares.command(inputs.period_s);
+}
 
 }  // namespace robosim::robot

@@ -1,7 +1,5 @@
 #include "sim/robot/parts/wheel_motor.h"
 
-#include <algorithm>
-
 namespace robosim::robot {
 namespace {
 
@@ -24,33 +22,6 @@ world::WheelCommand over_a_tick(const world::WheelCommand& command) {
 
 WheelMotor::WheelMotor(const PartSpec& spec, PartContext& context) : name_(spec.name), view_(context.view) {
   context.kept.add(state_);
-}
-
-void WheelMotor::set(const world::WheelCommand& command, SimTime t) {
-  account(t);
-  state_.now = command;
-  state_.steady = false;
-}
-
-void WheelMotor::account(SimTime t) {
-  if (!state_.changed) {
-    state_.changed = true;
-    state_.sum = {};
-    state_.since = view_.tick_start;
-  }
-  const auto lasted = static_cast<double>(std::max<SimTime>(t - state_.since, 0));
-  state_.sum.drive += state_.now.drive * lasted;
-  state_.sum.brake += state_.now.brake * lasted;
-  state_.sum.against += state_.now.against * lasted;
-  if (state_.now.period_s > 0.0) state_.sum.period_s = state_.now.period_s;
-  state_.since = std::max(state_.since, t);
-}
-
-world::WheelCommand WheelMotor::average(SimTime tick_start, SimTime t) {
-  account(t);
-  state_.changed = false;
-  const auto tick = static_cast<double>(std::max<SimTime>(t - tick_start, 1));
-  return {state_.sum.drive / tick, state_.sum.brake / tick, state_.sum.against / tick, state_.sum.period_s};
 }
 
 void WheelMotor::spoil(world::WheelCommand& command) const {

@@ -1,6 +1,8 @@
 // What turns a wheel, however it is told to: a motor behind a driver, a servo that turns on and on.
 #pragma once
 
+#include <algorithm>
+
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
 #include "sim/world/body.h"
@@ -63,5 +65,32 @@ class WheelMotor : public Part, public Breakable {
   const View& view_;
   State state_;
 };
+
+inline void WheelMotor::account(SimTime t) {
+  if (!state_.changed) {
+    state_.changed = true;
+    state_.sum = {};
+    state_.since = view_.tick_start;
+  }
+  const auto lasted = static_cast<double>(std::max<SimTime>(t - state_.since, 0));
+  state_.sum.drive += state_.now.drive * lasted;
+  state_.sum.brake += state_.now.brake * lasted;
+  state_.sum.against += state_.now.against * lasted;
+  if (state_.now.period_s > 0.0) state_.sum.period_s = state_.now.period_s;
+  state_.since = std::max(state_.since, t);
+}
+
+inline void WheelMotor::set(const world::WheelCommand& command, SimTime t) {
+  account(t);
+  state_.now = command;
+  state_.steady = false;
+}
+
+inline world::WheelCommand WheelMotor::average(SimTime tick_start, SimTime t) {
+  account(t);
+  state_.changed = false;
+  const auto tick = static_cast<double>(std::max<SimTime>(t - tick_start, 1));
+  return {state_.sum.drive / tick, state_.sum.brake / tick, state_.sum.against / tick, state_.sum.period_s};
+}
 
 }  // namespace robosim::robot
