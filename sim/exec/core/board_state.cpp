@@ -121,6 +121,7 @@ void BoardState::connect(Pin pin, PinSource& source) {
   if (pin >= spec_.pin_count) return;
   wires_[pin].source = &source;
   wires_[pin].ohms = source.source_ohms();
+  converts_slowly_ |= wires_[pin].ohms > 0.0;
 }
 
 void BoardState::watch(Pin pin, PinWatcher& watcher) {

@@ -55,7 +55,10 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
   bool wants_any_edges() const override { return state_.wanted_pins > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
-  void watch_adc(AdcWatcher& watcher) override { adc_watcher_ = &watcher; }
+  void watch_adc(AdcWatcher& watcher) override {
+    adc_watcher_ = &watcher;
+    converts_slowly_ = true;
+  }
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
   // --- BoardProbe
@@ -80,6 +83,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Until when, exclusive, reads of `pin` surely give what they give at `t`, and nobody misses them if they
   /// are left out; `t` = that is not known.
   SimTime same_until(Pin pin, SimTime t) const;
+  /// Whether convert() is more than read_volts(): a source charges the converter slowly, or somebody watches.
+  bool converts_slowly() const { return converts_slowly_; }
   /// Takes it if it arrives at or before `until`.
   bool take_input(SimTime until, BoardInput& input);
   /// Forgets edges before `t` that nobody wanted.
@@ -142,6 +147,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;
   const double* supply_share_ = nullptr;  ///< null: 1
+  bool converts_slowly_ = false;
   State state_;
 };
 

@@ -58,7 +58,9 @@ class ClockedBoard final : public FirmwarePort {
   bool read_along(Pin pin, SimTime t) override { return board_.read_along(pin, at(t)); }
   double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
   double convert(Pin pin, double before, SimTime from, SimTime t) override {
-    return board_.convert(pin, before, at(from), at(t));
+    if (board_.converts_slowly()) [[unlikely]]
+      return convert_slowly(pin, before, from, t);
+    return board_.read_volts(pin, at(t));
   }
   double supply_share() override { return board_.supply_share(); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
@@ -75,6 +77,10 @@ class ClockedBoard final : public FirmwarePort {
 
  private:
   SimTime at(SimTime t) const { return std::min(state_.clock.to_world(t), state_.limit); }
+
+  [[gnu::noinline]] double convert_slowly(Pin pin, double before, SimTime from, SimTime t) {
+    return board_.convert(pin, before, at(from), at(t));
+  }
 
   BoardState& board_;
   State state_;

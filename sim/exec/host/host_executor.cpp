@@ -78,6 +78,11 @@ class HostExecutor::Instance final : public host::Host {
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
+  /// When its firmware called last; while it waits for the time, that is `reached`.
+  [[gnu::always_inline]] SimTime last_call(SimTime reached) const {
+    const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
+    return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
+  }
   bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and nothing is known
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
@@ -344,8 +349,8 @@ void HostExecutor::run_until(SimTime t) {
 
 SimTime HostExecutor::sleeps_until() const {
   if (!instance_ || crash_ || reached_ < watch_until_ || !instance_->is_unwatched()) return 0;
-  return std::min(
-      {clocked_.to_world(instance_->state().wake), board_.next_input(), last_call() + Silence::kFirstLook});
+  return std::min({clocked_.to_world(instance_->state().wake), board_.next_input(),
+                   instance_->last_call(reached_) + Silence::kFirstLook});
 }
 
 void HostExecutor::restart() {
@@ -360,7 +365,7 @@ void HostExecutor::restart() {
 }
 
 void HostExecutor::look_at_silence() {
-  const SimTime since = last_call();
+  const SimTime since = instance_->last_call(reached_);
   if (reached_ - since < Silence::kFirstLook && reached_ >= watch_until_ && instance_->is_unwatched()) return;
   if (!silence_.lasts_since(since)) instance_->has_called();
   if (silence_.is_time(since, reached_)) watch_until_ = reached_ + kWatch;
@@ -373,13 +378,7 @@ std::vector<BundledFile> HostExecutor::counters() {
   return all.files();
 }
 
-SimTime HostExecutor::last_call() const {
-  if (!instance_) return reached_;
-  const host::FirmwareState& state = instance_->state();
-  const bool waits = state.waiting || (state.polls && state.polls_by_calls);
-  return waits && !crash_ ? reached_ : clocked_.to_world(state.last_call);
-}
-
+SimTime HostExecutor::last_call() const { return instance_ ? instance_->last_call(reached_) : reached_; }
 bool HostExecutor::hangs() { return instance_ && !crash_ && instance_->hangs(); }
 SourceLine HostExecutor::source() { return instance_ ? instance_->source() : SourceLine{}; }
 std::string HostExecutor::call_now() const { return instance_ ? text_of(instance_->state().call) : ""; }
