@@ -106,7 +106,10 @@ Goal default_goal(const grid::Map& map, const grid::Network& network) {
 
 Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes,
                    const grid::Network& network, const grid::Start& start)
-    : goal_(goal), start_(stripes.pose_of(start).position), contest_(goal, map, start_) {
+    : goal_(goal),
+      start_(stripes.pose_of(start).position),
+      contest_(goal, map, start_),
+      takes_time_(contest_ || goal.kind == Goal::Kind::station || goal.kind == Goal::Kind::still) {
   for (const grid::Station& station : network.stations) {
     stations_.push_back({station.name, stripes.point_of(station.cell), false});
     if (goal.kind == Goal::Kind::station &&
@@ -151,10 +154,14 @@ void Progress::visit_places(const world::Body& body, Events& events) {
   }
 }
 
+Vec2 Progress::loop_point(const Lap& lap, bool backwards) const {
+  const std::size_t count = loop_.size();
+  return loop_[backwards ? (count - lap.next) % count : lap.next % count];
+}
+
 bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events) {
   const std::size_t count = loop_.size();
-  const auto point = [&](std::size_t i) { return loop_[backwards ? (count - i) % count : i % count]; };
-  while (lap.next <= count && body.covers(point(lap.next))) ++lap.next;
+  while (lap.next <= count && body.covers(loop_point(lap, backwards))) ++lap.next;
   if (lap.next <= count) return false;
   lap.next = 1;
   ++lap.complete;
@@ -195,6 +202,12 @@ void Progress::compete(const Glance& now, Events& events) {
   reached_ = contest_.reached();
 }
 
+// As if it had looked at all places, and the body covered none.
+void Progress::find_nothing() {
+  if (goal_.kind == Goal::Kind::tour) left_start_ = true;
+  if (goal_.kind == Goal::Kind::tour || goal_.kind == Goal::Kind::laps) reached_ = false;
+}
+
 void Progress::look(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::station) reached_ = rests_at_station(body, t);
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
@@ -206,11 +219,14 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }
-  const bool has_stopped = square(pose.position - checked_at_) > 0.0 && at_rest(body);
-  const bool looks = !is_near(pose) || has_stopped;
+  const auto has_stopped = [&] { return square(pose.position - checked_at_) > 0.0 && at_rest(body); };
+  const bool looks = !is_near(pose) || has_stopped();
   if (looks) {
     checked_at_ = pose.position;
     checked_heading_ = pose.heading;
+    constexpr double kAway = kDeparture + 2.0 * kCheckEvery;
+    is_around_origin_ = square(pose.position - *origin_) < kAway * kAway;
+    if (!contest_ && is_far_from_places(pose.position)) return find_nothing();
     visit_places(body, events);
   }
   if (contest_) compete({body, t, at_rest(body), looks}, events);
@@ -221,11 +237,31 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
     if (goal_.kind == Goal::Kind::laps) reached_ = forwards || backwards;
   }
   if (goal_.kind == Goal::Kind::tour) reached_ = tour_done(body);
+  search_places(body);
+}
+
+// How far it may go before it can cover any of the places that it has yet to come to: most looks are on the
+// way from one to the next.
+void Progress::search_places(const world::Body& body) {
+  constexpr double kSure = 1e-3;  // m, for what is rounded
+  searched_at_ = body.pose().position;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto add = [&](Vec2 place) { nearest = std::min(nearest, square(place - searched_at_)); };
+  for (const Waypoint& station : stations_)
+    if (!station.visited) add(station.centre);
+  for (const Waypoint& junction : junctions_)
+    if (!junction.visited) add(junction.centre);
+  if (!loop_.empty()) {
+    add(loop_point(forwards_, false));
+    add(loop_point(backwards_, true));
+  }
+  if (goal_.kind == Goal::Kind::tour) add(start_);
+  const double body_reach = length(body.circle_centre() - searched_at_) + body.bound_radius() + kSure;
+  free_reach_ = std::max(std::sqrt(nearest) - body_reach, 0.0);
 }
 
 bool Progress::is_settled(const world::Body& body) const {
-  const bool takes_time = contest_ || goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still;
-  return !takes_time && square(body.pose().position - checked_at_) == 0.0 &&
+  return !takes_time_ && square(body.pose().position - checked_at_) == 0.0 &&
          dot(body.pose().heading, checked_heading_) > kCheckTurn;
 }
 

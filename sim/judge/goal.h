@@ -63,10 +63,12 @@ class Progress {
     if (!passes_by(body)) look(body, t, events);
   }
 
-  /// Whether an update would find and change nothing.
-  bool passes_by(const world::Body& body) const {
-    if (goal_.kind == Goal::Kind::station || goal_.kind == Goal::Kind::still || contest_) return false;
-    return origin_ && is_near(body.pose()) && !at_rest(body) && !may_depart(body.pose());
+  /// The update of a body that does not pass by.
+  void look(const world::Body& body, SimTime t, Events& events);
+  /// Whether an update would find and change nothing. Asked in each tick, and therefore inline.
+  [[gnu::always_inline]] bool passes_by(const world::Body& body) const {
+    return !takes_time_ && is_near(body.pose()) && !at_rest(body) &&
+           !(is_around_origin_ && may_depart(body.pose()));
   }
   /// Whether the next updates would find what the last one found, while the body stays where it is.
   bool is_settled(const world::Body& body) const;
@@ -113,8 +115,15 @@ class Progress {
   bool may_depart(const Pose& pose) const {
     return laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture;
   }
-  void look(const world::Body& body, SimTime t, Events& events);
+  /// Whether the body covers none of the places that it has yet to come to.
+  bool is_far_from_places(Vec2 position) const {
+    return square(position - searched_at_) < free_reach_ * free_reach_;
+  }
+  void find_nothing();
+  void search_places(const world::Body& body);
   void visit_places(const world::Body& body, Events& events);
+  /// Where a lap goes next.
+  Vec2 loop_point(const Lap& lap, bool backwards) const;
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
   void compete(const Glance& now, Events& events);
   bool tour_done(const world::Body& body);
@@ -136,8 +145,12 @@ class Progress {
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
   std::optional<Vec2> origin_;  ///< where the body was at first
-  Vec2 checked_at_{1e9, 1e9};
+  Vec2 checked_at_{1e9, 1e9};   ///< nowhere near, before the first look
   Vec2 checked_heading_;
+  bool takes_time_;               ///< rules or goal ask for a look in each tick
+  bool is_around_origin_ = true;  ///< it may depart before it is looked at again
+  Vec2 searched_at_;              ///< while the body is less than free_reach_, m, from there,
+  double free_reach_ = 0.0;       ///< it covers no place that it has yet to come to
   bool reached_ = false;
 };
 

@@ -41,7 +41,7 @@ ExitStatus exit_status(Verdict verdict) {
   }
 }
 
-std::optional<Verdict> Judge::verdict(const Situation& now, bool is_lost, bool is_stuck) {
+std::optional<Verdict> Judge::verdict(Situation now, bool is_lost, bool is_stuck) {
   if (now.toppled) return Verdict::toppled;
   if (is_lost) return Verdict::lost;
   if (now.powered && now.hangs && now.t - now.last_call >= kSilentAfter)

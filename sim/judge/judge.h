@@ -40,7 +40,7 @@ class Judge {
 
   /// toppled, lost, stuck, hung or ended; nothing while all is well. A sketch that is silent, and may yet go
   /// on, is well. Called in each tick, and therefore inline.
-  std::optional<Verdict> look(const Situation& now) {
+  [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);
     if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]
       return verdict(now, is_lost, is_stuck);
@@ -63,7 +63,8 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
-  static std::optional<Verdict> verdict(const Situation& now, bool is_lost, bool is_stuck);
+  /// By value: a situation that nobody points to stays in registers.
+  static std::optional<Verdict> verdict(Situation now, bool is_lost, bool is_stuck);
 
   bool senses_;
   std::optional<Seen> line_seen_;
@@ -75,22 +76,23 @@ class Judge {
   Vec2 place_;
 };
 
-inline bool Judge::lost(const Situation& now) {
+[[gnu::always_inline]] inline bool Judge::lost(const Situation& now) {
   if (now.lifted) travel_at_line_ = now.wheel_travel_m;
   if (senses_ && now.sees_line) {
-    line_seen_ = Seen{now.t, now.pose->position};
+    line_seen_.emplace(Seen{now.t, now.pose->position});
     travel_at_line_ = now.wheel_travel_m;
+    return false;
   }
   return senses_ && now.wheel_travel_m - travel_at_line_ >= kLostAfter;
 }
 
-inline bool Judge::stuck(const Situation& now) {
+[[gnu::always_inline]] inline bool Judge::stuck(const Situation& now) {
   if (now.driven) last_driven_ = now.t;
   const Vec2 moved = now.pose->position - anchor_.position;
   const bool moves = dot(moved, moved) >= kStuckMove * kStuckMove ||
                      dot(now.pose->heading, anchor_.heading) < 0.0 ||
                      std::abs(cross(anchor_.heading, now.pose->heading)) >= kStuckTurnSine;
-  if (moves || now.lifted || now.t - last_driven_ > kPulsePause) {
+  if (moves || now.lifted || (!now.driven && now.t - last_driven_ > kPulsePause)) {
     anchor_ = *now.pose;
     anchored_at_ = now.t;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +13,6 @@
 namespace robosim::run {
 namespace {
 
-constexpr int kLookEvery = 4;           // ticks between two looks at all sensors
 constexpr double kFarthestSight = 1e3;  // m: who sees as far has to do with all others
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
@@ -178,15 +178,12 @@ void Agent::look_to_the_side() {
   state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
 }
 
-inline void Agent::observe(SimTime end) {
-  measure(end);
-  if (end % (kLookEvery * kTick) == 0) state_.sees_line = robot_.sees_line();
-  if (state_.sees_line && end % (kSideEvery * kTick) == 0) look_to_the_side();
-  count_tick(end);
-  if (body_.collisions() > state_.collisions_told) {
-    state_.collisions_told = body_.collisions();
-    state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
-  }
+// What is due, and nothing where it is asked before.
+void Agent::sense(SimTime end) {
+  const Look& due = look_at(end);
+  if (due.at_sensors) state_.sees_line = robot_.sees_line();
+  if (state_.sees_line && due.aside) look_to_the_side();
+  state_.senses_at = end + due.next * kTick;
 }
 
 void Agent::watch_steering(SimTime end) {
@@ -247,7 +244,7 @@ void Agent::feed_board(SimTime t) {
   if (const auto volts = robot_.fed_volts()) player_.feed(*volts, t, state_.happened);
 }
 
-void Agent::act(SimTime t) {
+void Agent::act_in_full(SimTime t) {
   if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
   if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before what comes of them in this tick
@@ -285,10 +282,19 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
+// Apart: most ticks have no room to keep for it.
+bool Agent::pass_places(SimTime end) { return pass(end, true); }
+
 bool Agent::look_closely(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
-  observe(end);
+  measure(end);
+  sense(end);
+  count_tick(end);
+  if (body_.collisions() > state_.collisions_told) {
+    state_.collisions_told = body_.collisions();
+    state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
+  }
   if (steering_) watch_steering(end);
   if (robot_.has_tellers()) hear_parts(end);
   if (!state_.happened.empty()) tell_events(end, end - kTick, 4);
@@ -300,18 +306,16 @@ bool Agent::look_closely(SimTime end) {
   }
   const std::optional<judge::Verdict> verdict = verdict_at(end);
   if (verdict) finish(*verdict, end);
-  state_.looks_at = next_look(end);
+  state_.reports_at = next_report(end);
   return verdict.has_value();
 }
 
 // When it must look closely next, whatever happens.
-inline SimTime Agent::next_look(SimTime end) const {
+inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_tellers() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
-  static_assert(kBudgetEvery % (kLookEvery * kTick) == 0);
-  SimTime next = std::min(after(kLookEvery * kTick), after(kSideEvery * kTick));
-  if (setup_.samples_every > 0) next = std::min(next, after(setup_.samples_every));
-  return next;
+  const SimTime next = after(kBudgetEvery), every = setup_.samples_every;
+  return every > 0 ? std::min(next, after(every)) : next;
 }
 
 // Of a competition's, which may go on.

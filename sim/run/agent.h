@@ -17,6 +17,7 @@
 #include "sim/judge/steering_detectors.h"
 #include "sim/run/board_detectors.h"
 #include "sim/run/kept_text.h"
+#include "sim/run/looks.h"
 #include "sim/run/scenery.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
@@ -26,9 +27,7 @@
 
 namespace robosim::run {
 
-constexpr SimTime kRestSpan = 20 * kMillisecond;   ///< in it an agent looks at all that it ever looks at
 constexpr SimTime kSettling = 500 * kMillisecond;  ///< not counted in the cross-track error
-constexpr int kSideEvery = 10;                     ///< ticks between two looks at which side the line is on
 
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
@@ -49,7 +48,13 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // The steps of a tick, as simulation.h numbers them. All agents take a step before any takes the next.
   /// 1: what its script does at `t`; its parts schedule their edges.
-  void act(SimTime t);
+  void act(SimTime t) {
+    if (robot_.has_battery() || board_detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
+        [[unlikely]]
+      act_in_full(t);
+    else
+      robot_.begin_tick(t);
+  }
   /// 2 and 3: the firmware runs to `end`, and motors get their commands. Whether anything has happened since
   /// the last time that world or judge could notice.
   bool run_firmware(SimTime end);
@@ -57,7 +62,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// `wakes`, as this told in the tick before (0: it is not known).
   SimTime go(SimTime t, SimTime wakes);
   /// 4: goal and judge look at the world at `end`. Whether that gave a verdict: the agent is then finished.
-  bool look(SimTime end) { return may_pass(end) ? pass(end) : look_closely(end); }
+  bool look(SimTime end);
 
   // --- turns of several ticks, while it is apart from others ---
   /// What is to be told in the order of time, once all have come as far.
@@ -131,7 +136,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     double line_side = 0.0;  ///< Robot::line_side(), when it was last seen to a side
     double steered = 0.0;  ///< then: how it steered towards it, -2..2, a running mean; below 0: away from it
     int collisions_told = 0;
-    SimTime looks_at = 0;    ///< until then look() has little to do in each tick: see may_pass()
+    SimTime senses_at = 0;   ///< until then no sensor is looked at
+    SimTime reports_at = 0;  ///< until then there is nothing else to do now and then: see is_undisturbed()
     bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
@@ -168,6 +174,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void volts_seen(Pin pin, double volts, SimTime t) override { state_.listener->volts_seen(pin, volts, t); }
   void byte_received(std::uint8_t byte, SimTime t) override { state_.listener->byte_received(byte, t); }
 
+  void act_in_full(SimTime t);
   std::optional<judge::Verdict> verdict_at(SimTime end);
   std::optional<judge::Verdict> verdict_of_rules(std::optional<judge::Verdict> verdict, SimTime end);
   bool exceeds_budget();
@@ -175,12 +182,14 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void put(const Pose& where);
   void look_to_the_side();
   SimTime wakes_at(SimTime end) const;
-  bool may_pass(SimTime end) const;
-  bool pass(SimTime end);
+  bool is_undisturbed(SimTime end) const;
+  bool is_silent(SimTime end) const { return end - executor_.last_call() >= judge::kSilentAfter; }
+  bool pass(SimTime end, bool checks_progress);
+  bool pass_places(SimTime end);
   bool look_closely(SimTime end);
-  SimTime next_look(SimTime end) const;
+  SimTime next_report(SimTime end) const;
   void measure(SimTime end);
-  void observe(SimTime end);
+  void sense(SimTime end);
   void watch_steering(SimTime end);
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
@@ -220,7 +229,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   std::vector<Untold>* untold_ = nullptr;
 };
 
-inline void Agent::count_tick(SimTime end) {
+[[gnu::always_inline]] inline void Agent::count_tick(SimTime end) {
   if (body_.in_hand()) return;
   if (end > kSettling) {
     state_.cross_track_squares += state_.cross_track * state_.cross_track;
@@ -261,27 +270,44 @@ inline void Agent::measure(SimTime end) {
   }
 }
 
-// Whether nothing happens in the tick that ends at `end` but that the body goes on: it is no time for what
-// look() does now and then, and there is nothing to tell.
-inline bool Agent::may_pass(SimTime end) const {
-  return end < state_.looks_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
-         body_.collisions() == state_.collisions_told && progress_.passes_by(body_);
+// Whether nothing has happened in the tick that ends at `end` but that the body has gone on, and it is no
+// time for what look_closely() does now and then.
+inline bool Agent::is_undisturbed(SimTime end) const {
+  return end < state_.reports_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
+         body_.collisions() == state_.collisions_told;
 }
 
-// All that look() then does.
-inline bool Agent::pass(SimTime end) {
+// Most ticks are undisturbed. Whether firmware hangs is asked where something is looked at.
+[[gnu::always_inline]] inline bool Agent::look(SimTime end) {
+  if (!is_undisturbed(end)) return look_closely(end);
+  const bool checks_progress = !progress_.passes_by(body_);
+  if ((checks_progress || end >= state_.senses_at) && is_silent(end)) [[unlikely]]
+    return look_closely(end);
+  return checks_progress ? pass_places(end) : pass(end, false);
+}
+
+// All that look_closely() does in an undisturbed tick.
+[[gnu::always_inline]] inline bool Agent::pass(SimTime end, bool checks_progress) {
   hash_.pose(body_.pose());
+  if (checks_progress) progress_.look(body_, end, state_.happened);
   measure(end);
+  if (end >= state_.senses_at) sense(end);
   count_tick(end);
   if (steering_) [[unlikely]]
     watch_steering(end);
-  const std::optional<judge::Verdict> verdict = judge_.look({.t = end,
-                                                             .pose = &body_.pose(),
-                                                             .wheel_travel_m = body_.wheel_travel(),
-                                                             .sees_line = state_.sees_line,
-                                                             .driven = robot_.driven(),
-                                                             .toppled = body_.toppled() != world::Toppled::no,
-                                                             .last_call = end});
+  if (checks_progress && !state_.happened.empty()) [[unlikely]]
+    tell_events(end, end - kTick, 4);
+  std::optional<judge::Verdict> verdict;
+  if (checks_progress && progress_.reached()) [[unlikely]]
+    verdict = judge::Verdict::reached;
+  else
+    verdict = judge_.look({.t = end,
+                           .pose = &body_.pose(),
+                           .wheel_travel_m = body_.wheel_travel(),
+                           .sees_line = state_.sees_line,
+                           .driven = robot_.driven(),
+                           .toppled = body_.toppled() != world::Toppled::no,
+                           .last_call = end});
   if (verdict) [[unlikely]]
     finish(*verdict, end);
   return verdict.has_value();

@@ -1,0 +1,39 @@
+// What an agent looks at now and then, not in each tick.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::run {
+
+constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent looks at all that it ever looks at
+constexpr int kLookEvery = 4;                     ///< ticks between two looks at all sensors
+constexpr int kSideEvery = 10;                    ///< ticks between two looks at which side the line is on
+
+/// At the end of a tick.
+struct Look {
+  bool at_sensors, aside;
+  int next;  ///< so many ticks later
+};
+
+/// By the tick's number in kRestSpan: a table, because this is asked in every third tick, and several
+/// remainders take longer than the look.
+constexpr auto kLooks = [] {
+  std::array<Look, kRestSpan / kTick> looks{};
+  static_assert(looks.size() % kLookEvery == 0 && looks.size() % kSideEvery == 0);
+  for (int i = 0; i < static_cast<int>(looks.size()); ++i) {
+    const auto after = [i](int every) { return every - i % every; };
+    looks[static_cast<std::size_t>(i)] = {i % kLookEvery == 0, i % kSideEvery == 0,
+                                          std::min(after(kLookEvery), after(kSideEvery))};
+  }
+  return looks;
+}();
+
+inline const Look& look_at(SimTime end) {
+  return kLooks[static_cast<std::uint64_t>(end / kTick) % kLooks.size()];
+}
+
+}  // namespace robosim::run
