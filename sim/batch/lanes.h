@@ -1,18 +1,13 @@
 // How a batch lays out its numbers: in blocks of kLanes robots, each figure an array over the block. A loop
 // over such arrays is what compilers make vector instructions of.
-//
-// Vectors change no bit: they do the same additions and multiplications, two or four at once. (Fusing both
-// into one instruction would; hence -ffp-contract=off, and AVX2 without FMA.)
 #pragma once
 
 #include <cstddef>
 
-// A function of loops over lanes: compiled for AVX2 as well, and chosen when the program starts.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#define ROBOSIM_LANES_FUNCTION __attribute__((target_clones("avx2", "default")))
-#else
-#define ROBOSIM_LANES_FUNCTION
-#endif
+#include "sim/base/for_avx.h"
+
+/// In front of a function of loops over lanes.
+#define ROBOSIM_LANES_FUNCTION ROBOSIM_ALSO_FOR("avx2")
 
 namespace robosim::batch {
 

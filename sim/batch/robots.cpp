@@ -178,7 +178,8 @@ void Robots::read(std::size_t number, SimTime t, std::span<double> volts) {
     Lanes brightness = Lanes::all(1.0);
     find_places(poses_[b], sensor, x, y);
     for (std::size_t i = 0; i < kLanes; ++i) gauss[i] = sensor.stream[i].gauss(sensor.samples);
-    floor_.darkness(x.of, y.of, sensor.footprint.of, {dark.of, count});
+    for (std::size_t i = 0; i < count; ++i)
+      dark[i] = floor_.darkness({x[i], y[i]}, sensor.footprint[i], sensor.near[i]);
     if (floor_.varies())
       for (std::size_t i = 0; i < count; ++i) brightness[i] = floor_.brightness({x[i], y[i]});
     find_volts(sensor, dark, brightness, gauss, out);

@@ -30,6 +30,7 @@
 #include "sim/base/profile.h"
 #include "sim/batch/bodies.h"
 #include "sim/robot/description.h"
+#include "sim/world/near_stripe.h"
 
 namespace robosim::batch {
 
@@ -39,6 +40,7 @@ struct SensorBlock {
   Lanes light, shift, noise, dark_noise, beside_dark_noise;
   Lanes white, span, supply, adc_noise;  // V
   Lanes lag;                             // ns
+  world::NearStripe near[kLanes];        // of the footprint
   NoiseStream stream[kLanes], adc[kLanes];
   std::uint64_t pin[kLanes] = {};
   std::uint64_t samples = 0;

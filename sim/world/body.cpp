@@ -210,7 +210,7 @@ void Body::spin() {
 }
 
 // The tick of a body that just rolls. False, and nothing is done, if it is another one.
-ROBOSIM_FOR_AVX_TOO bool Body::roll_on(const Walls& walls) {
+ROBOSIM_ALSO_FOR("avx") bool Body::roll_on(const Walls& walls) {
   if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
   Rolling<Pair> next;
   const Rolling<Pair> now = {pose_.position.x,

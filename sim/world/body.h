@@ -381,7 +381,7 @@ inline Body::Motor Body::motor(Side side) const {
   return m;
 }
 
-inline Pose Body::pose_after(double dt_s) const {
+[[gnu::always_inline]] inline Pose Body::pose_after(double dt_s) const {
   const double a = omega_ * dt_s;
   const double a2 = a * a;
   const double sine = a * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0)));

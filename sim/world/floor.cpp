@@ -264,21 +264,6 @@ double Floor::sought_distance(Vec2 p, NearStripe& found) const {
   return nearest < stripes_reach_ ? std::sqrt(nearest * nearest) : search(p, false);
 }
 
-void Floor::darkness(std::span<const double> x, std::span<const double> y,
-                     std::span<const double> footprint_m, std::span<double> dark) const {
-  if (!plain_ || !stripes_ || !quads_.empty()) {
-    for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = darkness({x[i], y[i]}, footprint_m[i]);
-    return;
-  }
-  for (std::size_t i = 0; i < dark.size(); ++i) {
-    const double footprint = std::max(footprint_m[i], 1e-9);
-    const double painted = half_line_ + 0.5 * footprint <= stripes_reach_
-                               ? coverage_round({x[i], y[i]}, footprint)
-                               : drawn_coverage({x[i], y[i]}, footprint);
-    dark[i] = light_line_ ? 1.0 - painted : painted;
-  }
-}
-
 double Floor::on_wide_line(Vec2 p, double footprint) const {
   double most = 0.0;
   const auto look = [&](const grid::Stripe& stripe) {

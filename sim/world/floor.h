@@ -88,9 +88,6 @@ class Floor {
     if (plain_) return darkness_of(drawn_coverage(p, footprint_m, last));
     return painted_darkness(p.x, p.y, footprint_m);
   }
-  /// The same of many sensors, at (x, y) each.
-  void darkness(std::span<const double> x, std::span<const double> y, std::span<const double> footprint_m,
-                std::span<double> dark) const;
   /// darkness() there where on_line() is known, if that says all of it: where has_lines_only().
   double darkness_of(double on_line) const { return light_line_ ? 1.0 - on_line : on_line; }
   bool has_lines_only() const { return plain_ && widths_.empty(); }

@@ -7,7 +7,7 @@ namespace robosim::world {
 
 namespace {
 
-constexpr double kRounding = 1e-9;    // m: more than what distances are rounded by
+constexpr double kRounding = 1e-9;  // m: more than what distances are rounded by
 // m, of a box; it is sought anew when that is left, which costs more than some looks at the stripe.
 constexpr double kWorthwhile = 0.015;
 constexpr double kBeside = 5e-4;  // m: beside a segment the box is as long as that

@@ -264,7 +264,7 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
   context.kept.add(state_);
 }
 
-ROBOSIM_FOR_AVX_TOO double Sensor::blackness(SimTime t) {
+ROBOSIM_ALSO_FOR("avx") double Sensor::blackness(SimTime t) {
   const Pose pose = context_.view.pose_at(t - lag_);
   const Optics optics = this->optics(pose);
   const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at), optics.footprint);
