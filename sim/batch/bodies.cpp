@@ -1,5 +1,6 @@
 #include "sim/batch/bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,9 +19,12 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// A tick of each body that rolls on, and of each that stands and is not driven, which stays as it is. The
-// others are as they were, and `done` is 0 of them.
-ROBOSIM_LANES_FUNCTION void roll(BodyBlock& block, Lanes& done) {
+// Where each body would be if it rolled on, and whether it does: `moves`. `done` is 0 of those that neither
+// do that nor stand without being driven.
+//
+// Nothing is written where it was read: of "this lane's number, if it moves" compilers make stores that leave
+// lanes out, which some processors take 20 times as long for.
+ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {
         of(block.direction, i),    of(block.drives, i),           of(block.push, i),
@@ -43,27 +47,53 @@ ROBOSIM_LANES_FUNCTION void roll(BodyBlock& block, Lanes& done) {
     Rolling<Two> next;
     const double rolls = world::roll(body, block.stride[i], now, next).holds();
     const double ok = rolls > 0.0 ? may : 0.0;
-    const bool moves = ok > 0.0;
+    moves[i] = ok;
     done[i] = ok > 0.0 ? ok : rests;
-    block.x[i] = moves ? next.x : now.x;
-    block.y[i] = moves ? next.y : now.y;
-    block.heading_x[i] = moves ? next.heading_x : now.heading_x;
-    block.heading_y[i] = moves ? next.heading_y : now.heading_y;
-    block.v[i] = moves ? next.v : now.v;
-    block.omega[i] = moves ? next.omega : now.omega;
-    block.surface[0][i] = moves ? next.surface.l : now.surface.l;
-    block.surface[1][i] = moves ? next.surface.r : now.surface.r;
-    block.angle[0][i] = moves ? next.angle.l : now.angle.l;
-    block.angle[1][i] = moves ? next.angle.r : now.angle.r;
-    block.wheel_travel[i] = moves ? next.wheel_travel : now.wheel_travel;
-    block.distance[i] = moves ? next.distance : now.distance;
-    block.energy[i] = moves ? next.energy : now.energy;
-    block.free_way[i] = moves ? next.free_way : now.free_way;
-    block.slips[i] = moves ? 0.0 : block.slips[i];
+    after.x[i] = next.x;
+    after.y[i] = next.y;
+    after.heading_x[i] = next.heading_x;
+    after.heading_y[i] = next.heading_y;
+    after.v[i] = next.v;
+    after.u[i] = block.u[i];
+    after.omega[i] = next.omega;
+    after.surface[0][i] = next.surface.l;
+    after.surface[1][i] = next.surface.r;
+    after.angle[0][i] = next.angle.l;
+    after.angle[1][i] = next.angle.r;
+    after.wheel_travel[i] = next.wheel_travel;
+    after.distance[i] = next.distance;
+    after.energy[i] = next.energy;
+    after.free_way[i] = next.free_way;
+    after.slips[i] = 0.0;
   }
 }
 
+// A tick of each body that rolls on, and of each that stands and is not driven, which stays as it is. The
+// others are as they were, and `done` is 0 of them. `after` is room for it.
+void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
+  Lanes moves;
+  roll(block, after, moves, done);
+  if (std::all_of(moves.of, moves.of + kLanes, [](double each) { return each > 0.0; })) {
+    static_cast<BodyMotion&>(block) = after;
+    return;
+  }
+  for (std::size_t i = 0; i < kLanes; ++i)
+    if (moves[i] > 0.0) block.take(after, i);
+}
+
 }  // namespace
+
+void BodyMotion::take(const BodyMotion& other, std::size_t i) {
+  for (Lanes BodyMotion::*const figure :
+       {&BodyMotion::x, &BodyMotion::y, &BodyMotion::heading_x, &BodyMotion::heading_y, &BodyMotion::v,
+        &BodyMotion::u, &BodyMotion::omega, &BodyMotion::wheel_travel, &BodyMotion::distance,
+        &BodyMotion::energy, &BodyMotion::free_way, &BodyMotion::slips})
+    (this->*figure)[i] = (other.*figure)[i];
+  for (const Side side : {left, right}) {
+    surface[side][i] = other.surface[side][i];
+    angle[side][i] = other.angle[side][i];
+  }
+}
 
 Bodies::Bodies(const world::World& world) : walls_(world.walls()) {
   if (world.ground()) throw std::invalid_argument("a batch of bodies needs a floor that is plane");
@@ -180,10 +210,11 @@ void Bodies::step_alone(std::size_t number) {
 
 void Bodies::step() {
   const bool obstacles = !walls_.discs().empty();
+  BodyMotion after;
   for (std::size_t first = 0; first < bodies_.size(); first += kLanes) {
     BodyBlock& block = blocks_[first / kLanes];
     Lanes done;
-    if (!obstacles) roll(block, done);
+    if (!obstacles) roll(block, after, done);
     for (std::size_t lane = 0; lane < kLanes && first + lane < bodies_.size(); ++lane)
       if (done[lane] == 0.0) step_alone(first + lane);
   }

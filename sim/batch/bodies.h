@@ -23,8 +23,8 @@
 
 namespace robosim::batch {
 
-/// What a block's bodies are and do: their Roller and Rolling (sim/world/rolling.h), by the names there.
-struct BodyBlock {
+/// What a block's bodies do: their Rolling (sim/world/rolling.h), by the names there.
+struct BodyMotion {
   Lanes x, y, heading_x, heading_y;  // m; unit vector
   Lanes v, u, omega;                 // m/s, m/s, rad/s
   Lanes surface[2], angle[2];        // m/s, rad
@@ -33,6 +33,12 @@ struct BodyBlock {
   Lanes free_way;                    // m
   Lanes slips;                       // 1 = yes
 
+  /// One body's.
+  void take(const BodyMotion&, std::size_t lane);
+};
+
+/// And what they are: their Roller.
+struct BodyBlock : BodyMotion {
   // Of the commands as they are.
   Lanes direction[2], drives[2];          // the sign of `drive`, its amount
   Lanes push[2], drag[2], push_until[2];  // driven
