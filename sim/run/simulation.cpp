@@ -109,7 +109,6 @@ void Simulation::Inside::go_alone(SimTime end) {
   note_acting(0);
   const bool plane = !world.ground();
   std::atomic<SimTime>* const reached = setup.reached;
-  const std::atomic<bool>* const interrupted = setup.interrupted;
   SimTime wakes = 0;
   for (;; clock.t += kTick) {
     if (reached) reached->store(clock.t, std::memory_order_relaxed);
@@ -118,8 +117,7 @@ void Simulation::Inside::go_alone(SimTime end) {
       world.step_alone(0);
     else
       world.step();
-    if (agent.look(clock.t + kTick) || clock.t + kTick >= until) break;
-    if (interrupted && interrupted->load(std::memory_order_relaxed)) break;
+    if (agent.look(clock.t + kTick) || clock.t + kTick >= until || wants_to_stop()) break;
   }
   if (clock.t + kTick == until) rests_until = rest_from(until);
 }

@@ -1,6 +1,6 @@
 #include "sim/world/near_stripe.h"
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 namespace robosim::world {

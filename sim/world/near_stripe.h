@@ -2,7 +2,6 @@
 // most looks are then one subtraction. Of lines as the map has them, which stay.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
