@@ -102,17 +102,21 @@ int number_of(std::string_view name) {
   return whole ? number : 0;
 }
 
-class Threads : public httplib::ThreadPool {
+/// A pool whose threads answer each connection under `patience`. In some releases of the library enqueue()
+/// returns whether there was room, in others nothing; its own pool may be final.
+class Threads : public httplib::TaskQueue {
  public:
-  explicit Threads(Patience& patience) : ThreadPool(kThreads), patience_(patience) {}
-  auto enqueue(std::function<void()> work) -> decltype(ThreadPool::enqueue(work)) override {
-    return ThreadPool::enqueue([this, connection = patience_.accepted(), work = std::move(work)] {
+  explicit Threads(Patience& patience) : patience_(patience), pool_(kThreads) {}
+  auto enqueue(std::function<void()> work) -> decltype(TaskQueue::enqueue(work)) override {
+    return pool_.enqueue([this, connection = patience_.accepted(), work = std::move(work)] {
       patience_.answer(connection, work);
     });
   }
+  void shutdown() override { pool_.shutdown(); }
 
  private:
   Patience& patience_;
+  httplib::ThreadPool pool_;
 };
 
 int bind(httplib::Server& server, const Settings& settings) {
