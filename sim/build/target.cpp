@@ -57,7 +57,9 @@ const Target kHost = {
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
     // A function without its `return` returns, as avr-gcc's does: without `unreachable` gcc takes its end for
     // a place that is never reached, and what comes behind it runs.
-    .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable"},
+    // Where a sketch asks for -Os or more, gcc would end a path that has divided by zero with a trap.
+    .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
+            "-fno-isolate-erroneous-paths-dereference"},
     // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
     // its table says.
     .own_level = "-O1",

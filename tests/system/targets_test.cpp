@@ -163,6 +163,15 @@ TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
   EXPECT_THAT(chip.next, HasSubstr("int has 16 bits"));
 }
 
+TEST_F(OnTheChip, DivisionsAreEqualAtEveryLevelOfOptimisation) {
+  const auto said = [&](const char* target) {
+    return run({.sketch = "DividesAtEveryLevel", .goal = "none", .for_s = 3.0, .target = target}).serial;
+  };
+  const std::string serial = said("host");
+  EXPECT_EQ(std::count(serial.begin(), serial.end(), '\n'), 3 * 8 * 4 * 4);
+  EXPECT_EQ(said("avr"), serial);
+}
+
 TEST_F(OnTheChip, AFollowersRunIsPinned) {
   build::Request request{sketch_folder("PidFollower"), *find_board("uno")};
   request.target = "avr";
