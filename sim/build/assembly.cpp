@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/build/division.h"
-
 namespace robosim::build {
 namespace {
 
@@ -56,14 +54,19 @@ std::string_view place_of_asm(std::string_view line) {
 
 }  // namespace
 
-std::string call_in_endless_loops(std::string_view assembly) {
+std::string changed_for_host(std::string_view assembly, QuotientByZero quotient) {
   std::string result;
-  result.reserve(assembly.size());
+  result.reserve(assembly.size() + assembly.size() / 8);
   std::vector<std::string_view> labels;  // that stand right before the next instruction
+  int divisions = 0;
   while (!assembly.empty()) {
     const std::string_view whole = take_line(assembly);
     const std::string_view line = trim(whole);
-    const bool label = !whole.empty() && whole[0] != ' ' && whole[0] != '\t' && line.back() == ':';
+    if (const std::string_view place = place_of_asm(whole); !place.empty()) {
+      result.append("#").append(place).append("\n");
+      continue;
+    }
+    const bool label = !line.empty() && line[0] == whole[0] && line.back() == ':';
     if (label) {
       labels.push_back(line.substr(0, line.size() - 1));
     } else if (!says_nothing(line)) {
@@ -75,29 +78,15 @@ std::string call_in_endless_loops(std::string_view assembly) {
         result.append("\t").append(jump.call).append("\t").append(kFunction).append("\n");
         continue;
       }
+      if (const std::string division = division_of_chip(line, quotient, divisions); !division.empty()) {
+        result.append(division);
+        ++divisions;
+        continue;
+      }
     }
     result.append(whole).append("\n");
   }
   return result;
-}
-
-std::string with_places_of_asm(std::string_view assembly) {
-  std::string result;
-  result.reserve(assembly.size());
-  while (!assembly.empty()) {
-    const std::string_view line = take_line(assembly);
-    const std::string_view place = place_of_asm(line);
-    if (place.empty())
-      result.append(line);
-    else
-      result.append("#").append(place);
-    result.append("\n");
-  }
-  return result;
-}
-
-std::string changed_for_host(std::string_view assembly, const BoardSpec& board) {
-  return with_division_of_chip(with_places_of_asm(call_in_endless_loops(assembly)), quotient_by_zero(board));
 }
 
 }  // namespace robosim::build

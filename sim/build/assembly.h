@@ -4,21 +4,18 @@
 #include <string>
 #include <string_view>
 
-#include "hal/board/board_spec.h"
+#include "sim/build/division.h"
 
 namespace robosim::build {
 
-/// Replaces each jump to itself by a call of `robosim_endless_loop`, which hal/host defines: it never
-/// returns, and lets simulated time pass. gcc's trace-pc instruments blocks that do something; an empty
-/// endless loop (`for (;;);`, `while (1);`) does nothing, so no time would pass in it.
-std::string call_in_endless_loops(std::string_view assembly);
-
-/// Lets the assembler name the sketch's file and line where it refuses what asm() holds. gcc writes that
-/// place as a comment, which assemblers understand if it begins with '#'; for arm64 and arm it begins
-/// otherwise.
-std::string with_places_of_asm(std::string_view assembly);
-
-/// Both, and divisions as the board's chip has them (division.h).
-std::string changed_for_host(std::string_view assembly, const BoardSpec& board);
+/// Returns `assembly` with three changes:
+/// - A jump to itself becomes a call of `robosim_endless_loop`, which hal/host defines: it never returns and
+///   lets simulated time pass. gcc's trace-pc instruments blocks that do something; an empty endless loop
+///   (`for (;;);`, `while (1);`) does nothing, so no time would pass in it.
+/// - A division gives what the chip gives (division.h).
+/// - The place of an asm() is written so that the assembler names the sketch's file and line where it refuses
+///   what asm() holds. gcc writes that place as a comment, which assemblers read if it begins with '#'; for
+///   arm64 and arm it begins otherwise.
+std::string changed_for_host(std::string_view assembly, QuotientByZero quotient);
 
 }  // namespace robosim::build

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
 #include "sim/base/bundle.h"
@@ -232,8 +233,8 @@ class Build {
     return again;
   }
 
-  /// The second half of a compilation, for those that have succeeded so far; gives which of them keep the
-  /// address of a register that has none.
+  /// Assembles what has been compiled without errors so far. Returns which units keep the address of a
+  /// register that has none.
   std::vector<bool> assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
                              std::vector<CommandResult>& results) const {
     std::vector<bool> keeps_address(objects.size());
@@ -241,20 +242,36 @@ class Build {
     std::vector<Command> commands;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (results[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
-      const fs::path assembly = objects[i].string() + ".s";
-      const std::string compiled_to = read_file(assembly);
-      keeps_address[i] = toolchain_.registers == Registers::objects &&
-                         compiled_to.find(kRegisterMemory) != std::string::npos;
-      write_file(assembly, changed_for_host(compiled_to, toolchain_.board));
+      const std::string assembly = read_file(compiled_assembly(objects[i]));
+      keeps_address[i] =
+          toolchain_.registers == Registers::objects && assembly.find(kRegisterMemory) != std::string::npos;
+      const fs::path changed = changed_assembly(objects[i]);
+      write_file(changed, changed_for_host(assembly, quotient_by_zero(toolchain_.board)));
       compiled.push_back(i);
-      commands.push_back(assemble_command(toolchain_, objects[i]));
+      commands.push_back(assemble_command(toolchain_, changed, objects[i]));
     }
     const std::vector<CommandResult> assembled = run_walled(commands);
     for (std::size_t i = 0; i < compiled.size(); ++i) {
+      if (assembled[i].status != 0) check_changes(objects[compiled[i]], assembled[i].output);
       results[compiled[i]].status = assembled[i].status;
       results[compiled[i]].output += assembled[i].output;
     }
     return keeps_address;
+  }
+
+  /// Throws, as an internal error, if the assembler takes the compiler's assembly and only refuses our
+  /// changes to it: then it is not the sketch's fault.
+  void check_changes(const fs::path& object, const std::string& messages) const {
+    const auto assembled = run_walled({assemble_command(toolchain_, compiled_assembly(object), object)});
+    if (assembled[0].status != 0) return;
+    const fs::path saved = cache_.folder() / "refused.s";
+    fs::copy_file(changed_assembly(object), saved, fs::copy_options::overwrite_existing);
+    const std::size_t error = messages.find("Error: ");
+    throw std::runtime_error(fmt::format(
+        "Robosim's own assembly was refused by {}: {}; please report it with the file {}",
+        assembler_name(toolchain_.compiler),
+        error == messages.npos ? messages : messages.substr(error, messages.find('\n', error) - error),
+        saved.string()));
   }
 
   /// Whether its object goes into the cache: not that of the joined .ino files, nor one with notes beside it.

@@ -227,6 +227,9 @@ bool through_assembly(const Toolchain& toolchain, const Unit& unit) {
   return !toolchain.target.chip && unit.kind != Unit::Kind::core;
 }
 
+fs::path compiled_assembly(const fs::path& object) { return object.string() + ".gcc.s"; }
+fs::path changed_assembly(const fs::path& object) { return object.string() + ".s"; }
+
 bool is_counted(const Toolchain& toolchain, const Unit& unit) {
   return toolchain.coverage && unit.kind == Unit::Kind::sketch;
 }
@@ -244,15 +247,15 @@ Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::
   if (is_counted(toolchain, unit))
     append(words, {"-fprofile-note=" + object.string() + ".gcno", "-dumpbase", notes_name(unit)});
   if (through_assembly(toolchain, unit))
-    append(words, {"-S", "-o", object.string() + ".s"});
+    append(words, {"-S", "-o", compiled_assembly(object).string()});
   else
     append(words, {"-c", "-o", object.string()});
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input};
 }
 
-Command assemble_command(const Toolchain& toolchain, const fs::path& object) {
-  return {{toolchain.compiler.cc.string(), "-c", "-o", object.string(), object.string() + ".s"},
+Command assemble_command(const Toolchain& toolchain, const fs::path& assembly, const fs::path& object) {
+  return {{toolchain.compiler.cc.string(), "-c", "-o", object.string(), assembly.string()},
           object.parent_path(),
           {}};
 }
@@ -334,7 +337,7 @@ std::string recipe(const Toolchain& toolchain) {
     for (const fs::path& folder : toolchain.core.includes_with_checks) text += folder.string() + "\n";
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
-  text += fmt::format("assembly 4 {}{}", target.own_level, target.core_level);
+  text += fmt::format("assembly 5 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;
 }

@@ -34,16 +34,20 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
-/// Whether the unit is compiled to the assembly `object` + ".s", which is changed a little
-/// (assembly.h) before assemble_command; else it goes to `object` at once.
+/// Returns whether the unit is compiled to assembly first, which is changed a little (assembly.h) before
+/// assemble_command; else it is compiled to `object` at once.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
+/// Returns where the compiler writes the assembly of such a unit, and where the changed assembly goes.
+std::filesystem::path compiled_assembly(const std::filesystem::path& object);
+std::filesystem::path changed_assembly(const std::filesystem::path& object);
 /// Whether the unit's lines are counted: gcov's notes on it are then in `object` + ".gcno", and its data has
 /// this name.
 bool is_counted(const Toolchain& toolchain, const Unit& unit);
 std::string notes_name(const Unit& unit);
 /// Lists all files read in `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
-Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& object);
+Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& assembly,
+                         const std::filesystem::path& object);
 /// Only preprocesses, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
 /// The language, macros and folders of a unit in C++, for another parser (reading.h).

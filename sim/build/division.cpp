@@ -2,107 +2,102 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
 namespace robosim::build {
 namespace {
 
-#if defined(__x86_64__)
+struct Division {
+  std::string_view instruction, operands;
+  bool is_signed = false;
+};
 
-// The macros' own instruction follows a pseudo-prefix, so that it is not taken for a macro again.
-constexpr std::string_view kMacros = R"(
-.macro robosim_divide size, low, high, top, with_sign, divide, by:vararg
-	cmp\size	$0, \by
-	jne	.Lrobosim_divides\@
-	mov\size	%\low, %\high
-.if robosim_ones_by_zero == 0
-	mov\size	$0, %\low
-.elseif \with_sign
-	sar\size	$\top, %\low
-	add\size	%\low, %\low
-	not\size	%\low
-.else
-	mov\size	$-1, %\low
-.endif
-	jmp	.Lrobosim_divided\@
-.Lrobosim_divides\@:
-.if \with_sign
-	cmp\size	$-1, \by
-	jne	.Lrobosim_fits\@
-	neg\size	%\low
-	mov\size	$0, %\high
-	jmp	.Lrobosim_divided\@
-.Lrobosim_fits\@:
-.endif
-	{load} \divide\size \by
-.Lrobosim_divided\@:
-.endm
-.macro idivb by:vararg
-	robosim_divide	b, al, ah, 7, 1, idiv, \by
-.endm
-.macro idivw by:vararg
-	robosim_divide	w, ax, dx, 15, 1, idiv, \by
-.endm
-.macro idivl by:vararg
-	robosim_divide	l, eax, edx, 31, 1, idiv, \by
-.endm
-.macro idivq by:vararg
-	robosim_divide	q, rax, rdx, 63, 1, idiv, \by
-.endm
-.macro divb by:vararg
-	robosim_divide	b, al, ah, 7, 0, div, \by
-.endm
-.macro divw by:vararg
-	robosim_divide	w, ax, dx, 15, 0, div, \by
-.endm
-.macro divl by:vararg
-	robosim_divide	l, eax, edx, 31, 0, div, \by
-.endm
-.macro divq by:vararg
-	robosim_divide	q, rax, rdx, 63, 0, div, \by
-.endm
-)";
+/// Returns the division in a line; nothing if there is none. x86-64's `idiv`, `div` end with their width.
+std::optional<Division> division_in(std::string_view line) {
+  const std::size_t space = line.find_first_of(" \t");
+  if (space == line.npos) return std::nullopt;
+  const std::string_view word = line.substr(0, space);
+  const std::size_t operands = line.find_first_not_of(" \t", space);
+  if (operands == line.npos) return std::nullopt;
+  for (const std::string_view name :
+       {"sdiv", "udiv", "idivb", "idivw", "idivl", "idivq", "divb", "divw", "divl", "divq"})
+    if (word == name) return Division{word, line.substr(operands), word[0] == 's' || word[0] == 'i'};
+  return std::nullopt;
+}
 
-#elif defined(__aarch64__)
+/// Of the accumulator of an x86-64, for operands of one width: `low` holds dividend and quotient, `high` the
+/// remainder.
+struct Accumulator {
+  char width;  ///< the instructions' last letter
+  const char *low, *high;
+  int sign_bit;
+};
 
-// Of the macros' own instruction only the code can be written, or it were taken for a macro again.
-constexpr std::string_view kMacros = R"(
-.irp number, 0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25,26,27,28,29,30
-.set .Lrobosim_number_w\number, \number
-.set .Lrobosim_number_x\number, \number
-.set .Lrobosim_top_w\number, 31
-.set .Lrobosim_top_x\number, 63
-.endr
-.set .Lrobosim_number_wzr, 31
-.set .Lrobosim_number_xzr, 31
-.set .Lrobosim_top_wzr, 31
-.set .Lrobosim_top_xzr, 63
-.macro robosim_divide with_sign, quotient, dividend, divisor
-	cbnz	\divisor, .Lrobosim_divides\@
-.if robosim_ones_by_zero == 0
-	mov	\quotient, 0
-.elseif \with_sign
-	asr	\quotient, \dividend, #.Lrobosim_top_\quotient
-	mvn	\quotient, \quotient, lsl #1
-.else
-	mov	\quotient, -1
-.endif
-	b	.Lrobosim_divided\@
-.Lrobosim_divides\@:
-	.inst	(.Lrobosim_top_\quotient / 32 << 31) | 0x1ac00800 | (\with_sign << 10) | (.Lrobosim_number_\divisor << 16) | (.Lrobosim_number_\dividend << 5) | .Lrobosim_number_\quotient
-.Lrobosim_divided\@:
-.endm
-.macro sdiv quotient, dividend, divisor
-	robosim_divide	1, \quotient, \dividend, \divisor
-.endm
-.macro udiv quotient, dividend, divisor
-	robosim_divide	0, \quotient, \dividend, \divisor
-.endm
-)";
+constexpr Accumulator kAccumulators[] = {
+    {'b', "al", "ah", 7}, {'w', "ax", "dx", 15}, {'l', "eax", "edx", 31}, {'q', "rax", "rdx", 63}};
 
-#else
+std::string division_of_x86(const Division& division, QuotientByZero quotient, int number) {
+  const Accumulator* a = kAccumulators;
+  while (a->width != division.instruction.back()) ++a;
+  std::string text = fmt::format(
+      "\tcmp{0}\t$0, {1}\n"
+      "\tjne\t.Lrobosim_divides{2}\n"
+      "\tmov{0}\t%{3}, %{4}\n",
+      a->width, division.operands, number, a->low, a->high);
+  if (quotient == QuotientByZero::zero)
+    text += fmt::format("\tmov{}\t$0, %{}\n", a->width, a->low);
+  else if (division.is_signed)
+    text += fmt::format("\tsar{0}\t${2}, %{1}\n\tadd{0}\t%{1}, %{1}\n\tnot{0}\t%{1}\n", a->width, a->low,
+                        a->sign_bit);
+  else
+    text += fmt::format("\tmov{}\t$-1, %{}\n", a->width, a->low);
+  text += fmt::format("\tjmp\t.Lrobosim_divided{0}\n.Lrobosim_divides{0}:\n", number);
+  if (division.is_signed)  // by -1 it overflows, and the processor raises a signal
+    text += fmt::format(
+        "\tcmp{0}\t$-1, {1}\n"
+        "\tjne\t.Lrobosim_fits{2}\n"
+        "\tneg{0}\t%{3}\n"
+        "\tmov{0}\t$0, %{4}\n"
+        "\tjmp\t.Lrobosim_divided{2}\n"
+        ".Lrobosim_fits{2}:\n",
+        a->width, division.operands, number, a->low, a->high);
+  return text +
+         fmt::format("\t{}\t{}\n.Lrobosim_divided{}:\n", division.instruction, division.operands, number);
+}
 
-constexpr std::string_view kMacros = "";
+/// Splits "w0, w1, w2"; nothing if there are not three registers of one width.
+std::optional<std::array<std::string_view, 3>> three_registers(std::string_view operands) {
+  std::array<std::string_view, 3> registers;
+  for (std::size_t i = 0; i < registers.size(); ++i) {
+    const std::size_t comma = operands.find(',');
+    if ((comma == operands.npos) != (i == 2)) return std::nullopt;
+    registers[i] = operands.substr(0, comma);
+    if (registers[i].empty() || registers[i][0] != registers[0][0]) return std::nullopt;
+    operands.remove_prefix(std::min(operands.find_first_not_of(", ", comma), operands.size()));
+  }
+  return registers[0][0] == 'w' || registers[0][0] == 'x' ? std::optional(registers) : std::nullopt;
+}
 
-#endif
+std::string division_of_arm64(const Division& division, QuotientByZero quotient, int number) {
+  const auto registers = three_registers(division.operands);
+  if (!registers) return "";
+  const auto& [result, dividend, divisor] = *registers;
+  std::string text = fmt::format("\tcbnz\t{}, .Lrobosim_divides{}\n", divisor, number);
+  if (quotient == QuotientByZero::zero)
+    text += fmt::format("\tmov\t{}, 0\n", result);
+  else if (division.is_signed)
+    text += fmt::format("\tasr\t{0}, {1}, #{2}\n\tmvn\t{0}, {0}, lsl #1\n", result, dividend,
+                        result[0] == 'w' ? 31 : 63);
+  else
+    text += fmt::format("\tmov\t{}, -1\n", result);
+  return text + fmt::format(
+                    "\tb\t.Lrobosim_divided{0}\n"
+                    ".Lrobosim_divides{0}:\n"
+                    "\t{1}\t{2}\n"
+                    ".Lrobosim_divided{0}:\n",
+                    number, division.instruction, division.operands);
+}
 
 }  // namespace
 
@@ -110,9 +105,12 @@ QuotientByZero quotient_by_zero(const BoardSpec& board) {
   return std::string_view(board.chip->target) == "stm32" ? QuotientByZero::zero : QuotientByZero::all_ones;
 }
 
-std::string with_division_of_chip(std::string_view assembly, QuotientByZero quotient) {
-  return fmt::format("\t.set\trobosim_ones_by_zero, {}{}{}", quotient == QuotientByZero::all_ones ? 1 : 0,
-                     kMacros.empty() ? "\n" : kMacros, assembly);
+std::string division_of_chip(std::string_view line, QuotientByZero quotient, int number) {
+  const std::optional<Division> division = division_in(line);
+  if (!division) return "";
+  const bool arm64 = division->instruction == "sdiv" || division->instruction == "udiv";
+  return arm64 ? division_of_arm64(*division, quotient, number)
+               : division_of_x86(*division, quotient, number);
 }
 
 }  // namespace robosim::build

@@ -1,5 +1,6 @@
-// Divisions by zero in a sketch for the host. An AVR and a Cortex-M3 go on behind one, an x86-64 raises a
-// signal and an arm64 gives its own result; so each division is made to give what the chip gives.
+// Divisions by zero in a sketch for the host. An AVR and a Cortex-M3 continue after one; an x86-64 raises a
+// signal, and an arm64 has a result of its own. So each division instruction in gcc's assembly is extended to
+// give what the chip gives.
 //
 //   chip       quotient                             remainder      source
 //   AVR        all bits 1; of negative numbers 1    the dividend   libgcc, config/avr/lib1funcs.S: shift and
@@ -10,8 +11,9 @@
 // The most negative number divided by -1 is itself on both. arm has no instruction to divide: its function is
 // wrapped (hal/host/division.cpp).
 //
-// arm64 has none for 16 bits: gcc takes the one for 32 and does not cut its result, which fits but for a
-// division by zero. So a uint16_t by a uint16_t may be -1 there, in place of 65535, until it is stored.
+// arm64 has no 16-bit division: gcc takes the one for 32 bits and does not cut its result, which fits except
+// after a division by zero. So a uint16_t by a uint16_t may be -1 there, instead of 65535, until it is
+// stored.
 #pragma once
 
 #include <string>
@@ -23,10 +25,13 @@ namespace robosim::build {
 
 enum class QuotientByZero { all_ones, zero };
 
-/// What the chip of `board` gives.
+/// Returns what the chip of `board` gives.
 QuotientByZero quotient_by_zero(const BoardSpec& board);
 
-/// `assembly` of gcc for x86-64 or arm64, behind macros in whose place the assembler reads its divisions.
-std::string with_division_of_chip(std::string_view assembly, QuotientByZero quotient);
+/// Returns the lines that do the work of one line of gcc's assembly and give what the chip gives where the
+/// divisor is zero; empty if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` must
+/// differ between the divisions of a file: it goes into their labels. The operands are those that gcc writes;
+/// no line depends on how the assembler expands a macro.
+std::string division_of_chip(std::string_view line, QuotientByZero quotient, int number);
 
 }  // namespace robosim::build

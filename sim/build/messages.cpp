@@ -208,9 +208,13 @@ void fail(const Target& target, const std::string& messages) {
   std::smatch match;
   if (!find_error(messages, match)) {
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
-    if (!target.chip && std::regex_search(messages, match, assembler))
-      throw CompileError({match[1], std::stoi(match[2])}, "asm() holds assembler of the chip (" +
-                                                              match[3].str() + "): it is for the target avr");
+    if (!target.chip && std::regex_search(messages, match, assembler)) {
+      // gcc notes no place of an asm() outside of functions: then the file is the compiler's assembly.
+      const std::string file = match[1];
+      const Place place = file.ends_with(".s") ? Place() : Place{file, std::stoi(match[2])};
+      throw CompileError(
+          place, "asm() holds assembler of the chip (" + match[3].str() + "): it is for the target avr");
+    }
     static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
     if (std::regex_search(messages, match, unplaced))
       throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());

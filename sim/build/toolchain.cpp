@@ -161,6 +161,14 @@ CompilerFacts ask(const Compiler& compiler, const fs::path& cache) {
   return facts;
 }
 
+std::string assembler_name(const Compiler& compiler) {
+  const std::string first =
+      answer(compiler, {"-Wa,--version", "-c", "-x", "assembler", "-o", "/dev/null", "/dev/null"});
+  const std::string line =
+      first.substr(0, first.find('\n'));  // "GNU assembler (GNU Binutils for Debian) 2.44"
+  return "as " + line.substr(line.find_last_of(' ') + 1);
+}
+
 GenuineCore find_core() {
   const fs::path platform = "/usr/share/arduino/hardware/arduino/avr";
   GenuineCore core{platform / "cores/arduino", platform / "variants", platform / "libraries",

@@ -31,6 +31,9 @@ struct CompilerFacts {
 /// Starts the compiler unless `cache` knows the answer.
 CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
 
+/// Returns the name and version of the assembler that the compiler uses: "as 2.44".
+std::string assembler_name(const Compiler& compiler);
+
 /// Where the genuine core's sources and avr-libc's headers are. Throws ToolMissing.
 struct GenuineCore {
   std::filesystem::path sources;    ///< cores/arduino

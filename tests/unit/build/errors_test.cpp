@@ -5,9 +5,11 @@
 namespace robosim::build {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
@@ -66,6 +68,37 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
   EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
                                       HasSubstr(" `wdr'"), EndsWith("): it is for the target avr")));
+  write("Boot/Boot.ino", "asm(\"wdr\");\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("asm() holds assembler of the chip ("), HasSubstr(" `wdr'")))
+      << "gcc notes no line for it";
+}
+
+TEST_F(SketchTest, AChangeOfOursThatTheAssemblerRefusesIsNotTheSketchsFault) {
+  write("Empty/Empty.ino", kEmptySketch);
+  const std::string compiler = build_here("Empty").compiler;  // "gcc 12.2.0 x86_64-linux-gnu"
+  const std::string gcc = compiler.substr(compiler.rfind(' ') + 1) + "-gcc";
+  // Stands for a later assembler, which refuses what changed_for_host() writes.
+  const fs::path later = write("Divides/bin/" + gcc,
+                               "#!/bin/sh\nfor file; do :; done\n"
+                               "if grep -q '^.Lrobosim_divides' \"$file\"; then\n"
+                               "  echo \"$file:7: Error: no such instruction\"; exit 1\nfi\n"
+                               "exec /usr/bin/" +
+                                   gcc + " \"$@\"\n");
+  fs::permissions(later, fs::perms::owner_all);
+  ::setenv("PATH", (later.parent_path().string() + ":" + ::getenv("PATH")).c_str(), 1);
+  write("Divides/Divides.ino", "volatile int n;\nvoid setup() { n = 5 / n; }\nvoid loop() {}\n");
+  try {
+    build_here("Divides");
+    FAIL() << "it compiles";
+  } catch (const InputError& error) {
+    FAIL() << "the sketch is blamed: " << error.what();
+  } catch (const std::runtime_error& error) {
+    const fs::path saved = cache_folder() / "refused.s";
+    EXPECT_THAT(error.what(),
+                AllOf(MatchesRegex("Robosim's own assembly was refused by as [0-9.]+: Error: no such.*"),
+                      EndsWith("; please report it with the file " + saved.string())));
+    EXPECT_THAT(read_file(saved), HasSubstr(".Lrobosim_divides"));
+  }
 }
 
 TEST_F(SketchTest, ASketchWithoutLoopIsToldSo) {
