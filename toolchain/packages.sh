@@ -76,6 +76,16 @@ if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2
   no_packages
 fi
+# Of a package that this release does not have, apt only reports that it cannot locate it.
+available=" $(apt-cache policy "${missing[@]}" | sed -n '/^[^ ]/{s/:$//;h;d}; /Candidate: [^(]/{g;p}' | tr '\n' ' ')"
+for package in "${missing[@]}"; do
+  [[ $available == *" $package "* ]] || absent+=("$package")
+done
+if [[ -n ${absent-} ]]; then
+  system=$(. /etc/os-release && echo "$PRETTY_NAME")
+  fail "no package ${absent[0]} in $system: expected Debian 12 or 13, or Ubuntu 24.04 or later with universe \
+(sudo add-apt-repository universe); elsewhere use a container of debian:13"
+fi
 if [[ -t 2 ]]; then
   apt "${install[@]}" -o Acquire::Retries=2 >&2 || no_packages
 elif ! apt "${install[@]}" -o Acquire::Retries=2 >"$log" 2>&1; then

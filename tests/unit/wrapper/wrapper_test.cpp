@@ -46,6 +46,7 @@ class Wrapper : public testing::Test {
     tool("dpkg-query", "printf '%s installed\\n' plenty check-kit chip arm-kit $(cat have 2>/dev/null)");
     tool("sudo", "exec \"$@\"");
     tool("apt-get", "case \" $* \" in *' update '*) echo Hit:1;; *) echo scarce >have;; esac");
+    tool("apt-cache", "shift; for name; do printf '%s:\\n  Candidate: 1.0\\n' $name; done");
     tool("ctest", "pwd");
     tool("cmake", R"(
       case $1 in
@@ -105,6 +106,18 @@ TEST_F(Wrapper, HandsItsArgumentsToTheBuiltCommandInTheUsersFolder) {
   EXPECT_EQ(result.out, (folder_ / "elsewhere").string() + "\n<run><my sketch><--json>");
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.status, 4) << "the command's own";
+}
+
+TEST_F(Wrapper, NamesThePackageThatTheSystemDoesNotHave) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root installs without a terminal";
+  fs::remove(folder_ / "have");
+  for (const char* answer : {"printf 'scarce:\\n  Candidate: (none)\\n'", ":"}) {
+    tool("apt-cache", answer);
+    const Result result = run("../checkout/robosim run");
+    EXPECT_EQ(result.status, 5);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("robosim: no package scarce in "), HasSubstr("expected Debian 12")));
+    EXPECT_THAT(calls(), Not(HasSubstr(" install "))) << "nothing is installed";
+  }
 }
 
 TEST_F(Wrapper, BuildsOnlyWhatACommandNeedsAndOnlyOnce) {

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# toolchain/debian_root.sh RELEASE [STEP...]: tries this checkout's HEAD in a fresh minimal root of a Debian release
+# (bookworm, trixie), as somebody would who has just installed it. Steps, in this order; without any, all:
+#
+#   run       as root: the README's first command, which installs what is missing and builds
+#   samples   as root: the checks of every sample, on the targets that they name
+#   commands  as root: compare, and one minute of hunt
+#   test      as root: the README's second command
+#   user      as an ordinary user, with the packages installed: both commands
+#
+# Ends with a table: the versions, and each step's seconds and last line. Status 1 if a step failed.
+# Needs root, and mmdebstrap. Packages come from the mirror that this machine uses; nothing else is downloaded.
+# The root is left in build/roots/RELEASE, with the log of each step in its /var/log/robosim.
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..
+here=$(readlink -f "$here")
+all=(run samples commands test user)
+release=${1:-}
+steps=("${@:2}")
+((${#steps[@]})) || steps=("${all[@]}")
+for step in "${steps[@]}"; do
+  if [[ " ${all[*]} " != *" $step "* || ! $release =~ ^[a-z]+$ ]]; then
+    printf 'usage: toolchain/debian_root.sh RELEASE [%s]...\n' "$(IFS='|'; echo "${all[*]}")" >&2
+    exit 2
+  fi
+done
+if ((EUID != 0)) || ! command -v mmdebstrap >/dev/null; then
+  echo 'debian_root.sh: it needs root, and the package mmdebstrap' >&2
+  exit 5
+fi
+root=$here/build/roots/$release
+logs=$root/var/log/robosim
+
+# Runs a command in the root, with devices, /proc and a /tmp of its own, which end with it. The root of the mount
+# namespace is changed, not only that of the process: in a chroot the kernel allows no user namespaces.
+inside() {  # FOLDER COMMAND...
+  unshare --mount --pid --fork --kill-child bash -euc '
+    mount --bind "$0" "$0"
+    cd "$0"
+    mount --rbind /dev dev
+    mount -t proc proc proc
+    mount -t sysfs sysfs sys
+    mount -t tmpfs tmpfs tmp
+    [[ ! -e /etc/resolv.conf ]] || cat /etc/resolv.conf >etc/resolv.conf
+    mkdir -p old
+    pivot_root . old
+    umount -l /old
+    cd "$1"
+    exec env -i HOME="$(dirname "$1")" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+      LANG=C.UTF-8 TERM=dumb "${@:2}"' "$root" "$@" </dev/null
+}
+
+failed=0
+table=
+record() {  # NAME SECONDS STATUS LAST-LINE
+  local verdict=ok
+  (($3 == 0)) || verdict="FAILED ($3)" failed=1
+  printf -v table '%s  %-14s %5d s  %-11s %s\n' "$table" "$1" "$2" "$verdict" "$4"
+}
+
+try() {  # NAME LINE-TO-SHOW FOLDER COMMAND...
+  local status=0 begin=$SECONDS log=$logs/${1// /-}.log
+  echo "== $release: $1"
+  inside "${@:3}" >"$log" 2>&1 || status=$?
+  ((status == 0)) || tail -n 60 "$log"
+  record "$1" $((SECONDS - begin)) "$status" "$(grep -E "$2" "$log" | tail -n 1)"
+}
+
+mirror() {
+  apt-get indextargets --format '$(ORIGIN) $(REPO_URI)' 'Created-By: Packages' 'Component: main' 2>/dev/null |
+    sed -n '/security/d; s/^Debian //p' | head -n 1
+}
+
+begin=$SECONDS
+echo "== $release: a minimal root"
+if mountpoint -q "$root"; then
+  echo "debian_root.sh: $root is mounted: another run has not ended" >&2
+  exit 5
+fi
+rm -rf "$root"
+mkdir -p "$root"
+from=$(mirror)
+mmdebstrap --quiet --variant=minbase "$release" "$root" ${from:+"$from"}
+mkdir -p "$logs"
+git clone --quiet --no-hardlinks "$here" "$root/root/robosim"
+record root $((SECONDS - begin)) 0 "$(git -C "$root/root/robosim" log -1 --format='%h %s')"
+
+for step in "${steps[@]}"; do
+  case $step in
+    run) try run '^(reached|lost|stuck|robosim):' /root/robosim ./robosim run PidFollower --map oval ;;
+    samples)
+      try samples '[0-9]+ (check|of)' /root/robosim bash -c './robosim test samples/*/'
+      ;;
+    commands)
+      try compare . /root/robosim ./robosim compare PidFollower --map oval
+      try hunt . /root/robosim ./robosim hunt PidFollower --for 60s
+      ;;
+    test) try test '[0-9]+ passed' /root/robosim ./robosim test ;;
+    user)
+      inside / useradd --create-home robosim
+      git clone --quiet --no-hardlinks "$here" "$root/home/robosim/robosim"
+      inside / chown -R robosim: /home/robosim
+      as=(setpriv --reuid robosim --regid robosim --init-groups)
+      try 'user run' '^(reached|lost|stuck|robosim):' /home/robosim/robosim "${as[@]}" ./robosim run PidFollower --map oval
+      try 'user test' '[0-9]+ passed' /home/robosim/robosim "${as[@]}" ./robosim test
+      ;;
+  esac
+done
+
+versions() {
+  inside / bash -c '
+    . /etc/os-release
+    version() { "$@" --version 2>/dev/null | sed -nE "1s/.* ([0-9.]+[0-9])( .*)?$/\1/p"; }
+    echo "$PRETTY_NAME: gcc $(gcc -dumpfullversion), as $(version as), avr-gcc $(avr-gcc -dumpfullversion), cmake $(version cmake)"'
+}
+printf '\n%s\n%s' "$(versions)" "$table"
+exit "$failed"
