@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # toolchain/debian_root.sh RELEASE [STEP...]: tries this checkout's HEAD in a fresh minimal root of a Debian release
-# (bookworm, trixie), as somebody would who has just installed it. Steps, in this order; without any, all:
+# (bookworm, trixie), as on a machine that has just been installed. Steps, in this order; without any, all:
 #
 #   run       as root: the README's first command, which installs what is missing and builds
 #   samples   as root: the checks of every sample, on the targets that they name
 #   commands  as root: compare, and one minute of hunt
 #   test      as root: the README's second command
+#   pi        as root: the golden tests, cross-built for a Raspberry Pi with 64 and 32 bits, under qemu-user
 #   user      as an ordinary user, with the packages installed: both commands
 #
 # Ends with a table: the versions, and each step's seconds and last line. Status 1 if a step failed.
@@ -15,7 +16,7 @@ set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..
 here=$(readlink -f "$here")
-all=(run samples commands test user)
+all=(run samples commands test pi user)
 release=${1:-}
 steps=("${@:2}")
 ((${#steps[@]})) || steps=("${all[@]}")
@@ -97,6 +98,13 @@ for step in "${steps[@]}"; do
       try hunt . /root/robosim ./robosim hunt PidFollower --for 60s
       ;;
     test) try test '[0-9]+ passed' /root/robosim ./robosim test ;;
+    pi)
+      for preset in arm64/pi64-golden armhf/pi32-golden; do
+        try "${preset#*/}" 'tests passed' /root/robosim bash -c "toolchain/packages.sh pi &&
+          toolchain/pi_sysroot.sh ${preset%/*} &&
+          CMAKE_BUILD_PARALLEL_LEVEL=$(nproc) cmake --workflow --preset ${preset#*/}"
+      done
+      ;;
     user)
       inside / useradd --create-home robosim
       git clone --quiet --no-hardlinks "$here" "$root/home/robosim/robosim"

@@ -290,9 +290,15 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   append(words, toolchain.target.link);
   if (toolchain.sanitize) append(words, toolchain.target.sanitizer.link);
   append(words, toolchain.core.machine);
-  if (toolchain.target.chip)
+  if (toolchain.target.chip) {
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
-  else
+    // From gcc 10 on it puts the way from the linker's folder to the compiler's before a name.
+    std::error_code error;
+    for (const auto& [folder, name] : places) {
+      const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();
+      words.push_back(fmt::format("{}={}/=", toolchain.target.prefix_map, way));
+    }
+  } else
     append(words, {"-Wl,--version-script=exports.map", "-Wl,-T,sections.ld"});
   append(words, toolchain.core.link);
   append(words, {"-o", image.string()});
@@ -337,7 +343,7 @@ std::string recipe(const Toolchain& toolchain) {
     for (const fs::path& folder : toolchain.core.includes_with_checks) text += folder.string() + "\n";
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
-  text += fmt::format("assembly 5 {}{}", target.own_level, target.core_level);
+  text += fmt::format("assembly 6 {}{}", target.own_level, target.core_level);
   for (const auto& [name, content] : target.link_files) text += content;
   return text;
 }

@@ -128,8 +128,9 @@ TEST_F(CliFlash, ADryRunPrintsTheCommandAndTheHashOfTheTestedImage) {
   if (run.status == 5 && !is_required("avr")) GTEST_SKIP() << run.err;  // no emulator here
   const auto result = nlohmann::json::parse(run.out, nullptr, false);
   ASSERT_TRUE(result.is_object()) << run.out << run.err;
-  EXPECT_EQ(after(ended.out, "\nimage_sha256: ", ","), result["inputs"]["image_sha256"]);
-  EXPECT_EQ(sha256(read_file(after(ended.out, "\nimage: ", "\n"))), result["inputs"]["image_sha256"]);
+  const auto image = result["inputs"]["image_sha256"].get<std::string>();
+  EXPECT_EQ(after(ended.out, "\nimage_sha256: ", ","), image);
+  EXPECT_EQ(sha256(read_file(after(ended.out, "\nimage: ", "\n"))), image);
 }
 
 TEST_F(CliFlash, FailsWhereAvrdudeDoes) {

@@ -100,7 +100,8 @@ const BoardSpec& board_of_image(const std::string& robot, const project::Project
   if (robot.empty() && project.board) return *project.board;
   if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());
   const launch::Choice choice = launch::choose_robot(robot, ".", "avr");
-  const BoardSpec& board = launch::board_of(client::Runner("host").describe_robot(choice.path.string()));
+  const auto description = client::Runner("host").describe_robot(choice.path.string());
+  const BoardSpec& board = launch::board_of(description);
   if (board.upload_protocol) return board;
   throw InputError(fmt::format("{}: robosim flash cannot write to its board, the {}", robot, board.name));
 }

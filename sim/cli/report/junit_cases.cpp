@@ -49,9 +49,7 @@ class Reader {
   }
 
   std::vector<JunitCase> read(std::string_view text, const std::string& file) {
-    const auto fail = [&](const std::string& problem) {
-      throw InputError({file, static_cast<int>(XML_GetCurrentLineNumber(parser_.get()))}, problem);
-    };
+    const auto fail = [&](const std::string& problem) { throw InputError({file, line()}, problem); };
     if (text.size() > kMost) fail(fmt::format("this has more than {} MB", kMost >> 20));
     if (XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) != XML_STATUS_OK)
       fail(refused_.empty()
@@ -63,6 +61,14 @@ class Reader {
   }
 
  private:
+  int line() const {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // deprecates the other
+    return static_cast<int>(XML_GetCurrentLineNumber64(parser_.get()));
+#else
+    return static_cast<int>(XML_GetCurrentLineNumber(parser_.get()));
+#endif
+  }
+
   static constexpr std::size_t kMost = std::size_t{256} << 20, kMostText = std::size_t{1} << 20;
 
   static void begin(void* self, const XML_Char* name, const XML_Char** attributes) {

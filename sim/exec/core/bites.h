@@ -2,6 +2,8 @@
 // crashed.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "hal/board/sim_time.h"
@@ -22,8 +24,8 @@ class Bites {
 
   /// Why it is a crash.
   static std::string reason() {
-    return "the watchdog has reset the chip " + std::to_string(kTooMany) + " times, each time within " +
-           std::to_string(kRow / kSecond) + " s of the one before";
+    return fmt::format("the watchdog has reset the chip {} times, each time within {} s of the one before",
+                       kTooMany, kRow / kSecond);
   }
 
  private:

@@ -97,6 +97,8 @@ void add_memory(Filter& filter) {
     filter.allow(name, {is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
+  // Names for memory: RE2's library gives some (Debian 13), and does without where the kernel has none.
+  filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
 }
 
 void add_descriptors(Filter& filter) {
