@@ -33,6 +33,10 @@ struct Step {
   std::int64_t to, beside;  ///< a clock that stands so much higher or lower passes none
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
+// Clocks that pass nothing: each turns a robot aside whose way depends on a microsecond, or by chance does
+// not.
+constexpr int kOtherClocks = 6;
+constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
 constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
@@ -126,12 +130,16 @@ bool prints_clock(const Look& look, std::int64_t clock) {
   return false;
 }
 
-/// Whether it does something else as soon as its clock has a digit or a bit more: what takes a microsecond
-/// longer is enough for that, and what it does when its clock goes back to 0 says nothing.
-bool is_touchy(client::Runner& runner, const wire::RunRequest& request, std::int64_t moment) {
+/// Returns whether the sketch does something else with another clock, or as soon as its clock has a digit or
+/// a bit more: what takes a microsecond longer is enough for that. What such a sketch does when its clock
+/// goes back to 0 proves nothing. `usual` is its run with `clock`, which passes nothing.
+bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
+               std::int64_t moment) {
+  for (int i = 1; i <= kOtherClocks; ++i)
+    if (differ(run(runner, request, clock - i * kApart), usual, moment)) return true;
   return std::any_of(std::begin(kSteps), std::end(kSteps), [&](const Step& step) {
-    const std::int64_t clock = step.to - moment;
-    return differ(run(runner, request, clock), run(runner, request, clock + step.beside), moment);
+    const std::int64_t passing = step.to - moment;
+    return differ(run(runner, request, passing), run(runner, request, passing + step.beside), moment);
   });
 }
 
@@ -201,7 +209,7 @@ std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunReques
     if (!differ(wrapped, some, moment)) continue;
     const Look usual = run(runner, request, clock - kLower);
     if (!differ(wrapped, usual, moment)) continue;
-    if (is_touchy(runner, request, moment)) return {};
+    if (is_touchy(runner, request, usual, clock - kLower, moment)) return {};
     const Look micros = run(runner, request, kMicrosWrap - moment);
     const bool by_micros = differ(micros, run(runner, request, kMicrosWrap - moment - kLower), moment);
     if (client::Interrupts::count() > 0) return {};

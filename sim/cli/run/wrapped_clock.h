@@ -9,8 +9,8 @@
 // So the run is made again with a clock that goes back to 0 on the way, and once more with one that stands
 // nearly as high and does not. Where these two differ from there on (another verdict, another way in the next
 // 2 s, a pin that changes no more), the sketch is not made for it. Which line ran far more often, or no more,
-// is found by counting lines. A robot that parts by a microsecond more or less does so whenever its clock has
-// a digit or a bit more, too; of such a sketch nothing is told.
+// is found by counting lines. A robot that parts by a microsecond more or less does so with other clocks that
+// pass nothing, or where its clock has a digit or a bit more. Nothing is reported of such a sketch.
 //
 // The moments that are tried are the middle of the run, and those at which the sketch has just driven a pin
 // and then drives none for long, as while it waits. What it cannot see: deadlines that are pending at none of

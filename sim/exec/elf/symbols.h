@@ -17,8 +17,14 @@ struct Symbol {
 
 class Symbols {
  public:
-  void add(Symbol symbol) { all_.push_back(std::move(symbol)); }
-  /// The address after the last byte.
+  /// Adds a symbol, except a label of the assembler's own: avr-as of binutils 2.43 leaves some in the image,
+  /// in the midst of functions. They begin with ".L" or hold control-A or control-B (manual of as, "Symbol
+  /// Names").
+  void add(Symbol symbol) {
+    const bool label = symbol.name.starts_with(".L") || symbol.name.find_first_of("\1\2") != symbol.name.npos;
+    if (!label) all_.push_back(std::move(symbol));
+  }
+  /// Sorts by address. To be called after the last add().
   void sort();
 
   const Symbol* find(const std::string& name) const;
