@@ -1,6 +1,7 @@
 #include "sim/base/machine_fault.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,6 +18,18 @@ std::string too_many_files() {
   ::getrlimit(RLIMIT_NOFILE, &limit);
   return "too many files are open: at most " + std::to_string(limit.rlim_cur) +
          " are allowed here; allow more (ulimit -n 256)";
+}
+
+std::string too_large_files() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  return "a file may have at most " + std::to_string(limit.rlim_cur) +
+         " bytes here; allow more (ulimit -f unlimited)";
+}
+
+/// Empty if there is one.
+std::string no_dev_null() {
+  return ::access("/dev/null", R_OK | W_OK) == 0 ? "" : "/dev/null is missing or cannot be opened";
 }
 
 std::string no_temporary_files() {
@@ -41,6 +54,7 @@ bool has(std::string_view line, std::string_view text) { return line.find(text) 
 std::string fault_in(std::string_view line) {
   if (has(line, "No space left on device") || has(line, "Disk quota exceeded")) return kNoRoom;
   if (has(line, "Too many open files") || has(line, "out of file descriptors")) return too_many_files();
+  if (has(line, "File too large") || has(line, "File size limit exceeded")) return too_large_files();
   if (has(line, "Cannot create temporary file") || has(line, "cannot open temporary file"))
     return no_temporary_files();
   if (has(line, "virtual memory exhausted") || has(line, "memory exhausted") ||
@@ -66,6 +80,12 @@ std::string fault_of_machine(const std::exception& thrown) {
       return too_many_files();
     case ENFILE:
       return "the machine has too many files open";
+    case ENOENT:
+    case EACCES:
+    case ENXIO:
+      return no_dev_null();
+    case EFBIG:
+      return too_large_files();
     case ENOSPC:
     case EDQUOT:
       return kNoRoom;
@@ -79,6 +99,7 @@ std::string fault_of_machine(const std::exception& thrown) {
 }
 
 std::string fault_of_machine(const std::string& tool, const std::string& output) {
+  if (const std::string fault = no_dev_null(); !fault.empty()) return tool + " failed: " + fault;
   std::string_view rest = output;
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -92,5 +93,6 @@ int perform(int count, char** words) {
 
 int main(int count, char** words) {
   robosim::cli::open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on files is noticed when writing
   return robosim::cli::perform(count, words);
 }

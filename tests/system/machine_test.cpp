@@ -44,6 +44,36 @@ TEST_F(Machine, WithTooFewFilesIsToldSo) {
             "robosim: too many files are open: at most 6 are allowed here; allow more (ulimit -n 256)\n");
 }
 
+TEST_F(Machine, WithTooLowALimitOnFilesIsToldSo) {
+  const auto limited = [&] { return after("ulimit -f 100;", run_); };
+  const Ended ended = limited();
+  EXPECT_EQ(ended.status, 5);
+  EXPECT_THAT(ended.err,
+              HasSubstr("a file may have at most 102400 bytes here; allow more (ulimit -f unlimited)"));
+  EXPECT_EQ(after("", run_).status, 0);
+  const Ended built = limited();
+  EXPECT_EQ(built.status, 5);
+  EXPECT_EQ(built.err,
+            "robosim: a file may have at most 102400 bytes here; allow more (ulimit -f unlimited)\n");
+}
+
+TEST_F(Machine, WithASmallStackRunsWhatItHasBuilt) {
+  EXPECT_EQ(after("", run_).status, 0);
+  const Ended ended = after("ulimit -s 64;", run_);
+  EXPECT_EQ(ended.status, 0) << ended.err;
+}
+
+TEST_F(Machine, WithoutDevNullIsToldSo) {
+  const std::string without = "mkdir -p dev; unshare -mr bash -c 'mount --bind dev /dev && exec \"$@\"' -";
+  if (after(without, "--version").status != 0) GTEST_SKIP() << "no mount can be made here";
+  for (int time = 0; time < 2; ++time) {
+    const Ended ended = after(without, run_);
+    EXPECT_EQ(ended.status, 5);
+    EXPECT_THAT(ended.err, HasSubstr("/dev/null is missing or cannot be opened"));
+    EXPECT_EQ(after("", run_).status, 0) << "it is built now";
+  }
+}
+
 TEST_F(Machine, WithoutAnAssemblerIsToldSo) {
   for (const char* tool :
        {"arduino-ctags", "g++", "gcc", "nm", "objcopy", "x86_64-linux-gnu-g++", "x86_64-linux-gnu-gcc"}) {
