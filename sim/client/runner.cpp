@@ -39,6 +39,22 @@ std::string program_of(const std::string& target) {
   return program.string();
 }
 
+/// Of a run whose events a sketch has overwritten: whatever it came to, it cannot be believed.
+void blame_for_batch(wire::RunResult& result) {
+  if (result.verdict == "crashed") return;
+  if (!result.others.empty())
+    throw InputError(
+        "one of the sketches on the host has overwritten what is told of their run: run each alone, or on "
+        "its "
+        "chip");
+  const std::string cause = "it wrote to where the events of its run are kept";
+  result.crash.emplace().reason = cause;
+  result.crash->check = "sandbox";
+  result.verdict = "crashed";
+  result.status = static_cast<int>(ExitStatus::failed);
+  result.why = "The sketch crashed: " + cause + ".";
+}
+
 // Messages are JSON, and JSON is UTF-8: another name would reach the runner as that of another file.
 void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
@@ -99,7 +115,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
         if (const auto* batch = std::get_if<wire::Batch>(event)) {
           const auto bytes = process_->read_bytes(static_cast<std::size_t>(batch->size));
           if (!bytes) fail_silent();
-          if (on_event) batches_.read(*bytes, on_event);
+          if (on_event) read_batch(*bytes, on_event);
           continue;
         }
         if (const auto* started = std::get_if<wire::Started>(event)) batches_.begin(*started);
@@ -109,6 +125,8 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (on_event) batches_.finish(on_event);
       answered = true;
       process_->forget_interrupt();
+      if (auto* result = std::get_if<wire::RunResult>(&line.content); result && batch_is_damaged_)
+        blame_for_batch(*result);
       if (!error) return line;
       if (error->kind == "input") throw InputError(error->message);
       if (error->kind == "tool") throw ToolMissing(error->message);
@@ -117,6 +135,16 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
   } catch (...) {
     if (!answered) kill();  // it may be in the middle of a run, with more to say than anyone will read
     throw;
+  }
+}
+
+void Runner::read_batch(std::string_view bytes, const wire::OnEvent& on_event) {
+  try {
+    if (!batch_is_damaged_) batches_.read(bytes, on_event);
+  } catch (const wire::RunnerError&) {
+    // Where firmware is code of this machine, its memory is next to that of the batches.
+    if (hello_.sandbox.empty()) throw;
+    batch_is_damaged_ = true;
   }
 }
 
@@ -143,6 +171,7 @@ void Runner::begin(const wire::RunRequest& request) {
   for (const std::string* file : {&request.image, &request.map, &request.robot, &request.counters})
     check_name(*file);
   batches_ = wire::BatchReader(request);
+  batch_is_damaged_ = false;
   process_->write(wire::to_line(++last_id_, wire::Request(request)));
 }
 

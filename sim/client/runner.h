@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/wire/batch.h"
@@ -76,12 +77,14 @@ class Runner {
   std::optional<wire::Line> answer(bool wait, const wire::OnEvent& on_event);
   template <typename Answer>
   std::optional<Answer> take(bool wait, const wire::OnEvent& on_event);
+  void read_batch(std::string_view bytes, const wire::OnEvent& on_event);
 
   std::string name_;
   std::unique_ptr<Process> process_;
   wire::Hello hello_;
   long long last_id_ = 0;
   wire::BatchReader batches_{{}};  ///< of the run that was asked for last
+  bool batch_is_damaged_ = false;  ///< one of that run's; what came later is not read
 };
 
 }  // namespace robosim::client
