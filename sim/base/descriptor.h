@@ -1,10 +1,12 @@
 // File descriptors: files, pipes, sockets, locks.
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace robosim {
@@ -31,6 +33,16 @@ class Descriptor {
  private:
   int fd_ = -1;
 };
+
+/// The file that `fd` has open, by a descriptor of at least `least`. Throws std::system_error.
+inline Descriptor at_least(int least, Descriptor fd) {
+  if (fd.get() >= least) return fd;
+  Descriptor moved(::fcntl(fd.get(), F_DUPFD_CLOEXEC, least));
+  // EINVAL: no descriptor may be that high.
+  if (!moved.is_open())
+    throw std::system_error(errno == EINVAL ? EMFILE : errno, std::generic_category(), "no descriptor");
+  return moved;
+}
 
 /// Writes all of it, and goes on when a signal interrupts it. 0, or the errno of what went wrong: some may
 /// have been written then. A signal handler may call it.

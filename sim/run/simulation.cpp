@@ -212,6 +212,7 @@ void Simulation::Inside::run_until(SimTime end) {
 }
 
 Simulation::Simulation(const Setup& setup) : in_(std::make_unique<Inside>(setup)) {
+  if (setup.reached) setup.reached->store(kLoading, std::memory_order_relaxed);
   for (std::size_t i = 0; i < in_->agents.size(); ++i) {
     in_->note_acting(i);
     in_->agents[i]->begin();

@@ -89,6 +89,9 @@ struct AgentSetup {
 
 class Scenery;
 
+/// Setup::reached while firmware is loaded and begins.
+constexpr SimTime kLoading = -1;
+
 struct Setup {
   const grid::Map* map = nullptr;
   /// Of the map; the first simulation takes it, and the next ones make their own. May be null.
@@ -103,8 +106,9 @@ struct Setup {
   bool takes_turns = true;      ///< of robots that are apart, without a trace; the same
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
-  std::atomic<SimTime>* reached = nullptr;  ///< is told how far the run has come, for watchdogs; may be null
-  std::atomic<int>* acting = nullptr;       ///< is told whose firmware runs; may be null
+  /// Is told how far the run has come, for watchdogs: kLoading before any firmware is loaded. May be null.
+  std::atomic<SimTime>* reached = nullptr;
+  std::atomic<int>* acting = nullptr;  ///< is told whose firmware runs; may be null
 };
 
 /// The set-up of one agent makes no sense.

@@ -10,7 +10,6 @@
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/exec/host/confinement.h"
 #include "sim/grid/floor_image.h"
 
 namespace robosim::runner {
@@ -44,10 +43,8 @@ ImageAhead image_in(const std::filesystem::path& file, ImageAhead last, long lon
   const Stamp stamp = stamp_of(file);
   if (last.content && last.stamp == stamp && stamp != Stamp{}) return last;
   ImageAhead image{std::move(last.content), is_settled(stamp, now) ? stamp : Stamp{}};
-  if (image.content && holds(file, image.content->bytes())) return image;
-  const auto content = std::make_shared<exec::ImageContent>(read_file(file));
-  if (exec::why_not_confined().empty()) content->seal();
-  image.content = content;
+  if (!image.content || !image.content->is_like(file))
+    image.content = std::make_shared<const exec::ImageContent>(file);
   return image;
 }
 
@@ -139,8 +136,7 @@ ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::siz
 
 std::vector<int> sealed_images(const ReadAhead& ahead) {
   std::vector<int> all;
-  for (const auto& [file, image] : ahead.images)
-    if (image.content->sealed() >= 0) all.push_back(image.content->sealed());
+  for (const auto& [file, image] : ahead.images) all.push_back(image.content->sealed().get());
   std::sort(all.begin(), all.end());
   return all;
 }

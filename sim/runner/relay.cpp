@@ -9,11 +9,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "sim/base/wall_clock.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/runner/lines.h"
 
@@ -29,10 +31,16 @@ constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
+/// Out of the way of those that a run's process gets (Relay::enter()).
+constexpr int kAside = exec::kFirstSealed;
+
 /// Open for all runs.
 int nothing() {
-  static const Descriptor null(::open("/dev/null", O_RDWR | O_CLOEXEC));
-  if (!null.is_open()) fail("/dev/null");
+  static const Descriptor null = [] {
+    Descriptor opened(::open("/dev/null", O_RDWR | O_CLOEXEC));
+    if (!opened.is_open()) fail("/dev/null");
+    return at_least(kAside, std::move(opened));
+  }();
   return null.get();
 }
 
@@ -44,7 +52,7 @@ void write_keyed(const char* data, std::size_t bytes) {
   while (bytes > 0) {
     const long n = exec::keyed_write(exec::kTellFd, data, bytes);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) ::_exit(0);  // the runner has gone
+    if (n < 0) exec::keyed_exit(0);  // the runner has gone
     data += n;
     bytes -= static_cast<std::size_t>(n);
   }
@@ -54,7 +62,7 @@ void read_keyed(char* to, std::size_t bytes) {
   while (bytes > 0) {
     const long n = exec::keyed_read(exec::kAnswersFd, to, bytes);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) ::_exit(0);
+    if (n <= 0) exec::keyed_exit(0);
     to += n;
     bytes -= static_cast<std::size_t>(n);
   }
@@ -72,6 +80,8 @@ Relay::Relay(bool batches, bool lines) {
   if (batches) batches_.emplace();
   if (lines) lines_.emplace();
   nothing();
+  for (Descriptor* end : {&told_.write, &answers_.read, lines_ ? &lines_->read : nullptr})
+    if (end) *end = at_least(kAside, std::move(*end));
   fill_random(&token_, sizeof token_);
   fill_random(key_, sizeof key_);
   for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // whatever a register makes of its sign
@@ -80,17 +90,11 @@ Relay::Relay(bool batches, bool lines) {
 }
 
 void Relay::enter(const std::vector<int>& kept) {
-  constexpr int kAside = 10;
   const std::array<int, 3> ends = {told_.write.get(), answers_.read.get(),
                                    lines_ ? lines_->read.get() : nothing()};
   const std::array<int, 3> places = {exec::kTellFd, exec::kAnswersFd, exec::kLinesFd};
-  std::array<int, 3> aside{};
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    aside[i] = ::fcntl(ends[i], F_DUPFD_CLOEXEC, kAside);
-    if (aside[i] < 0) fail("fcntl");
-  }
   for (int fd = 0; fd <= STDERR_FILENO; ++fd) ::dup2(nothing(), fd);
-  for (std::size_t i = 0; i < ends.size(); ++i) ::dup2(aside[i], places[i]);
+  for (std::size_t i = 0; i < ends.size(); ++i) ::dup2(ends[i], places[i]);
   unsigned next = exec::kImageFd;
   for (const int fd : kept) {
     if (static_cast<unsigned>(fd) > next) ::close_range(next, static_cast<unsigned>(fd) - 1, 0);
@@ -182,14 +186,16 @@ bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& t
   return true;
 }
 
-Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id) {
+Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits) {
   told_.write.close();
   answers_.read.close();
   if (lines_) lines_->read.close();
-  watch_->follow(run.pid());
+  limits.may_wait = lines_.has_value();
+  watch_->follow(run.pid(), limits);
   Told told;
   std::string taken;
-  std::array<char, kChunk> buffer;
+  const auto buffer = std::make_unique_for_overwrite<char[]>(kChunk);
+  std::int64_t looked_us = wall_us();
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
                                  pollfd{lines_ ? STDIN_FILENO : -1, POLLIN, 0}};
   if (lines_) write_all(lines_->write.get(), take_unread());
@@ -200,6 +206,10 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id) {
       // What the run has said before these has then been taken.
       const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
+    }
+    // Also at one that never falls silent.
+    if (const std::int64_t now_us = wall_us(); some == 0 || now_us - looked_us >= 1000 * kLook_ms) {
+      looked_us = now_us;
       if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;
     }
     if (ready[1].revents) {
@@ -210,14 +220,14 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id) {
       if (n <= 0) ready[1].fd = -1, lines_->write.close();
     }
     if (!ready[0].revents) continue;
-    const ssize_t n = ::read(told_.read.get(), buffer.data(), buffer.size());
+    const ssize_t n = ::read(told_.read.get(), buffer.get(), kChunk);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) {
       told.forged |= !taken.empty();
       take_batches(handed_on(), id);
       return told;
     }
-    taken.append(buffer.data(), static_cast<std::size_t>(n));
+    taken.append(buffer.get(), static_cast<std::size_t>(n));
     told.forged = !take(taken, ask, id, told);
     if (told.forged) return told;
     watch_->heard();

@@ -65,7 +65,9 @@ class Relay {
   };
   /// In the runner: until `run` has said its last, or something forged, or will never end. `id`: of the
   /// request. Where there are lines, what the client writes goes to the run.
-  Told serve(const Child& run, const Ask& ask, const wire::Id& id);
+  Told serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits);
+  /// In the runner: how far the run has come.
+  SimTime time() const { return watch_->time(); }
 
  private:
   struct Header {

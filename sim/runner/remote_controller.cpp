@@ -1,11 +1,11 @@
 #include "sim/runner/remote_controller.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "sim/base/error.h"
+#include "sim/exec/host/confinement.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/lines.h"
 
@@ -70,7 +70,7 @@ run::Leg RemoteController::next(run::Standstill& standstill) {
   for (;;) {
     const auto line = read_line(&interrupted_);
     if (!line && interrupted_.load(std::memory_order_relaxed)) return {.end = true};
-    if (!line) ::_exit(0);  // the client has gone
+    if (!line) exec::keyed_exit(0);  // the client has gone
     const auto asked = wire::parse_driven_request(*line);
     try {
       if (!asked.request) throw InputError(asked.fault);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -16,8 +17,22 @@ std::int64_t processor_ns(pid_t process) {
   clockid_t clock{};
   timespec time{};
   if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  return std::int64_t{time.tv_sec} * kSecond + time.tv_nsec;
 }
+
+/// Whether it is halted by a debugger. Who else stops a process, such as a sketch its own, is not excused.
+bool is_traced(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  const std::string facts((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_end = facts.rfind(") ");
+  return name_end != facts.npos && facts[name_end + 2] == 't';
+}
+
+constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
+/// A run that works gets at least this part of a processor, however many others want it.
+constexpr std::int64_t kBusyMachine = 20;
+/// A longer time between two looks is not the run's: its runner was stopped, too.
+constexpr std::int64_t kLongestLook_us = 1'000'000;
 
 }  // namespace
 
@@ -32,39 +47,41 @@ RunWatch::RunWatch() : state_(state()) {
   state_.waits = false;
 }
 
-void RunWatch::follow(pid_t run) {
+void RunWatch::follow(pid_t run, const Limits& limits) {
   run_ = run;
-  heard();
+  limits_ = limits;
 }
 
-void RunWatch::heard() { wall_us_ = wall_us(); }
+SimTime RunWatch::time() const {
+  return std::clamp<SimTime>(state_.reached.load(std::memory_order_relaxed), 0, limits_.until);
+}
 
-RunWatch::Found RunWatch::look() {
+RunWatch::Reading RunWatch::read() const {
+  // Whether it is halted takes a file to be read: that is asked in long silences alone.
+  return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_traced(run_)};
+}
+
+RunWatch::Found RunWatch::look(const Reading& now) {
   const SimTime reached = state_.reached.load(std::memory_order_relaxed);
-  const std::int64_t processor = processor_ns(run_);
   const int acting = state_.acting.load(std::memory_order_relaxed);
-  if (reached != seen_ || acting != seen_acting_ || reached == kNotBegun) {
-    seen_ = reached;
-    seen_acting_ = acting;
-    processor_ns_ = processor;
-    heard();
-    return Found::nothing;
+  if (looked_.wall_us >= 0) {
+    const std::int64_t passed_us = std::min(now.wall_us - looked_.wall_us, kLongestLook_us);
+    const std::int64_t worked_us = (now.processor_ns - looked_.processor_ns) / 1000;
+    silent_us_ = std::max<std::int64_t>(silent_us_ + passed_us - kBusyMachine * worked_us, 0);
   }
-  if (processor - processor_ns_ >= std::int64_t{kLongestTick_s} * 1'000'000'000) return Found::loops;
-  constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
-  const std::int64_t silent_us = wall_us() - wall_us_;
-  // Whether it is stopped takes a file to be read: that is asked of long silences alone.
-  if (state_.waits || (silent_us >= kLongest_us / 2 && is_stopped())) heard();
-  return wall_us() - wall_us_ >= kLongest_us ? Found::sleeps : Found::nothing;
-}
-
-/// By a debugger, say.
-bool RunWatch::is_stopped() const {
-  std::ifstream file(fmt::format("/proc/{}/stat", run_));
-  const std::string facts((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_end = facts.rfind(") ");
-  const char state = name_end == facts.npos ? 'R' : facts[name_end + 2];
-  return state == 'T' || state == 't';
+  looked_ = now;
+  if (reached == kNotBegun || reached != seen_ || acting != seen_acting_) {
+    processor_ns_ = now.processor_ns;
+    heard();
+  }
+  if (reached == kNotBegun) begun_ns_ = now.processor_ns;
+  seen_ = reached;
+  seen_acting_ = acting;
+  if (now.is_debugged || (limits_.may_wait && state_.waits)) heard();
+  if (now.processor_ns - processor_ns_ >= kLongestTick_s * kSecond) return Found::loops;
+  const auto simulated = static_cast<std::int64_t>(limits_.share * static_cast<double>(time()));
+  if (now.processor_ns - begun_ns_ >= kLongestRun_s * kSecond + simulated) return Found::exhausts;
+  return silent_us_ >= kLongest_us ? Found::sleeps : Found::nothing;
 }
 
 }  // namespace robosim::runner

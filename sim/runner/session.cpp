@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -24,6 +23,7 @@
 #include "sim/exec/gdb/server.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/robot/description.h"
+#include "sim/runner/abnormal_end.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/lines.h"
@@ -37,7 +37,6 @@
 namespace robosim::runner {
 namespace {
 
-constexpr int kWatchdogStatus = 99;
 constexpr int kLongestEnd_us = 2'000'000;
 
 std::atomic<bool> interrupted{false};
@@ -190,58 +189,11 @@ std::optional<wire::Answer> answer_of(Serve serve) {
     return wire::ErrorAnswer{"tool", error.what()};
   } catch (const std::exception& error) {
     const std::string fault = fault_of_machine(error);
-    if (!fault.empty() && exec::is_confined()) ::_exit(exec::kNoMemoryStatus);  // all else it has already
+    if (!fault.empty() && exec::is_confined())
+      exec::keyed_exit(exec::kNoMemoryStatus);  // all else it has already
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
-}
-
-/// The robot whose sketch, code of this machine, took the process down. Throws std::runtime_error if none
-/// did: what emulates a chip has, by a fault of ours or because a sketch beside it wrote where it may not.
-std::size_t guilty_of_death(const ExecutorFactory& runner, const wire::RunRequest& request, int acting) {
-  if (request.agents.empty()) return 0;
-  const std::vector<std::size_t> suspects = to_confine(runner, request);
-  const auto found = std::find(suspects.begin(), suspects.end(), static_cast<std::size_t>(acting));
-  if (found != suspects.end()) return *found;
-  throw std::runtime_error(fmt::format(
-      "the run's process ended while the chip of robot {} was emulated; a sketch on the host that writes to "
-      "wild addresses can do that, too: run with --sanitize, or each on its chip",
-      agents_of(request)[std::min(static_cast<std::size_t>(acting), request.agents.size())].name));
-}
-
-/// Of a robot whose run has ended because another's firmware took the process down.
-judge::Outcome ended_by(const wire::AgentRequest& other) {
-  judge::Outcome outcome;
-  outcome.verdict = judge::Verdict::interrupted;
-  outcome.why = fmt::format("The run ended when the sketch of {} took its process down.", other.name);
-  return outcome;
-}
-
-// Firmware ended its process in a way that no handler could catch, or had no right to what it did. `guilty`:
-// the robot whose it was; `time`: how far the run had come.
-wire::RunResult result_of_death(const wire::RunRequest& request, const std::string& cause,
-                                const std::string& check, std::size_t guilty, SimTime time) {
-  const std::vector<wire::AgentRequest> agents = agents_of(request);
-  const std::string map_sha256 = grid::sha256_of_map(request.map);
-  std::vector<wire::RunResult> results;
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    judge::Outcome outcome;
-    if (i == guilty) {
-      outcome.verdict = judge::Verdict::crashed;
-      outcome.crash = exec::Crash{cause, {}};
-      outcome.crash->check = check;
-      outcome.why = "The sketch crashed: " + cause + ".";
-    } else {
-      outcome = ended_by(agents[guilty]);
-    }
-    outcome.time = std::max<SimTime>(time, 0);
-    if (!agents[i].goal.empty()) outcome.goal = judge::parse_goal(agents[i].goal);
-    const robot::Description robot = robot::load_description(agents[i].robot);
-    results.push_back(result_of(outcome, request, inputs_of(map_sha256, agents[i].image, robot)));
-  }
-  wire::RunResult result = std::move(results.front());
-  result.others.assign(std::make_move_iterator(results.begin() + 1), std::make_move_iterator(results.end()));
-  return result;
 }
 
 // In the fork.
@@ -258,31 +210,12 @@ int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request
   ::sigaction(SIGINT, &action, nullptr);
   const std::string answer =
       wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, relay, ahead); }));
-  if (relay)
+  if (relay) {
     relay->answer(answer);
-  else
-    write_line(answer);
+    exec::keyed_exit(0);
+  }
+  write_line(answer);
   return 0;
-}
-
-constexpr const char* kLoops = "it loops without end inside a library function";
-
-std::string cause_of_death(const Ending& ending) {
-  if (ending.signal > 0)
-    return fmt::format("it took its process down by signal {} ({})", ending.signal,
-                       ::strsignal(ending.signal));
-  if (ending.status == kWatchdogStatus) return kLoops;
-  return fmt::format("it took its process down with exit status {}", ending.status);
-}
-
-wire::Answer no_memory_for(const wire::RunRequest& request, std::size_t guilty, SimTime time) {
-  rlimit limit{};
-  ::getrlimit(RLIMIT_AS, &limit);
-  if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
-  return result_of_death(
-      request,
-      fmt::format("it took more than the {} MB of memory that it may have", exec::kConfinedMemory >> 20),
-      exec::kSandboxCheck, guilty, time);
 }
 
 bool was_refused(const Ending& ending) {
@@ -310,29 +243,41 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
   if (!rest.bytes.empty()) write_line(wire::to_line(id, wire::Event(rest)));
 }
 
+/// Of the simulated time, what a run may take of a processor: emulators may be slower than their chips.
+double share_of(const wire::RunRequest& request) {
+  constexpr double kOfEachInFleet = 10.0;
+  return request.agents.empty() ? 1.0 : kOfEachInFleet * static_cast<double>(request.agents.size() + 1);
+}
+
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                const wire::RunRequest& request, const wire::Id& id,
                                                pid_t self, const ReadAhead& ahead) {
   Relay relay(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
   const Relay::Told told = relay.serve(
-      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id);
+      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id,
+      {request.for_ns, share_of(request)});
   if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
-  const auto guilty = [&] { return guilty_of_death(factory, request, relay.acting()); };
-  const SimTime time = relay.reached();
+  const auto guilty = [&] { return guilty_robot(request, to_confine(factory, request), relay.acting()); };
+  const SimTime time = relay.time();
   const auto refused = [&](const std::string& cause) {
-    return result_of_death(request, cause, exec::kSandboxCheck, guilty(), time);
+    return result_of_crash(request, cause, exec::kSandboxCheck, guilty(), time);
   };
   if (told.forged) return refused("it wrote to where its verdict goes");
-  if (told.found == RunWatch::Found::loops) return result_of_death(request, kLoops, "", guilty(), time);
+  if (told.found == RunWatch::Found::loops)
+    return result_of_crash(request, relay.reached() == run::kLoading ? kNeverLoads : kLoops, "", guilty(),
+                           time);
+  if (told.found == RunWatch::Found::exhausts)
+    return refused(fmt::format(
+        "it took more processor time than a run may: {} s, and the simulated time on top", kLongestRun_s));
   if (told.found == RunWatch::Found::sleeps)
     return refused(
         fmt::format("it slept for {} s of wall time, and simulated time stood still", kLongestSleep_s));
   const std::optional<Ending> ending = end_of(child);
   if (!ending) return refused("it closed what its verdict goes through");
   if (was_refused(*ending)) return refused("the sandbox refuses a system call of its");
-  if (ending->status == exec::kNoMemoryStatus) return no_memory_for(request, guilty(), time);
-  if (!ending->ok()) return result_of_death(request, cause_of_death(*ending), "", guilty(), time);
+  if (ending->status == exec::kNoMemoryStatus) return answer_without_memory(request, guilty(), time);
+  if (!ending->ok()) return result_of_crash(request, cause_of(*ending), "", guilty(), time);
   if (!told.answer) return refused("it ended its process before the run was over");
   write_line(*told.answer);
   return std::nullopt;
@@ -349,7 +294,7 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   const Ending ending =
       Child([&] { return run_in_child(factory, request, id, self, nullptr, ahead); }).wait();
   if (ending.ok()) return std::nullopt;
-  return result_of_death(request, cause_of_death(ending), "", 0, 0);
+  return result_of_crash(request, cause_of(ending), "", 0, 0);
 }
 
 // Whose robot is described asks for a run of it next.
@@ -390,6 +335,7 @@ int serve(const ExecutorFactory& factory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
   std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
+  std::signal(SIGXFSZ, SIG_IGN);       // and so is a limit on files
   write_line(wire::to_line({}, hello_of(factory)));
   ReadAhead ahead;
   while (const auto line = read_line())

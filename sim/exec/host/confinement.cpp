@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <linux/filter.h>
+#include <linux/futex.h>
 #include <linux/seccomp.h>
 #include <seccomp.h>
 #include <sys/mman.h>
@@ -32,19 +33,25 @@ namespace {
 // In the filter that is made once, what is another number in each process.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
-constexpr rlim_t kConfinedImage = 64 << 20;
+/// Addresses beyond those of kConfinedMemory: pages that are only read, whose tables take memory, too.
+constexpr rlim_t kConfinedAddresses = kConfinedMemory + (512 << 20);
+/// Of the process's first stack, which RLIMIT_DATA does not count.
+constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
-rlim_t memory_when_prepared = 0;
+/// In bytes: addresses, and what RLIMIT_DATA counts.
+struct MemoryInUse {
+  rlim_t addresses = 0, data = 0;
+};
+MemoryInUse memory_when_prepared;
 
-/// Of one process, on memory that it has.
+/// Calls that reach only memory of the same process, and never wait.
 constexpr const char* kHarmless[] = {
-    "brk",       "cacheflush",      "clock_getres", "clock_gettime",  "clock_gettime64", "close",
-    "exit",      "exit_group",      "futex",        "futex_time64",   "getcpu",          "getpid",
-    "getrandom", "gettid",          "gettimeofday", "madvise",        "memfd_create",    "mremap",
-    "munmap",    "restart_syscall", "rt_sigreturn", "rt_sigprocmask", "sched_yield",     "sigaltstack",
-    "sigreturn", "sysinfo",         "time",         "ftruncate",      "ftruncate64",     "membarrier"};
+    "brk",          "cacheflush",  "clock_getres", "clock_gettime",   "clock_gettime64", "getcpu",
+    "getpid",       "getrandom",   "gettid",       "gettimeofday",    "mremap",          "munmap",
+    "rt_sigreturn", "sched_yield", "sigaltstack",  "restart_syscall", "rt_sigprocmask",  "sigreturn",
+    "sysinfo",      "time",        "membarrier"};
 
 class Filter {
  public:
@@ -91,14 +98,23 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
+/// RLIMIT_DATA counts private memory alone, and not what grows downwards. The image is mapped as it is
+/// sealed: what is written to its pages cannot be executed.
 void add_memory(Filter& filter) {
+  constexpr std::uint32_t kUncounted =
+      ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
   for (const char* name : {"mmap", "mmap2"}) {
-    filter.allow(name, {has(2, 0, PROT_EXEC), has(3, MAP_ANONYMOUS, MAP_ANONYMOUS)});
-    filter.allow(name, {is(4, kImageFd)});
+    filter.allow(name, {has(2, 0, PROT_EXEC), has(3, MAP_PRIVATE | MAP_ANONYMOUS, kUncounted)});
+    for (const std::uint32_t one : {PROT_EXEC, PROT_WRITE})
+      filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
   // Names for memory: RE2's library gives some (Debian 13), and does without where the kernel has none.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
+  // Others reach further than this process: root can take pages away from the whole machine.
+  for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
+    filter.allow("madvise", {is(2, advice)});
+  for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
 }
 
 void add_descriptors(Filter& filter) {
@@ -111,16 +127,22 @@ void add_descriptors(Filter& filter) {
     for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
       filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
   }
-  // The image goes to memory, and from there to the loader.
-  for (const char* name : {"write", "read", "pread64", "fstat", "fstat64", "lseek", "_llseek"})
-    filter.allow(name, {is(0, kImageFd)});
+  // The image, for the loader.
+  for (const char* name : {"read", "pread64", "lseek", "_llseek"}) filter.allow(name, {is(0, kImageFd)});
+  filter.allow("fstat", {is(0, kImageFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("newfstatat", {is(0, kImageFd), is(4, kKeyHere), is(5, kOtherKeyHere)});
   filter.allow("statx", {is(0, kImageFd), is(5, kKeyHere)});
-  filter.allow("dup3", {is(1, kImageFd)});
+  filter.allow("dup3", {is(1, kImageFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
+  // Images stay open.
+  filter.allow("close", {{0, SCMP_CMP_LT, kFirstSealed, 0}});
+  filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
+/// A signal to itself and its end are the process's own only with the key: a sketch's are told apart, named,
+/// and never stop the process.
 void add_signals(Filter& filter) {
-  for (const char* name : {"kill", "tgkill", "tkill"}) filter.allow(name, {is(0, kProcessHere)});
+  filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
+  filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("rt_sigaction", {{1, SCMP_CMP_EQ, 0, 0}});  // a question
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
     filter.allow("rt_sigaction", {is(0, static_cast<std::uint32_t>(fault))});
@@ -136,16 +158,28 @@ void set_limit(int what, rlim_t most) {
 
 Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)); }
 
-/// As RLIMIT_DATA counts it, in bytes, of the process that has opened `statm`.
-rlim_t memory_in_use(const Descriptor& statm) {
+/// Of the process that has opened `statm`.
+MemoryInUse memory_in_use(const Descriptor& statm) {
   // Without a stream, whose first use in a process takes longer than all the rest.
   char text[256];
   const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
-  if (bytes <= 0) return 0;
+  if (bytes <= 0) return {};
   text[bytes] = '\0';
-  char* field = text;
-  for (int before = 0; before < 5; ++before) std::strtoull(field, &field, 10);
-  return static_cast<rlim_t>(std::strtoull(field, &field, 10)) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+  char* at = text;
+  const auto field = [&] {
+    return static_cast<rlim_t>(std::strtoull(at, &at, 10)) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+  };
+  MemoryInUse in_use{field(), 0};
+  for (int between = 0; between < 4; ++between) field();
+  in_use.data = field();
+  return in_use;
+}
+
+/// A sketch is not shown whose machine this is, nor what its environment holds.
+void forget_environment() {
+  for (char** variable = environ; variable && *variable; ++variable)
+    ::explicit_bzero(*variable, std::strlen(*variable));
+  ::clearenv();
 }
 
 /// To make it takes a millisecond: it is made once, and each process puts its own numbers in.
@@ -200,6 +234,7 @@ std::string_view subject_of(std::string_view call) {
   static const std::vector<Subject> subjects = {
       {"programs", {"exec"}},
       {"processes and threads", {"clone", "fork", "vfork", "wait", "ptrace", "process_", "pidfd", "set_tid"}},
+      {"the end of its process", {"exit"}},
       {"signals to others", {"kill", "tkill", "tgkill", "rt_sigqueue", "rt_tgsigqueue"}},
       {"signals", {"rt_sig", "sig"}},
       {"the network",
@@ -207,8 +242,8 @@ std::string_view subject_of(std::string_view call) {
         "setsockopt", "getsockopt", "shutdown"}},
       {"time outside of the simulation",
        {"nanosleep", "clock_nanosleep", "pause", "poll", "ppoll", "select", "pselect", "_newselect", "epoll",
-        "alarm", "setitimer", "timer", "clock_set", "settimeofday"}},
-      {"memory", {"mmap", "mprotect", "shm", "mlock", "pkey"}},
+        "alarm", "setitimer", "timer", "clock_set", "settimeofday", "futex"}},
+      {"memory", {"mmap", "mprotect", "shm", "mlock", "pkey", "madvise", "memfd"}},
       {"descriptors",
        {"read", "write", "pread", "pwrite", "vmsplice", "splice", "tee", "dup", "fcntl", "ioctl", "pipe"}},
       {"files",
@@ -243,11 +278,15 @@ std::string why_not_confined() {
 }
 
 void confine(const CallKey& key, bool has_grown) {
-  set_limit(RLIMIT_DATA, kConfinedMemory + (has_grown ? memory_in_use(open_statm()) : memory_when_prepared));
-  std::set_new_handler([] { ::_exit(kNoMemoryStatus); });
+  const MemoryInUse in_use = has_grown ? memory_in_use(open_statm()) : memory_when_prepared;
+  set_limit(RLIMIT_DATA, kConfinedMemory + in_use.data);
+  set_limit(RLIMIT_AS, kConfinedAddresses + in_use.addresses);
+  set_limit(RLIMIT_STACK, kConfinedStack);
+  std::set_new_handler([] { keyed_exit(kNoMemoryStatus); });
+  forget_environment();
   set_limit(RLIMIT_CORE, 0);
-  set_limit(RLIMIT_FSIZE, kConfinedImage);
-  set_limit(RLIMIT_NOFILE, kImageFd + 2);
+  set_limit(RLIMIT_FSIZE, 0);
+  set_limit(RLIMIT_NOFILE, kFirstSealed);
   std::vector<sock_filter> steps = filter_for_all();
   for (sock_filter& step : steps) {
     if (BPF_CLASS(step.code) != BPF_JMP) continue;
@@ -282,7 +321,31 @@ long keyed_write(int fd, const void* data, std::size_t bytes) {
   return ::syscall(SYS_write, fd, data, bytes, key_of_process[0], key_of_process[1]);
 }
 
+bool keyed_dup(int fd, int as) {
+  return ::syscall(SYS_dup3, fd, as, O_CLOEXEC, key_of_process[0], key_of_process[1]) >= 0;
+}
+
+void keyed_exit(int status) {
+  ::syscall(SYS_exit_group, status, 0, 0, key_of_process[0], key_of_process[1]);
+  __builtin_unreachable();
+}
+
 bool is_confined() { return confined; }
+
+int own_signal(const siginfo_t& info, ucontext_t& context) {
+  if (info.si_code <= 0) return info.si_pid == ::getpid() ? info.si_signo : 0;
+  if (info.si_signo != SIGSYS) return 0;
+  const Loading asked = loading_of(context);
+  const bool names_thread = info.si_syscall == SYS_tgkill;
+  if (info.si_syscall != SYS_kill && info.si_syscall != SYS_tkill && !names_thread) return 0;
+  if (static_cast<pid_t>(asked.arguments[0]) != ::getpid()) return 0;
+  return static_cast<int>(asked.arguments[names_thread ? 2 : 1]);
+}
+
+void end_by_signal(int signal) {
+  if (signal == SIGABRT) ::syscall(SYS_kill, ::getpid(), signal, 0, key_of_process[0], key_of_process[1]);
+  keyed_exit(kSignalStatus + signal);
+}
 
 bool serve_loader(const siginfo_t& info, ucontext_t& context) {
   const Loading asked = loading_of(context);
@@ -296,6 +359,10 @@ bool serve_loader(const siginfo_t& info, ucontext_t& context) {
     result = kImageFd;
     ++opened;
 #ifdef SYS_newfstatat
+  } else if (info.si_syscall == SYS_fstat) {
+    if (asked.arguments[0] != kImageFd) return false;
+    result = ::syscall(SYS_fstat, kImageFd, asked.arguments[1], 0, key_of_process[0], key_of_process[1]);
+    if (result == 0) reinterpret_cast<struct stat*>(asked.arguments[1])->st_ino = kFirstNumber + opened;
   } else if (info.si_syscall == SYS_newfstatat) {
     if (asked.arguments[0] != kImageFd || *path) return false;
     result = ::syscall(SYS_newfstatat, kImageFd, "", asked.arguments[2], AT_EMPTY_PATH, key_of_process[0],

@@ -249,7 +249,7 @@ class HostExecutor::Instance final : public host::Host {
                      addresses);
     addresses.push_back({state_.place, true});
     owner_.crash_ = Crash{reason_of(fault_, heap_, stack_), image_.locate(addresses)};
-    if (fault_.signal == SIGSYS) owner_.crash_->check = kSandboxCheck;
+    if (fault_.signal == SIGSYS && fault_.own_signal == 0) owner_.crash_->check = kSandboxCheck;
   }
 
   static thread_local Instance* running_;
@@ -293,7 +293,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   const bool refused = signal == SIGSYS && is_confined();
   if (refused && serve_loader(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
-    const HostFault fault = describe(signal, *info, *static_cast<const ucontext_t*>(context));
+    const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
     // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
@@ -303,7 +303,10 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
       siglongjmp(self->escape_, 1);
     }
   }
-  if (refused) ::_exit(kRefusedStatus);
+  if (refused) {
+    if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
+    keyed_exit(kRefusedStatus);
+  }
   // Not the firmware's: the instruction runs again and meets whoever was responsible before.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
@@ -319,14 +322,12 @@ HostExecutor::~HostExecutor() = default;
 
 void HostExecutor::power_on(SimTime t) {
   power_off(t);
-  if (!image_is_read_) image_.content = std::make_shared<const ImageContent>(read_file(image_.name));
   instance_ = std::make_unique<Instance>(*this, t);
 }
 
 void HostExecutor::prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image) {
-  image_.content = image ? std::move(image) : std::make_shared<const ImageContent>(read_file(image_.name));
+  image_.content = image ? std::move(image) : std::make_shared<const ImageContent>(image_.name);
   image_.lines = std::move(lines);
-  image_is_read_ = true;
   Instance::catch_faults();
 }
 

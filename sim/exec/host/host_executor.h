@@ -65,7 +65,6 @@ class HostExecutor final : public Executor {
   ImageFile image_;
   bool skips_waiting_ = true;
   LateTimes late_times_;
-  bool image_is_read_ = false;  ///< else it is at power_on()
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
   Bites bites_;

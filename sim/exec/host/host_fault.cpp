@@ -3,16 +3,19 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "sim/exec/host/confinement.h"
 
 namespace robosim::exec {
 
-HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context) {
+HostFault describe(int signal, const siginfo_t& info, ucontext_t& context) {
   HostFault fault;
   fault.signal = signal;
   fault.code = info.si_code;
   fault.address = static_cast<const std::byte*>(info.si_addr);
   if (signal == SIGSYS) fault.call = info.si_syscall;
+  fault.own_signal = own_signal(info, context);
 #if defined(__x86_64__)
   const auto& registers = context.uc_mcontext.gregs;
   fault.pc = reinterpret_cast<const std::byte*>(registers[REG_RIP]);
@@ -31,9 +34,14 @@ HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context)
   return fault;
 }
 
+std::string signal_text(int signal) {
+  return fmt::format("it sends itself signal {} ({})", signal, ::strsignal(signal));
+}
+
 std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const GuardedMemory& stack) {
   constexpr std::size_t kNullPage = 4096;
   const auto address = reinterpret_cast<std::uintptr_t>(fault.address);
+  if (fault.own_signal != 0) return signal_text(fault.own_signal);
   if (fault.signal == SIGSYS) return refusal(fault.call);
   if (fault.signal == SIGILL)
     return "an instruction that does not exist (a damaged stack or pointer to a function?)";

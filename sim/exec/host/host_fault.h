@@ -20,12 +20,16 @@ struct HostFault {
   const void* link = nullptr;  // where the innermost call returns to, if that is in a register
   bool known_write = false;
   bool known_read = false;
-  int call = -1;  // SIGSYS: the system call that was refused
+  int call = -1;       // SIGSYS: the system call that was refused
+  int own_signal = 0;  // that the firmware sent itself; 0 = none
 
   const char* access() const { return known_write ? "write" : known_read ? "read" : "access"; }
 };
 
-HostFault describe(int signal, const siginfo_t& info, const ucontext_t& context);
+HostFault describe(int signal, const siginfo_t& info, ucontext_t& context);
+
+/// "it sends itself signal 2 (Interrupt)".
+std::string signal_text(int signal);
 
 /// What the user is told of it, whose firmware has this heap and this stack.
 std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const GuardedMemory& stack);

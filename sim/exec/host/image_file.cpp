@@ -8,11 +8,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
+#include "sim/base/file.h"
 #include "sim/exec/host/confinement.h"
 
 namespace robosim::exec {
@@ -72,48 +78,46 @@ std::vector<void*>& handles() {
   return all;
 }
 
-Descriptor file_in_memory() { return Descriptor(memfd_create("robosim-firmware", MFD_CLOEXEC)); }
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-bool is_written(int fd, const std::string& bytes) {
-  return fd >= 0 && ftruncate(fd, static_cast<off_t>(bytes.size())) == 0 && write_all(fd, bytes) == 0;
-}
+/// Reads or writes parts of images, of which nothing stays in memory.
+struct Part {
+  static constexpr std::size_t kBytes = 16 * 1024;
+  char bytes[kBytes];
+  ~Part() { explicit_bzero(bytes, kBytes); }
 
-void write_to(int fd, const ImageFile& file) {
-  if (!is_written(fd, file.content->bytes()))
-    throw std::runtime_error("no memory for a copy of " + file.name.string());
+  /// From there on; how many bytes, 0 at the end.
+  std::size_t read(const Descriptor& file, std::size_t at) {
+    for (;;) {
+      const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
+      if (n >= 0) return static_cast<std::size_t>(n);
+      if (errno != EINTR) fail("an image cannot be read");
+    }
+  }
+};
+
+/// A file in memory that holds the same; and how many bytes these are.
+std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
+  Descriptor copy(memfd_create("robosim-firmware", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!copy.is_open()) fail("memfd_create");
+  Part part;
+  std::size_t bytes = 0;
+  while (const std::size_t n = part.read(file, bytes)) {
+    if (const int error = write_all(copy.get(), {part.bytes, n}); error != 0)
+      throw std::system_error(error, std::generic_category(), "an image cannot be copied");
+    bytes += n;
+  }
+  return {std::move(copy), bytes};
 }
 
 // In a confined process the loader opens nothing, but gets kImageFd, and closes it. It hears of another file
 // each time (serve_loader()); so those who load the same image one after the other need one copy of it, and
-// their code is in the same memory. Firmware may have closed the sealed one; then this process makes another.
+// their code is in the same memory.
 void* load_confined(const ImageFile& file) {
-  static std::shared_ptr<const ImageContent> content;
-  static Descriptor copy;
   static int loaded = 0;
-  bool sealed = file.content->sealed() >= 0;
-  for (;;) {
-    sealed = sealed && dup3(file.content->sealed(), kImageFd, O_CLOEXEC) >= 0;
-    const bool fresh = !sealed && content != file.content;
-    if (fresh) {
-      content = nullptr;
-      copy.close();
-      Descriptor place = file_in_memory();
-      copy = place.get() == kImageFd ? file_in_memory() : std::move(place);
-    }
-    if (!sealed && dup3(copy.get(), kImageFd, O_CLOEXEC) < 0 && !fresh) {  // firmware has closed it
-      content = nullptr;
-      continue;
-    }
-    if (fresh) write_to(copy.is_open() ? kImageFd : -1, file);
-    if (!sealed) content = file.content;
-    lseek(kImageFd, 0, SEEK_SET);
-    void* const handle = dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle || std::count(handles().begin(), handles().end(), handle) == 0) return handle;
-    // A loader that did not ask serve_loader().
-    dlclose(handle);
-    content = nullptr;
-    sealed = false;
-  }
+  if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
+  lseek(kImageFd, 0, SEEK_SET);
+  return dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
 }  // namespace
@@ -129,11 +133,24 @@ std::string ask_addr2line(const std::filesystem::path& image, const std::vector<
   return output_of(command);
 }
 
-void ImageContent::seal() {
-  const Descriptor copy(memfd_create("robosim-firmware", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (!is_written(copy.get(), bytes_)) return;
-  if (fcntl(copy.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0) return;
-  sealed_ = Descriptor(fcntl(copy.get(), F_DUPFD_CLOEXEC, static_cast<int>(kFirstSealed)));
+ImageContent::ImageContent(const std::filesystem::path& file) {
+  auto [copy, bytes] = copy_in_memory(open_to_read(file));
+  if (fcntl(copy.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0)
+    fail("F_ADD_SEALS");
+  sealed_ = at_least(kFirstSealed, std::move(copy));
+  bytes_ = bytes;
+}
+
+bool ImageContent::is_like(const std::filesystem::path& file) const {
+  const Descriptor other(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!other.is_open()) return false;
+  Part theirs, ours;
+  for (std::size_t at = 0;;) {
+    const std::size_t n = theirs.read(other, at);
+    if (n == 0) return at == bytes_;
+    if (ours.read(sealed_, at) < n || std::memcmp(theirs.bytes, ours.bytes, n) != 0) return false;
+    at += n;
+  }
 }
 
 LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
@@ -142,8 +159,8 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   } else {
     // A copy without a name: the loader knows files by their identity, and gives one that it knows already
     // again. The descriptor stays open while the image is loaded, because it also knows them by this name.
-    copy_ = file_in_memory();
-    write_to(copy_.get(), file);
+    copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
+                .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   const std::string error = handle_ ? "" : dlerror();
@@ -157,6 +174,8 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
     throw InputError({file.name.string()},
                      "is no firmware image for this machine" + (error.empty() ? "" : ": " + error));
   }
+  if (std::count(handles().begin(), handles().end(), handle_) > 0)
+    throw std::logic_error("the loader does not tell two copies of an image apart");
   handles().push_back(handle_);
   link_map* map = nullptr;
   dlinfo(handle_, RTLD_DI_LINKMAP, &map);

@@ -27,21 +27,21 @@ using AddressLines = std::function<std::string(const std::filesystem::path& imag
 /// By that program, of binutils; empty without it.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
-/// What the file of an image holds.
+/// What the file of an image held: in a file in memory that cannot be changed. None of it is in the memory of
+/// the process itself, where the firmware of a later run would find it.
 class ImageContent {
  public:
-  explicit ImageContent(std::string bytes) : bytes_(std::move(bytes)) {}
+  /// Throws InputError if the file cannot be read, and std::system_error.
+  explicit ImageContent(const std::filesystem::path& file);
 
-  const std::string& bytes() const { return bytes_; }
-  /// Makes the copy that all confined processes can load that are forked from now on, and none can change.
-  /// Where there is no memory or descriptor for it, each will make its own.
-  void seal();
-  /// The copy's descriptor, at least kFirstSealed; -1 without one.
-  int sealed() const { return sealed_.get(); }
+  /// Whether that file holds the same now.
+  bool is_like(const std::filesystem::path& file) const;
+  /// The descriptor, at least kFirstSealed, which confined processes load it by.
+  const Descriptor& sealed() const { return sealed_; }
 
  private:
-  std::string bytes_;
   Descriptor sealed_;
+  std::size_t bytes_ = 0;
 };
 
 struct ImageFile {

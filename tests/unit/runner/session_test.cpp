@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -32,11 +34,14 @@ using ::testing::StartsWith;
 
 class Session {
  public:
-  explicit Session(const ExecutorFactory& factory)
+  explicit Session(const ExecutorFactory& factory) : Session([] {}, factory) {}
+  /// `first` is what its process does first, besides 0, 1 and 2 with no descriptor that it needs.
+  Session(const std::function<void()>& first, const ExecutorFactory& factory)
       : runner_([&] {
           ::dup2(input_.read.get(), STDIN_FILENO);
           ::dup2(output_.write.get(), STDOUT_FILENO);
           for (Descriptor* end : {&input_.read, &input_.write, &output_.read, &output_.write}) end->close();
+          first();
           return serve(factory);
         }) {
     input_.read.close();
@@ -473,6 +478,35 @@ TEST_F(SessionTest, ARunMayTellMoreThanWaitsForItsReader) {
   ASSERT_EQ(samples_us.size(), 3001u);
   for (std::size_t i = 0; i < samples_us.size(); ++i)
     ASSERT_EQ(samples_us[i], static_cast<std::int64_t>(i) * 10'000);
+}
+
+TEST_F(SessionTest, BlamesTheMachineForTooFewDescriptorsAndNoSketch) {
+  request_.goal = "none";
+  request_.for_ns = kSecond;
+  int refused = 0, ran = 0;
+  for (rlim_t descriptors = 4; descriptors < 32; ++descriptors) {
+    Session session(
+        [descriptors] {
+          rlimit limit{};
+          ::getrlimit(RLIMIT_NOFILE, &limit);
+          limit.rlim_cur = descriptors;
+          ::setrlimit(RLIMIT_NOFILE, &limit);
+          for (int fd = 3; fd < 64; ++fd) ::close(fd);  // this test's own
+        },
+        confined_drivers());
+    session.line();
+    const wire::Line said = session.ask(wire::to_line(1, wire::Request(request_)));
+    if (const auto* error = std::get_if<wire::ErrorAnswer>(&said.content)) {
+      EXPECT_EQ(error->kind, "tool") << descriptors;
+      EXPECT_THAT(error->message, StartsWith("too many files are open")) << descriptors;
+      ++refused;
+    } else {
+      EXPECT_EQ(std::get<wire::RunResult>(said.content).verdict, "reached") << descriptors;
+      ++ran;
+    }
+  }
+  EXPECT_GT(refused, 4);
+  EXPECT_GT(ran, 10);
 }
 
 TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {

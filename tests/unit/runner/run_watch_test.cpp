@@ -1,0 +1,98 @@
+// When a runner ends a run, from what the system says of its process and what the process says of itself.
+#include "sim/runner/run_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace robosim::runner {
+namespace {
+
+using Found = RunWatch::Found;
+using Reading = RunWatch::Reading;
+
+class Watching : public testing::Test {
+ protected:
+  Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
+
+  /// Looks each 100 ms of wall time, as a runner does, for so long; the process takes `share` of a processor.
+  Found look_for(double seconds, double share, bool is_debugged = false) {
+    for (int i = 0; i < 10 * seconds; ++i) {
+      wall_us_ += 100'000;
+      processor_ns_ += static_cast<std::int64_t>(share * 100'000'000);
+      if (const Found found = watch_.look({processor_ns_, wall_us_, is_debugged}); found != Found::nothing)
+        return found;
+    }
+    return Found::nothing;
+  }
+  void come_to(SimTime t) { watch_.reached() = t; }
+
+  RunWatch watch_;
+  std::int64_t processor_ns_ = 0, wall_us_ = 0;
+};
+
+TEST_F(Watching, LimitsTheLoadingOfFirmwareAndNotWhatIsReadBefore) {
+  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
+  come_to(-1);
+  EXPECT_EQ(look_for(4.5, 1.0), Found::nothing);
+  EXPECT_EQ(look_for(1, 1.0), Found::loops);
+}
+
+TEST_F(Watching, EndsARunThatSleepsOrIsStoppedUnlessADebuggerHasHaltedIt) {
+  come_to(kSecond);
+  EXPECT_EQ(look_for(29, 0.0), Found::nothing);
+  EXPECT_EQ(look_for(100, 0.0, true), Found::nothing);
+  EXPECT_EQ(look_for(29, 0.0), Found::nothing);
+  EXPECT_EQ(look_for(2, 0.0), Found::sleeps);
+}
+
+TEST_F(Watching, BlamesARunOnABusyMachineForNoSleep) {
+  come_to(kSecond);
+  for (int turn = 0; turn < 16; ++turn) {
+    EXPECT_EQ(look_for(5, 0.0), Found::nothing);
+    EXPECT_EQ(look_for(0.3, 1.0), Found::nothing);
+  }
+  EXPECT_EQ(look_for(1, 1.0), Found::loops);
+}
+
+TEST_F(Watching, CountsNoTimeInWhichItsRunnerWasStoppedToo) {
+  come_to(kSecond);
+  look_for(1, 0.0);
+  wall_us_ += std::int64_t{3600} * 1'000'000;
+  EXPECT_EQ(look_for(25, 0.0), Found::nothing);
+}
+
+TEST_F(Watching, LetsARunWaitOnlyForAClientThatItHas) {
+  come_to(kSecond);
+  watch_.wait_for_client(true);
+  EXPECT_EQ(look_for(40, 0.0), Found::sleeps);
+  RunWatch driven;
+  driven.follow(-1, {.until = kSecond, .may_wait = true});
+  driven.reached() = 0;
+  driven.wait_for_client(true);
+  for (std::int64_t s = 0; s < 100; ++s) EXPECT_EQ(driven.look({0, s * 1'000'000, false}), Found::nothing);
+}
+
+TEST_F(Watching, LimitsTheProcessorTimeOfAWholeRunHoweverOftenItSaysThatItComesFurther) {
+  const auto claim = [&](SimTime step, double share) {
+    for (int i = 0; i < 200; ++i) {
+      come_to(i * step);
+      if (const Found found = look_for(1, share); found != Found::nothing) return std::pair(i, found);
+    }
+    return std::pair(200, Found::nothing);
+  };
+  EXPECT_EQ(claim(1, 1.0), std::pair(60, Found::exhausts));
+  processor_ns_ = 0;
+  EXPECT_EQ(claim(10 * kSecond, 1.0), std::pair(159, Found::exhausts)) << "and no longer than it may run";
+  processor_ns_ = 0;
+  EXPECT_EQ(claim(kSecond, 0.1), std::pair(200, Found::nothing));
+}
+
+TEST_F(Watching, BelievesNoTimeThatTheRunMayNotReach) {
+  for (const auto& [said, believed] :
+       {std::pair<SimTime, SimTime>{-1, 0}, {INT64_MIN, 0}, {kSecond, kSecond}, {INT64_MAX, 100 * kSecond}}) {
+    come_to(said);
+    EXPECT_EQ(watch_.time(), believed);
+  }
+}
+
+}  // namespace
+}  // namespace robosim::runner
