@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
-#include <stdexcept>
 #include <system_error>
 
 #include "sim/base/bundle.h"
@@ -24,7 +23,6 @@
 #include "sim/build/source.h"
 #include "sim/build/try_again.h"
 #include "sim/build/units.h"
-#include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -40,9 +38,9 @@ class Build {
     shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
   }
 
-  /// Compiles and links; gives the image, still in the work folder.
+  /// Compiles and links; gives the image, in the linker's scratch folder.
   fs::path image() {
-    const Object core = core_object(toolchain_, cache_, work_.path());
+    const Object core = core_object(toolchain_, cache_, work_);
     inputs_.files = core.inputs;
     compile_all();
     if (keeps_addresses_) throw TryAgain{Registers::memory};
@@ -51,10 +49,9 @@ class Build {
       for (const fs::path& input : object.inputs) inputs_.files.push_back(input);
     // hal/host's constructors run first; an archive gives what those before it have left open.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
-    const fs::path image = work_.path() / (sketch_.name + toolchain_.target.image_ending);
-    const auto link =
-        run_walled({link_command(toolchain_, objects, image, work_.path(),
-                                 names_of_folders(sketch_, libraries_, toolchain_, work_.path()))})[0];
+    const fs::path image = work_.scratch() / (std::string("image") + toolchain_.target.image_ending);
+    const auto names = names_of_folders(sketch_, libraries_, toolchain_, image.parent_path());
+    const auto link = run_walled({link_command(toolchain_, objects, image, names)}, objects)[0];
     if (link.status != 0) fail_or_try_as_avr([&] { fail_link(toolchain_, sketch_, objects_, link.output); });
     for (const fs::path& linked : toolchain_.core.linked) inputs_.files.push_back(linked);
     inputs_.folders = finder_.listed();
@@ -74,7 +71,7 @@ class Build {
 
  private:
   /// All objects, those of a library that wants it so as an archive.
-  std::vector<fs::path> linked_objects() const {
+  std::vector<fs::path> linked_objects() {
     std::vector<fs::path> linked;
     for (const Object& object : objects_)
       if (object.archive.empty()) linked.push_back(object.path);
@@ -83,21 +80,22 @@ class Build {
       for (const Object& object : objects_)
         if (object.archive == "libraries/" + library.name) members.push_back(object.path);
       if (members.empty()) continue;
-      linked.push_back(work_.path() / fmt::format("library{}.a", linked.size()));
-      const CommandResult result = run_walled({archive_command(toolchain_, members, linked.back())})[0];
+      linked.push_back(work_.scratch() / fmt::format("library{}.a", linked.size()));
+      const auto result = run_walled({archive_command(toolchain_, members, linked.back())}, members)[0];
       if (result.status != 0) fail(toolchain_.target, text(result));
     }
     return linked;
   }
 
-  std::vector<CommandResult> run_walled(std::vector<Command> commands) const {
+  /// None reads what another one wrote except `objects`.
+  std::vector<CommandResult> run_walled(std::vector<Command> commands,
+                                        const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
-    read.insert(read.end(), {sketch_.folder, cache_.folder()});
-    read.insert(read.end(), sketch_.includes.begin(), sketch_.includes.end());
+    for (const auto* more : {&sketch_.includes, &objects})
+      read.insert(read.end(), more->begin(), more->end());
+    read.insert(read.end(), {sketch_.folder, work_.given()});
     for (const Library& library : libraries_) read.push_back(library.folder);
-    const Walls walls(read, work_.path());
-    for (Command& command : commands) command.walls = &walls;
-    return run(commands);
+    return run_within(read, std::move(commands));
   }
 
   std::string text(const CommandResult& result) const {
@@ -163,51 +161,56 @@ class Build {
     Unit unit = sketch_unit(sketch_);
     unit.input = work_.path() / "joined.cpp";
     write_file(unit.input, joined);
-    const fs::path preprocessed = work_.path() / "preprocessed.cpp";
+    fs::path preprocessed;
     for (;;) {
+      preprocessed = work_.scratch() / "preprocessed.cpp";
       unit.includes = include_folders(unit, libraries_);
       const CommandResult result = run_walled({preprocess_command(toolchain_, unit, preprocessed)})[0];
       if (result.status == 0) break;
       if (!add_library_for(result)) fail_or_try_again(text(result));
     }
-    const std::string text = read_file(preprocessed);
+    const std::string text = read_made(preprocessed);
     if (toolchain_.warnings != Warnings::none) {
       const std::string own = own_lines(text, sketch_.inos);
       add_message(pin_warnings(own, toolchain_.board));
       if (sketch_.sources.empty() && libraries_.empty())
         add_message(serial_warning(own, text, toolchain_.board));
     }
-    write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.path()));
+    write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.scratch()));
     return unit;
   }
+
+  /// A unit that is not in the cache.
+  struct Job {
+    Unit unit;
+    std::string key;
+    std::size_t slot;            ///< in objects_
+    fs::path compiled, object;   ///< the same where it is not compiled through assembly
+    bool keeps_address = false;  ///< of a register that has none
+  };
 
   /// Gives the units that are to be compiled again, because they need a library that was found only now.
   std::vector<Unit> compile(std::vector<Unit> units) {
     std::vector<Command> commands;
-    std::vector<fs::path> objects;
-    std::vector<std::string> keys;
-    std::vector<std::size_t> slots;
-    std::vector<Unit> started;
+    std::vector<Job> jobs;
     for (Unit& unit : units) {
       unit.includes = include_folders(unit, libraries_);
       const std::string key = unit_key(unit);
-      const auto entry = is_kept(unit) ? cache_.find(key) : std::nullopt;
-      if (entry) {
+      if (const auto entry = is_kept(unit) ? cache_.find(key) : std::nullopt) {
         add_message(entry->facts.at("messages"));
         keeps_addresses_ |= entry->facts.at("keeps_addresses") == "yes";
-        objects_.push_back(object_of(unit, entry->result, split_paths(entry->facts.at("inputs"))));
+        objects_.push_back(
+            object_of(unit, work_.give(entry->result), split_paths(entry->facts.at("inputs"))));
         continue;
       }
-      slots.push_back(objects_.size());
+      const fs::path object = work_.scratch() / fmt::format("{}.o", count_++);
+      commands.push_back(compile_command(toolchain_, unit, object));
+      jobs.push_back({unit, key, objects_.size(), object, object});
       objects_.emplace_back();
-      objects.push_back(work_.path() / fmt::format("{}.o", count_++));
-      commands.push_back(compile_command(toolchain_, unit, objects.back()));
-      keys.push_back(key);
-      started.push_back(unit);
     }
     const auto since = fs::file_time_type::clock::now();
     std::vector<CommandResult> results = run_walled(commands);
-    const std::vector<bool> keeps_address = assemble(started, objects, results);
+    assemble(jobs, results);
 
     std::vector<Unit> again;
     std::string errors;
@@ -216,13 +219,13 @@ class Build {
       const std::string messages = text(results[i]);
       if (results[i].status == 0) {
         add_message(messages);
-        objects_[slots[i]] = keep(started[i], keys[i], objects[i], messages, keeps_address[i], since);
-        if (keeps_address[i]) keeps_addresses_ = true;
+        objects_[jobs[i].slot] = keep(jobs[i], messages, since);
+        keeps_addresses_ |= jobs[i].keeps_address;
         continue;
       }
-      unused.push_back(slots[i]);
+      unused.push_back(jobs[i].slot);
       if (add_library_for(results[i]))
-        again.push_back(started[i]);
+        again.push_back(jobs[i].unit);
       else
         errors += messages + '\n';
     }
@@ -233,68 +236,61 @@ class Build {
     return again;
   }
 
-  /// Assembles what has been compiled without errors so far. Returns which units keep the address of a
-  /// register that has none.
-  std::vector<bool> assemble(const std::vector<Unit>& units, const std::vector<fs::path>& objects,
-                             std::vector<CommandResult>& results) const {
-    std::vector<bool> keeps_address(objects.size());
+  /// The second half of a compilation, for those that have succeeded so far.
+  void assemble(std::vector<Job>& jobs, std::vector<CommandResult>& results) {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (results[i].status != 0 || !through_assembly(toolchain_, units[i])) continue;
-      const std::string assembly = read_file(compiled_assembly(objects[i]));
-      keeps_address[i] =
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      Job& job = jobs[i];
+      if (results[i].status != 0 || !through_assembly(toolchain_, job.unit)) continue;
+      const std::string assembly = read_made(compiled_assembly(job.compiled));
+      job.keeps_address =
           toolchain_.registers == Registers::objects && assembly.find(kRegisterMemory) != std::string::npos;
-      const fs::path changed = changed_assembly(objects[i]);
+      job.object = work_.scratch() / job.compiled.filename();
+      const fs::path changed = changed_assembly(job.object);
       write_file(changed, changed_for_host(assembly, quotient_by_zero(toolchain_.board)));
       compiled.push_back(i);
-      commands.push_back(assemble_command(toolchain_, changed, objects[i]));
+      commands.push_back(assemble_command(toolchain_, changed, job.object));
     }
     const std::vector<CommandResult> assembled = run_walled(commands);
     for (std::size_t i = 0; i < compiled.size(); ++i) {
-      if (assembled[i].status != 0) check_changes(objects[compiled[i]], assembled[i].output);
+      if (assembled[i].status != 0) check_changes(jobs[compiled[i]], assembled[i].output);
       results[compiled[i]].status = assembled[i].status;
       results[compiled[i]].output += assembled[i].output;
     }
-    return keeps_address;
   }
 
   /// Throws, as an internal error, if the assembler takes the compiler's assembly and only refuses our
   /// changes to it: then it is not the sketch's fault.
-  void check_changes(const fs::path& object, const std::string& messages) const {
-    const auto assembled = run_walled({assemble_command(toolchain_, compiled_assembly(object), object)});
-    if (assembled[0].status != 0) return;
-    const fs::path saved = cache_.folder() / "refused.s";
-    fs::copy_file(changed_assembly(object), saved, fs::copy_options::overwrite_existing);
-    const std::size_t error = messages.find("Error: ");
-    throw std::runtime_error(fmt::format(
-        "Robosim's own assembly was refused by {}: {}; please report it with the file {}",
-        assembler_name(toolchain_.compiler),
-        error == messages.npos ? messages : messages.substr(error, messages.find('\n', error) - error),
-        saved.string()));
+  void check_changes(const Job& job, const std::string& messages) {
+    const fs::path assembly = compiled_assembly(job.compiled), object = work_.scratch() / "unchanged.o";
+    if (run_walled({assemble_command(toolchain_, assembly, object)}, {assembly})[0].status == 0)
+      fail_for_changes(toolchain_, cache_.folder() / "refused.s",
+                       changed_for_host(read_made(assembly), quotient_by_zero(toolchain_.board)), messages);
   }
 
   /// Whether its object goes into the cache: not that of the joined .ino files, nor one with notes beside it.
   bool is_kept(const Unit& unit) const { return unit.input.empty() && !is_counted(toolchain_, unit); }
 
   std::string unit_key(const Unit& unit) const {
-    return fmt::format("unit\n{}{}\n{} {}\n{}\n{}", recipe(toolchain_), seen_by(toolchain_),
-                       static_cast<int>(toolchain_.registers), unit.folder.string(), unit.source,
-                       join_paths(unit.includes));
+    return key_of({"unit", recipe(toolchain_), seen_by(toolchain_),
+                   std::to_string(static_cast<int>(toolchain_.registers)), unit.folder.string(), unit.source,
+                   key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end()))});
   }
 
-  Object keep(const Unit& unit, const std::string& key, const fs::path& object, const std::string& messages,
-              bool keeps_address, fs::file_time_type since) {
-    std::vector<fs::path> inputs = read_dependencies(object.string() + ".d", unit.folder);
+  Object keep(const Job& job, const std::string& messages, fs::file_time_type since) {
+    const Unit& unit = job.unit;
+    std::vector<fs::path> inputs = read_dependencies(read_made(job.compiled.string() + ".d"), unit.folder);
     if (is_counted(toolchain_, unit))
-      notes_.push_back({notes_name(unit), read_file(object.string() + ".gcno")});
-    if (!is_kept(unit)) return object_of(unit, object, std::move(inputs));
-    const Entry entry = cache_.store(key, {inputs, {}}, object, fs::path(unit.source).stem().string() + ".o",
+      notes_.push_back({notes_name(unit), read_made(job.compiled.string() + ".gcno")});
+    if (!is_kept(unit)) return object_of(unit, job.object, std::move(inputs));
+    const Entry entry = cache_.store(job.key, {inputs, {}}, read_made(job.object),
+                                     fs::path(unit.source).stem().string() + ".o",
                                      {{"inputs", join_paths(inputs)},
                                       {"messages", messages},
-                                      {"keeps_addresses", keeps_address ? "yes" : "no"}},
+                                      {"keeps_addresses", job.keeps_address ? "yes" : "no"}},
                                      since);
-    return object_of(unit, entry.result, std::move(inputs));
+    return object_of(unit, work_.give(entry.result), std::move(inputs));
   }
 
   void add_message(const std::string& message) {
@@ -390,25 +386,22 @@ Image build(const Request& request) try {
   Inputs inputs = build->inputs();
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
     for (const std::string& name : *names) inputs.files.push_back(sketch.folder / name);
-  const std::string bytes = read_file(made);
+  const std::string bytes = read_made(made);
   const ElfSize size = elf_size(ElfFile(bytes, made.string()));
   std::string libraries;
   for (const Library& library : build->libraries()) libraries += library.name + '\n';
-  const std::uint64_t text_bytes = size.text + (target.chip ? size.initialised : 0);
-  const Entry entry = cache.store(key, inputs, made, sketch.name + target.image_ending,
-                                  {{"sketch_sha256", sketch_sha256},
-                                   {"image_sha256", sha256(bytes)},
-                                   {"compiler", toolchain.facts.name},
-                                   {"libraries", libraries},
-                                   {"messages", build->messages()},
-                                   {"text_bytes", std::to_string(text_bytes)},
-                                   {"data_bytes", std::to_string(size.data)}},
-                                  since);
-  if (counts_itself) {
-    const WorkFolder work(cache);
-    write_file(work.path() / "notes", pack(build->notes()));
-    cache.store(notes_key(entry), {}, work.path() / "notes", sketch.name + ".notes", {}, since);
-  }
+  const Entry entry =
+      cache.store(key, inputs, bytes, sketch.name + target.image_ending,
+                  {{"sketch_sha256", sketch_sha256},
+                   {"image_sha256", sha256(bytes)},
+                   {"compiler", toolchain.facts.name},
+                   {"libraries", libraries},
+                   {"messages", build->messages()},
+                   {"text_bytes", std::to_string(size.text + (target.chip ? size.initialised : 0))},
+                   {"data_bytes", std::to_string(size.data)}},
+                  since);
+  if (counts_itself)
+    cache.store(notes_key(entry), {}, pack(build->notes()), sketch.name + ".notes", {}, since);
   return image_of(target, sketch, entry, cache, false);
 } catch (const fs::filesystem_error& error) {
   throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());

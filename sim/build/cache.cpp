@@ -47,9 +47,7 @@ std::string hash_folder(const fs::path& path) {
     names.push_back(entry->path().filename().string());
   if (error) return kAbsent;
   std::sort(names.begin(), names.end());
-  std::string all;
-  for (const std::string& name : names) all += name + '\n';
-  return hash_text(all);
+  return hash_text(key_of(names));
 }
 
 std::string escape(const std::string& text) {
@@ -134,6 +132,12 @@ const fs::path& make_way(const fs::path& file) {
 
 }  // namespace
 
+std::string key_of(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += fmt::format("{} {}\n", word.size(), word);
+  return text;
+}
+
 fs::path cache_folder() {
   const char* xdg = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
@@ -180,7 +184,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     if (kind == "folder" && hash_folder(line) != value) return std::nullopt;
     if (kind == "fact") entry.facts[std::string(value)] = unescape(line);
     if (kind == "result") {
-      entry.result = folder_ / "results" / line;
+      entry.result = folder_ / "results" / unescape(line);
       if (hash_file(entry.result) != value) return std::nullopt;
     }
     if (kind == "end") complete = true;
@@ -194,17 +198,17 @@ std::optional<Entry> Cache::find(const std::string& key) const {
   return entry;
 }
 
-Entry Cache::store(const std::string& key, const Inputs& inputs, const fs::path& result,
+Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_view content,
                    const std::string& name, std::map<std::string, std::string> facts,
                    fs::file_time_type since) const {
-  const std::string hash = hash_file(result);
+  const std::string hash = hash_text(content);
   const fs::path base = name;
   const std::string stored =
-      fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 16), base.extension().string());
+      fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 32), base.extension().string());
   const Entry entry{folder_ / "results" / stored, std::move(facts)};
-  fs::rename(result, make_way(entry.result));
+  write_file(make_way(entry.result), content);
 
-  std::string text = fmt::format("{}\nresult {} {}\n", kHeader, hash, stored);
+  std::string text = fmt::format("{}\nresult {} {}\n", kHeader, hash, escape(stored));
   for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));
   bool sound = !changed_after(inputs, since);
   for (const auto& [kind, paths] : {std::pair{"file", &inputs.files}, {"folder", &inputs.folders}}) {
@@ -240,6 +244,35 @@ WorkFolder::WorkFolder(const Cache& cache) {
     std::error_code error;
     if (fs::exists(path_, error)) return;  // else another process was quick to remove it
   }
+}
+
+fs::path WorkFolder::given() const {
+  fs::path folder = path_ / "given";
+  fs::create_directory(folder);
+  return folder;
+}
+
+fs::path WorkFolder::give(const fs::path& result) const {
+  fs::path here = given() / result.filename();
+  std::error_code error;
+  fs::create_hard_link(result, here, error);
+  if (error && !fs::exists(here))
+    fs::copy_file(result, here);  // a file system without links, or another owner's
+  return here;
+}
+
+fs::path WorkFolder::scratch() {
+  fs::path folder = path_ / std::to_string(scratch_folders_++);
+  fs::create_directory(folder);
+  return folder;
+}
+
+std::string read_made(const fs::path& file) {
+  const Descriptor made(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat info {};
+  if (!made.is_open() || ::fstat(made.get(), &info) != 0 || !S_ISREG(info.st_mode))
+    throw InputError({file.filename().string()}, "the compiler did not write it: expected a file");
+  return read_file(fmt::format("/proc/self/fd/{}", made.get()));
 }
 
 WorkFolder::~WorkFolder() {

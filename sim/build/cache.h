@@ -27,6 +27,9 @@ struct Entry {
   std::map<std::string, std::string> facts;  ///< whatever the caller wants to keep with the result
 };
 
+/// Text of a key: no two lists of words have the same.
+std::string key_of(const std::vector<std::string>& words);
+
 class Cache {
  public:
   explicit Cache(std::filesystem::path folder);
@@ -34,11 +37,10 @@ class Cache {
   /// The entry for `key`, if all its inputs and its result are as they were.
   std::optional<Entry> find(const std::string& key) const;
 
-  /// Moves `result` into the cache. The entry itself is left out if an input changed after `since`: it may be
-  /// newer than what was compiled. `name` is the result's readable name, "PidFollower.so".
-  Entry store(const std::string& key, const Inputs& inputs, const std::filesystem::path& result,
-              const std::string& name, std::map<std::string, std::string> facts,
-              std::filesystem::file_time_type since) const;
+  /// Writes the content of a result into the cache, under its readable name ("PidFollower.so") and hash.
+  /// Skips the entry if an input changed after `since`: it may be newer than what was compiled.
+  Entry store(const std::string& key, const Inputs& inputs, std::string_view content, const std::string& name,
+              std::map<std::string, std::string> facts, std::filesystem::file_time_type since) const;
 
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -66,9 +68,21 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
+  /// The folder of what compilers read and this process writes.
+  std::filesystem::path given() const;
+  /// Puts a result of the cache into it; returns its path there.
+  std::filesystem::path give(const std::filesystem::path& result) const;
+  /// A new folder, the only one that one compiler may write.
+  std::filesystem::path scratch();
+
  private:
   std::filesystem::path path_;
   Descriptor held_;
+  int scratch_folders_ = 0;
 };
+
+/// The content of a file that a compiler wrote, which need not have ended. Throws InputError if it is not a
+/// regular file: a link could lead anywhere.
+std::string read_made(const std::filesystem::path& file);
 
 }  // namespace robosim::build

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/cache.h"
 #include "sim/build/division.h"
 
 namespace robosim::build {
@@ -194,7 +196,18 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   return words;
 }
 
+/// Compilers take a word with '-' for an option and a word with '@' for a file of more options. They also
+/// pass the last part of a source's name on as a word of its own (-dumpbase).
+void check_name(const std::string& source) {
+  for (const std::string& word : {source, fs::path(source).filename().string()})
+    if (word.starts_with('-') || word.starts_with('@'))
+      throw InputError({source}, fmt::format("cannot be compiled: expected a name that does not begin with "
+                                             "'{}', which compilers take for an option; rename it",
+                                             word[0]));
+}
+
 void add_source(std::vector<std::string>& words, const Unit& unit) {
+  check_name(unit.source);
   if (language(unit) == Language::assembler) append(words, {"-x", "assembler-with-cpp"});
   if (unit.input.empty())
     words.push_back(unit.source);
@@ -251,20 +264,21 @@ Command compile_command(const Toolchain& toolchain, const Unit& unit, const fs::
   else
     append(words, {"-c", "-o", object.string()});
   add_source(words, unit);
-  return {std::move(words), unit.folder, unit.input};
+  return {std::move(words), unit.folder, unit.input, object.parent_path()};
 }
 
 Command assemble_command(const Toolchain& toolchain, const fs::path& assembly, const fs::path& object) {
   return {{toolchain.compiler.cc.string(), "-c", "-o", object.string(), assembly.string()},
           object.parent_path(),
-          {}};
+          {},
+          object.parent_path()};
 }
 
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const fs::path& output) {
   std::vector<std::string> words = base_words(toolchain, unit);
   append(words, {"-w", "-E", "-o", output.string()});
   add_source(words, unit);
-  return {std::move(words), unit.folder, unit.input};
+  return {std::move(words), unit.folder, unit.input, output.parent_path()};
 }
 
 Command merge_command(const Toolchain& toolchain, const std::vector<fs::path>& objects,
@@ -272,7 +286,7 @@ Command merge_command(const Toolchain& toolchain, const std::vector<fs::path>& o
   std::vector<std::string> words = {
       toolchain.compiler.cc.string(), "-r", "-nostdlib", "-fuse-ld=bfd", "-o", object.string()};
   for (const fs::path& one : objects) words.push_back(one.string());
-  return {std::move(words), object.parent_path(), {}};
+  return {std::move(words), object.parent_path(), {}, object.parent_path()};
 }
 
 Command archive_command(const Toolchain& toolchain, const std::vector<fs::path>& objects,
@@ -280,11 +294,12 @@ Command archive_command(const Toolchain& toolchain, const std::vector<fs::path>&
   std::vector<std::string> words = {find_tool(toolchain.target, toolchain.target.archiver).string(), "rcsD",
                                     archive.string()};
   for (const fs::path& one : objects) words.push_back(one.string());
-  return {std::move(words), archive.parent_path(), {}};
+  return {std::move(words), archive.parent_path(), {}, archive.parent_path()};
 }
 
 Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& objects, const fs::path& image,
-                     const fs::path& work, const Core::Names& places) {
+                     const Core::Names& places) {
+  const fs::path work = image.parent_path();
   for (const auto& [name, text] : toolchain.target.link_files) write_file(work / name, text);
   std::vector<std::string> words = {toolchain.compiler.cc.string()};
   append(words, toolchain.target.link);
@@ -305,7 +320,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   for (const fs::path& object : objects) words.push_back(object.string());
   words.push_back("-lm");
   if (toolchain.coverage) append(words, toolchain.target.coverage.link);
-  return {std::move(words), work, {}};
+  return {std::move(words), work, {}, work};
 }
 
 Command product_command(const Target& target, const Product& product, const fs::path& image,
@@ -313,7 +328,7 @@ Command product_command(const Target& target, const Product& product, const fs::
   std::vector<std::string> words = {find_tool(target, product.program).string()};
   append(words, product.arguments);
   append(words, {image.string(), file.string()});
-  return {std::move(words), file.parent_path(), {}};
+  return {std::move(words), file.parent_path(), {}, file.parent_path()};
 }
 
 std::vector<fs::path> read_by_all(const Toolchain& toolchain, std::vector<fs::path> read) {
@@ -326,21 +341,20 @@ std::vector<fs::path> read_by_all(const Toolchain& toolchain, std::vector<fs::pa
 
 std::string recipe(const Toolchain& toolchain) {
   const Target& target = toolchain.target;
-  std::string text = fmt::format("robosim {} {} {} {}\n", ROBOSIM_VERSION, toolchain.compiler.identity,
-                                 toolchain.core.root.string(), static_cast<int>(toolchain.warnings));
-  for (const auto& words : {target.code, target.cxx_code, target.c_code, target.own, target.memory,
-                            target.as_avr, target.link, definitions(toolchain)})
-    text += fmt::format("{}\n", fmt::join(words, " "));
-  for (const auto* words : {&target.core, &toolchain.core.machine, &toolchain.core.link})
-    if (!words->empty()) text += fmt::format("{}\n", fmt::join(*words, " "));
+  std::string text =
+      key_of({"robosim", ROBOSIM_VERSION, toolchain.compiler.identity, toolchain.core.root.string(),
+              std::to_string(static_cast<int>(toolchain.warnings))});
   const auto add_text = [&](std::initializer_list<const std::vector<std::string>*> all) {
-    for (const auto* words : all) text += fmt::format("{}\n", fmt::join(*words, " "));
+    for (const auto* words : all) text += key_of({key_of(*words)});
   };
+  const std::vector<std::string> defined = definitions(toolchain);
+  add_text({&target.code, &target.cxx_code, &target.c_code, &target.own, &target.memory, &target.as_avr,
+            &target.link, &defined, &target.core, &toolchain.core.machine, &toolchain.core.link});
   const Sanitizer& checks = target.sanitizer;
   if (toolchain.sanitize)
     add_text({&checks.undefined, &checks.addresses, &checks.definitions, &checks.link, &checks.warnings});
   if (toolchain.sanitize)
-    for (const fs::path& folder : toolchain.core.includes_with_checks) text += folder.string() + "\n";
+    for (const fs::path& folder : toolchain.core.includes_with_checks) text += key_of({folder.string()});
   const Counting& counting = target.coverage;
   if (toolchain.coverage) add_text({&counting.own, &counting.definitions, &counting.link});
   text += fmt::format("assembly 6 {}{}", target.own_level, target.core_level);
@@ -348,8 +362,7 @@ std::string recipe(const Toolchain& toolchain) {
   return text;
 }
 
-std::vector<fs::path> read_dependencies(const fs::path& list, const fs::path& folder) {
-  const std::string text = read_file(list);
+std::vector<fs::path> read_dependencies(const std::string& text, const fs::path& folder) {
   std::vector<fs::path> files;
   std::string name;
   const auto finish = [&] {

@@ -35,7 +35,7 @@ std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
 /// Returns whether the unit is compiled to assembly first, which is changed a little (assembly.h) before
-/// assemble_command; else it is compiled to `object` at once.
+/// assemble_command, for an object in another folder; else it is compiled to `object` at once.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
 /// Returns where the compiler writes the assembly of such a unit, and where the changed assembly goes.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
@@ -59,11 +59,10 @@ Command merge_command(const Toolchain& toolchain, const std::vector<std::filesys
 Command archive_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                         const std::filesystem::path& archive);
 /// Links to an image: for the host a shared object that exports `robosim_image` only and whose constructors
-/// wait in the section `robosim_init_array`, for a chip the program as it is flashed. `work` is for the
-/// linker's scripts; `places` are the folders that debug information has other names for.
+/// wait in the section `robosim_init_array`, for a chip the program as it is flashed. The linker's scripts
+/// are written to the image's folder; `places` are the folders that debug information has other names for.
 Command link_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
-                     const std::filesystem::path& image, const std::filesystem::path& work,
-                     const Core::Names& places);
+                     const std::filesystem::path& image, const Core::Names& places);
 /// Makes one of the target's products of an image.
 Command product_command(const Target& target, const Product& product, const std::filesystem::path& image,
                         const std::filesystem::path& file);
@@ -76,7 +75,7 @@ std::vector<std::filesystem::path> read_by_all(const Toolchain& toolchain,
 std::string recipe(const Toolchain& toolchain);
 
 /// The files in a dependency list as the compiler writes it; relative ones are below `folder`.
-std::vector<std::filesystem::path> read_dependencies(const std::filesystem::path& list,
+std::vector<std::filesystem::path> read_dependencies(const std::string& text,
                                                      const std::filesystem::path& folder);
 
 }  // namespace robosim::build

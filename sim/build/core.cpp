@@ -1,6 +1,7 @@
 #include "sim/build/core.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -33,40 +34,51 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
   return unit;
 }
 
-void check(const CommandResult& result) {
-  if (result.status == 0) return;
-  check_machine("the compiler", result.output);
-  throw std::runtime_error("the core does not compile:\n" + result.output);
+/// Runs them within walls: a project's -D can make the core's own lines read any file. Gives the last output.
+std::string run_checked(const Toolchain& toolchain, std::vector<Command> commands) {
+  std::string output;
+  for (CommandResult& result : run_within(read_by_all(toolchain, {}), std::move(commands))) {
+    output = std::move(result.output);
+    if (result.status == 0) continue;
+    check_machine("the compiler", output);
+    if (toolchain.rules.flags.empty()) throw std::runtime_error("the core does not compile:\n" + output);
+    throw CompileError(fmt::format("the core does not compile with build_flags {}: {}",
+                                   fmt::join(toolchain.rules.flags, " "),
+                                   readable(toolchain, toolchain.core.root, output)));
+  }
+  return output;
 }
 
 // Only what is defined: an undefined symbol must still be found, or the link fail.
-void weaken(const Target& target, const fs::path& object, const fs::path& work) {
-  const auto tool = [&](const char* name) { return find_tool(target, {name, "binutils"}).string(); };
-  const CommandResult names =
-      run(Command{{tool("nm"), "--defined-only", "-g", "-j", object.string()}, work, {}});
-  check(names);
-  write_file(work / "names", names.output);
-  check(run(Command{{tool("objcopy"), "--weaken-symbols=names", object.string()}, work, {}}));
+void weaken(const Toolchain& toolchain, const fs::path& object) {
+  const fs::path work = object.parent_path();
+  const auto tool = [&](const char* name) {
+    return find_tool(toolchain.target, {name, "binutils"}).string();
+  };
+  write_file(work / "names",
+             run_checked(toolchain,
+                         {{{tool("nm"), "--defined-only", "-g", "-j", object.string()}, work, {}, work}}));
+  run_checked(toolchain, {{{tool("objcopy"), "--weaken-symbols=names", object.string()}, work, {}, work}});
 }
 
 fs::path join(const Toolchain& toolchain, const std::vector<fs::path>& objects, const fs::path& work) {
   if (toolchain.target.archiver.name) {
-    check(run(archive_command(toolchain, objects, work / "core.a")));
+    run_checked(toolchain, {archive_command(toolchain, objects, work / "core.a")});
     return work / "core.a";
   }
-  check(run(merge_command(toolchain, objects, work / "core.o")));
-  weaken(toolchain.target, work / "core.o", work);
+  run_checked(toolchain, {merge_command(toolchain, objects, work / "core.o")});
+  weaken(toolchain, work / "core.o");
   return work / "core.o";
 }
 
 }  // namespace
 
-Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::path& work) {
-  const std::string key = "core\n" + recipe(toolchain);
+Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& work) {
+  const std::string key = key_of({"core", recipe(toolchain)});
   const auto known = [&]() -> std::optional<Object> {
     const auto entry = cache.find(key);
     if (!entry) return std::nullopt;
-    return Object{"core", entry->result, split_paths(entry->facts.at("inputs"))};
+    return Object{"core", work.give(entry->result), split_paths(entry->facts.at("inputs"))};
   };
   if (const auto object = known()) return *object;
   const CacheLock lock(cache);
@@ -75,25 +87,26 @@ Object core_object(const Toolchain& toolchain, const Cache& cache, const fs::pat
   const auto since = fs::file_time_type::clock::now();
   std::vector<Command> commands;
   std::vector<fs::path> objects;
+  const fs::path scratch = work.scratch();
   for (const fs::path& folder : toolchain.core.sources)
     for (const fs::path& source : sources_in(folder)) {
-      objects.push_back(work / fmt::format("core{}.o", objects.size()));
+      objects.push_back(scratch / fmt::format("core{}.o", objects.size()));
       commands.push_back(compile_command(toolchain, core_unit(toolchain, source), objects.back()));
     }
-  for (const CommandResult& result : run(commands)) check(result);
-  const fs::path joined = join(toolchain, objects, work);
+  run_checked(toolchain, std::move(commands));
+  const fs::path joined = join(toolchain, objects, scratch);
 
   Inputs inputs;
   for (const fs::path& object : objects) {
-    const auto files = read_dependencies(object.string() + ".d", toolchain.core.root);
+    const auto files = read_dependencies(read_made(object.string() + ".d"), toolchain.core.root);
     inputs.files.insert(inputs.files.end(), files.begin(), files.end());
   }
   std::sort(inputs.files.begin(), inputs.files.end());
   inputs.files.erase(std::unique(inputs.files.begin(), inputs.files.end()), inputs.files.end());
   inputs.folders = toolchain.core.sources;
-  const Entry entry = cache.store(key, inputs, joined, joined.filename().string(),
+  const Entry entry = cache.store(key, inputs, read_made(joined), joined.filename().string(),
                                   {{"inputs", join_paths(inputs.files)}}, since);
-  return {"core", entry.result, inputs.files};
+  return {"core", work.give(entry.result), inputs.files};
 }
 
 }  // namespace robosim::build

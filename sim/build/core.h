@@ -12,6 +12,6 @@ namespace robosim::build {
 /// Compiled once for each version of Robosim and of the compiler. In the host's object hal/host comes first:
 /// its constructors (Serial's) run before any of the sketch's. All of it is weak, so that a sketch may
 /// redefine a function of the core, as Arduino's archive of the core allows.
-Object core_object(const Toolchain& toolchain, const Cache& cache, const std::filesystem::path& work);
+Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& work);
 
 }  // namespace robosim::build

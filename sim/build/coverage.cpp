@@ -150,8 +150,8 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
     std::vector<Command> commands;
     for (const BundledFile& note : notes)
       commands.push_back(
-          {{gcov.string(), "--json-format", "--stdout", note.name + ".gcno"}, work.path(), {}});
-    for (const CommandResult& result : run(commands)) {
+          {{gcov.string(), "--json-format", "--stdout", note.name + ".gcno"}, work.path(), {}, work.path()});
+    for (const CommandResult& result : run_within({}, std::move(commands))) {
       const std::size_t begin = result.output.find("{\"");
       if (result.status != 0 || begin == std::string::npos)
         throw InputError("gcov cannot read what the sketch has counted: " + result.output);

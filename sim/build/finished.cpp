@@ -6,7 +6,6 @@
 #include "sim/build/compile.h"
 #include "sim/build/messages.h"
 #include "sim/build/process.h"
-#include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -16,19 +15,17 @@ namespace {
 /// A product of an image, from the cache or made anew: the image's content is all that it depends on.
 fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
   const std::string key =
-      fmt::format("product\n{}{}\n{}", product.program.name, product.ending, entry.facts.at("image_sha256"));
+      key_of({"product", product.program.name, product.ending, entry.facts.at("image_sha256")});
   if (const auto known = cache.find(key)) return known->result;
-  const WorkFolder work(cache);
+  WorkFolder work(cache);
   const std::string name = entry.result.stem().string() + product.ending;
   const auto since = fs::file_time_type::clock::now();
-  // Not the image alone: another process that builds the same puts its equal one in this one's place.
-  const Walls walls({cache.folder()}, work.path());
-  Command command = product_command(target, product, entry.result, work.path() / name);
-  command.walls = &walls;
-  const CommandResult result = run(command);
+  const fs::path made = work.scratch() / (std::string("product") + product.ending);
+  const CommandResult result =
+      run_within({work.given()}, {product_command(target, product, work.give(entry.result), made)})[0];
   if (result.status != 0) check_machine(product.program.name, result.output);
   if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
-  return cache.store(key, {}, work.path() / name, name, {}, since).result;
+  return cache.store(key, {}, read_made(made), name, {}, since).result;
 }
 
 }  // namespace
@@ -59,12 +56,12 @@ Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, c
 
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<fs::path>& folders) {
-  std::string key =
-      fmt::format("image\n{}{}{}\n", recipe(toolchain), seen_by(toolchain), sketch.folder.string());
-  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers})
-    key += fmt::format("{}\n", fmt::join(*names, "\n"));
-  for (const std::string& name : sketch.assembler) key += fmt::format("{}\n", name);
-  return key + join_paths(sketch.includes) + join_paths(folders);
+  std::vector<std::string> words = {"image", recipe(toolchain), seen_by(toolchain), sketch.folder.string()};
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers, &sketch.assembler})
+    words.push_back(key_of(*names));
+  for (const auto* paths : {&sketch.includes, &folders})
+    words.push_back(key_of(std::vector<std::string>(paths->begin(), paths->end())));
+  return key_of(words);
 }
 
 }  // namespace robosim::build

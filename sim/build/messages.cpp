@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <regex>
+#include <stdexcept>
 
+#include "sim/base/file.h"
 #include "sim/base/machine_fault.h"
 #include "sim/build/hints.h"
 #include "sim/build/slips.h"
@@ -242,6 +244,17 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
           {sketch.inos.empty() ? sketch.name : sketch.inos[0]},
           fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()", function));
   fail(toolchain.target, messages);
+}
+
+void fail_for_changes(const Toolchain& toolchain, const fs::path& saved, const std::string& assembly,
+                      const std::string& messages) {
+  write_file(saved, assembly);
+  const std::size_t error = messages.find("Error: ");
+  throw std::runtime_error(fmt::format(
+      "Robosim's own assembly was refused by {}: {}; please report it with the file {}",
+      assembler_name(toolchain.compiler),
+      error == messages.npos ? messages : messages.substr(error, messages.find('\n', error) - error),
+      saved.string()));
 }
 
 }  // namespace robosim::build

@@ -46,4 +46,9 @@ bool is_about_library(const std::string& messages, const std::vector<Library>& l
 [[noreturn]] void fail_link(const Toolchain& toolchain, const Sketch& sketch,
                             const std::vector<Object>& objects, std::string output);
 
+/// Throws, as an internal error, for an assembler that refuses only our changes to the compiler's assembly,
+/// and writes the changed one to `saved`.
+[[noreturn]] void fail_for_changes(const Toolchain& toolchain, const std::filesystem::path& saved,
+                                   const std::string& assembly, const std::string& messages);
+
 }  // namespace robosim::build

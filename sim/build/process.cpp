@@ -9,12 +9,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "sim/base/child.h"
+#include "sim/base/error.h"
 #include "sim/build/walls.h"
 
 extern char** environ;
@@ -51,6 +53,28 @@ std::vector<std::string> clean_environment() {
   return kept;
 }
 
+/// The folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
+std::vector<fs::path> program_folders() {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
+  std::vector<fs::path> folders;
+  while (!rest.empty()) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    if (fs::path folder = rest.substr(0, colon); folder.is_absolute()) folders.push_back(std::move(folder));
+    rest.remove_prefix(std::min(colon + 1, rest.size()));
+  }
+  return folders;
+}
+
+/// Nothing of the user's environment except where programs are: a sketch can make a compiler print the rest.
+std::vector<std::string> walled_environment(const fs::path& scratch) {
+  std::string path;
+  for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
+  return {
+      "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
+      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // where the compiler is ccache: its own folder is not seen
+}
+
 std::vector<char*> null_ended(const std::vector<std::string>& texts) {
   std::vector<char*> result;
   for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
@@ -61,11 +85,7 @@ std::vector<char*> null_ended(const std::vector<std::string>& texts) {
 /// As Child does it for a ChildStart, within walls. After the fork only what a signal handler may do.
 Child start_within(const Walls& walls, const ChildStart& start) {
   constexpr int kCannotStart = 127;
-  std::vector<std::string> settings = *start.environment;
-  std::erase_if(settings,
-                [](const std::string& one) { return one.starts_with("TMPDIR="); });  // the first counts
-  settings.push_back("TMPDIR=" + walls.scratch().string());
-  settings.emplace_back("CCACHE_DISABLE=1");  // where the compiler is ccache: its own folder is not seen
+  const std::vector<std::string> settings = walled_environment(walls.scratch());
   const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
   return Child([&] {
     const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
@@ -84,6 +104,9 @@ struct Running {
 };
 
 Running start(const Command& command, std::size_t index, const std::vector<std::string>& environment) {
+  for (const std::string& word : command.words)
+    if (word.starts_with('@'))
+      throw InputError({word}, "cannot be compiled: expected a name that does not begin with '@'; rename it");
   Pipe pipe;
   Descriptor input;
   ChildStart start;
@@ -129,7 +152,12 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
     for (std::size_t i = running.size(); i-- > 0;) {
       if (!waiting[i].revents) continue;
       CommandResult& result = results[running[i].index];
-      if (read_some(running[i].output.get(), result.output)) continue;
+      if (result.output.size() < commands[running[i].index].most_output) {
+        if (read_some(running[i].output.get(), result.output)) continue;
+      } else {
+        running[i].child.send(SIGKILL);
+        result.output.insert(0, kTooMuchOutput);
+      }
       const Ending ending = running[i].child.wait();
       result.status = ending.signal > 0 ? 128 + ending.signal : ending.status;
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
@@ -143,15 +171,15 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
 
 CommandResult run(const Command& command) { return std::move(run(std::vector<Command>{command})[0]); }
 
+std::vector<CommandResult> run_within(const std::vector<fs::path>& read, std::vector<Command> commands) {
+  std::deque<Walls> walls;
+  for (Command& command : commands) command.walls = &walls.emplace_back(read, command.scratch);
+  return run(commands);
+}
+
 fs::path find_program(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
-  while (!rest.empty()) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    const fs::path candidate = fs::path(rest.substr(0, colon)) / name;
-    if (candidate.is_absolute() && ::access(candidate.c_str(), X_OK) == 0) return candidate;
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
-  }
+  for (const fs::path& folder : program_folders())
+    if (fs::path candidate = folder / name; ::access(candidate.c_str(), X_OK) == 0) return candidate;
   return {};
 }
 

@@ -16,7 +16,6 @@
 #include "sim/build/process.h"
 #include "sim/build/source.h"
 #include "sim/build/toolchain.h"
-#include "sim/build/walls.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -320,13 +319,12 @@ std::string add_prototypes(const std::string& joined, const std::string& preproc
                            const std::vector<std::string>& inos, const fs::path& work) {
   const std::string own = own_lines(preprocessed, inos);
   write_file(work / "own.cpp", own);
-  const Walls walls({}, work);
   const CommandResult ctags =
-      run(Command{{find_ctags().string(), "-u", "--language-force=c++", "-f", "-", "--c++-kinds=svpf",
-                   "--fields=KSTtzns", "--line-directives", "own.cpp"},
-                  work,
-                  {},
-                  &walls});
+      run_within({}, {{{find_ctags().string(), "-u", "--language-force=c++", "-f", "-", "--c++-kinds=svpf",
+                        "--fields=KSTtzns", "--line-directives", "own.cpp"},
+                       work,
+                       {},
+                       work}})[0];
   if (ctags.status != 0) check_machine("arduino-ctags", ctags.output);
   if (ctags.status != 0) throw std::runtime_error("arduino-ctags failed: " + ctags.output);
   return insert_prototypes(joined, own, parse_tags(ctags.output));

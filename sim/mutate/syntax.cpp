@@ -88,7 +88,9 @@ json dump(const fs::path& clang, const build::Reading& reading, const fs::path& 
                                     "-ast-dump=json"};
   words.insert(words.end(), reading.words.begin(), reading.words.end());
   words.push_back(source.string());
-  const build::CommandResult result = build::run(build::Command{words, reading.sketch.folder, {}});
+  build::Command command{words, reading.sketch.folder, {}};
+  command.most_output = kMostFile_bytes;
+  const build::CommandResult result = build::run(command);
   if (!result.output.starts_with("{"))
     throw InputError({source.string()}, "clang gives no syntax tree of it");
   return read_tree(result.output, number_of);

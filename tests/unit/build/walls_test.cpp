@@ -24,7 +24,7 @@ class WallsTest : public SketchTest {
     std::filesystem::create_directories(folder_ / "scratch");
     write("seen/seen.txt", "seen\n");
     const Walls walls({folder_ / "seen"}, folder_ / "scratch");
-    return run(Command{{"/bin/sh", "-c", script}, folder_ / "scratch", {}, &walls}).output;
+    return run(Command{{"/bin/sh", "-c", script}, folder_ / "scratch", {}, {}, &walls}).output;
   }
 };
 

@@ -1,0 +1,180 @@
+// Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
+// author's choice, who need not be the user.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "sim/build/cache.h"
+#include "sim/build/process.h"
+#include "sim/build/walls.h"
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class HostileTest : public SketchTest {
+ protected:
+  void SetUp() override { write("Pupil/Pupil.ino", kEmptySketch); }
+
+  /// Builds for a chip, with the compiler that passes names of sources on as options.
+  std::string error_on_avr(const std::string& name) const {
+    if (!missing_tool("avr").empty()) return "begin with '@', begin with '-'";
+    try {
+      build({folder_ / name, *find_board("uno"), "avr"});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  /// The one line that `script` prints within walls of its own, in the environment of a compiler.
+  std::string printed_within_walls(const std::string& script) const {
+    fs::create_directories(folder_ / "scratch");
+    return run_within({}, {{{"/bin/sh", "-c", script}, "/", {}, folder_ / "scratch"}})[0].output;
+  }
+};
+
+TEST_F(HostileTest, AFileWhoseNameCompilersTakeForAFileOfOptionsIsRefused) {
+  write("Pupil/@.o.cpp", "");
+  write("Pupil/.o.cpp", "-wrapper /bin/sh,evil.sh real.cpp\n");
+  write("Pupil/real.cpp", "int real;\n");
+  write("Pupil/evil.sh", "touch " + (folder_ / "taken").string() + "\nexec \"$@\"\n");
+  const char* const sentence =
+      "@.o.cpp: cannot be compiled: expected a name that does not begin with '@', which compilers take for "
+      "an "
+      "option; rename it";
+  EXPECT_EQ(error_of("Pupil"), sentence);
+}
+
+TEST_F(HostileTest, ANameInAnyFolderAndOfAnyLanguageIsRefused) {
+  for (const char* name : {"-fplugin=x.cpp", "src/@x.cpp", "src/deep/-x.c", "@x.c", "-.cc"}) {
+    write(std::string("Pupil/") + name, "int x;\n");
+    EXPECT_THAT(error_of("Pupil"), AllOf(StartsWith(std::string(name) + ": cannot be compiled"),
+                                         HasSubstr("does not begin with")));
+    fs::remove_all(folder_ / "Pupil/src");
+    fs::remove(folder_ / "Pupil" / name);
+  }
+  write("Pupil/@dir/x.h", "");
+  EXPECT_EQ(error_of("Pupil"), "no error") << "a header is in no command line";
+}
+
+TEST_F(HostileTest, ALibrarysSourcesAreNoOptionsEither) {
+  write("Pupil/Pupil.ino", "#include <Thing.h>\n" + kEmptySketch);
+  write("shared/Thing/Thing.h", "");
+  write("shared/Thing/@Thing.cpp", "x -fplugin=/evil\n");
+  EXPECT_THAT(error_of("Pupil", {folder_ / "shared"}), HasSubstr("@Thing.cpp: cannot be compiled"));
+}
+
+TEST_F(HostileTest, AnAssemblerSourceIsNoOptionEither) {
+  write("Pupil/@x.S", "");
+  EXPECT_THAT(error_on_avr("Pupil"), HasSubstr("begin with '@'"));
+}
+
+TEST_F(HostileTest, ASketchMayBeCalledLikeAnOption) {
+  for (const char* name : {"@x", "-x", "x\ny", "%s", "a,b", "a=b"}) {
+    write(std::string(name) + "/x.ino", kEmptySketch);
+    EXPECT_EQ(error_of(name), "no error") << name;
+    write(std::string(name) + "/x.elf", "x -fplugin=/evil\n");
+    write(std::string(name) + "/x.elf.wpa", "x -fplugin=/evil\n");
+    if (const std::string said = error_on_avr(name); missing_tool("avr").empty()) {
+      EXPECT_EQ(said, "no error") << name;
+    }
+    write(std::string(name) + "/@ino.ino", "");
+    EXPECT_THAT(error_of(name), HasSubstr("several .ino files"));
+  }
+}
+
+TEST_F(HostileTest, CompilersGetNothingOfTheUsersEnvironment) {
+  ::setenv("ROBOSIM_TEST_SECRET", "hunter2", 1);
+  ::setenv("LD_LIBRARY_PATH", folder_.c_str(), 1);
+  const std::string scratch = (folder_ / "scratch").string();
+  const std::string environment = printed_within_walls("env | grep -v ^PWD= | grep -v ^_= | sort");
+  ::unsetenv("ROBOSIM_TEST_SECRET");
+  ::unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(environment, "CCACHE_DISABLE=1\nHOME=" + scratch + "\nLC_ALL=C\nPATH=" + ::getenv("PATH") +
+                             "\nSOURCE_DATE_EPOCH=0\nTMPDIR=" + scratch + "\n");
+}
+
+TEST_F(HostileTest, AProgramInTheSketchsFolderIsNoToolOfTheCompiler) {
+  write("Pupil/x.cpp", "int x;\n");
+  for (const char* name : {"as", "cc1plus", "ld"}) {
+    write(std::string("Pupil/") + name, "#!/bin/sh\ntouch \"$TMPDIR/taken\"\necho taken >&2\nexit 1\n");
+    fs::permissions(folder_ / "Pupil" / name, fs::perms::owner_all);
+  }
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", (".::" + path).c_str(), 1);
+  EXPECT_EQ(error_of("Pupil"), "no error");
+  EXPECT_EQ(printed_within_walls("echo $PATH"), path + "\n");
+}
+
+TEST_F(HostileTest, WhatACompilerLeavesRunningChangesNothingThatIsStored) {
+  const Cache cache(folder_ / "cache");
+  const fs::path made = write("made.o", "as it was");
+  const Entry stored = cache.store("key", {}, read_made(made), "made.o", {}, {});
+  std::ofstream(made) << "as it is now";  // by a program that has the file open
+  EXPECT_EQ(read_file(stored.result), "as it was");
+}
+
+TEST_F(HostileTest, ALinkInTheScratchFolderIsNoOutput) {
+  const fs::path secret = write("secret.txt", "hunter2");
+  fs::create_symlink(secret, folder_ / "made.o");
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.o").c_str(), 0600), 0);
+  for (const char* name : {"made.o", "pipe.o", "none.o"})
+    EXPECT_THROW(read_made(folder_ / name), InputError) << name;
+}
+
+TEST_F(HostileTest, NoCommandWritesTheScratchFolderOfAnother) {
+  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  fs::create_directories(folder_ / "a");
+  fs::create_directories(folder_ / "b");
+  const std::string to = (folder_ / "b/x").string();
+  const auto results =
+      run_within({folder_ / "given"}, {{{"/bin/sh", "-c", "echo evil >" + to}, "/", {}, folder_ / "a"},
+                                       {{"/bin/sh", "-c", "cat x"}, folder_ / "b", {}, folder_ / "b"}});
+  EXPECT_NE(results[0].status, 0);
+  EXPECT_FALSE(fs::exists(to));
+}
+
+TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
+  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  const Cache cache(folder_ / "cache");
+  const Entry stored = cache.store("key", {}, "mine", "mine.o", {}, {});
+  const Entry other = cache.store("other", {}, "another pupil's", "other.o", {}, {});
+  WorkFolder work(cache);
+  const std::string given = work.give(stored.result).string();
+  const auto tried = [&](const std::string& script) {
+    return run_within({work.given()}, {{{"/bin/sh", "-c", script}, "/", {}, work.scratch()}})[0];
+  };
+  EXPECT_EQ(tried("cat " + given).output, "mine");
+  for (const std::string& script :
+       {"echo evil >" + given, "ln " + given + " $TMPDIR/x", "mv " + given + " $TMPDIR/x", "rm " + given,
+        "cat " + other.result.string(), "chmod 777 " + given + " && echo evil >>" + given})
+    EXPECT_NE(tried(script).status, 0) << script;
+  EXPECT_EQ(read_file(stored.result), "mine");
+}
+
+TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
+  // Of the core, too, which all sketches share.
+  write("Pupil/Pupil.ino",
+        "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
+  Request request{folder_ / "Pupil", *find_board("uno")};
+  request.rules.flags = {"-DA=1 -DB=x"};
+  const Image one = build(request);
+  request.rules.flags = {"-DA=1", "-DB=x"};
+  EXPECT_THROW(build(request), InputError);
+  EXPECT_NE(key_of({"a b"}), key_of({"a", "b"}));
+  EXPECT_NE(key_of({"a\n1 b"}), key_of({"a", "b"}));
+  EXPECT_NE(key_of({"a", ""}), key_of({"a"}));
+}
+
+}  // namespace
+}  // namespace robosim::build
