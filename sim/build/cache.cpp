@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <atomic>
@@ -23,18 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kHeader = "robosim cache 1";
+constexpr const char* kHeader = "robosim cache 2";
 constexpr const char* kAbsent = "-";
 constexpr auto kKept = std::chrono::hours(24 * 30);
 
-std::string hash_text(std::string_view text) {
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
-
 std::string hash_file(const fs::path& path) {
   try {
-    return hash_text(read_file(path));
+    return sha256_of_file(path);
   } catch (const InputError&) {
     return kAbsent;
   }
@@ -47,7 +41,7 @@ std::string hash_folder(const fs::path& path) {
     names.push_back(entry->path().filename().string());
   if (error) return kAbsent;
   std::sort(names.begin(), names.end());
-  return hash_text(key_of(names));
+  return sha256(key_of(names));
 }
 
 std::string escape(const std::string& text) {
@@ -161,7 +155,7 @@ Cache::Cache(fs::path folder) : folder_(std::move(folder)) {
 
 std::optional<Entry> Cache::find(const std::string& key) const {
   std::string text;
-  const fs::path file = folder_ / "entries" / hash_text(key);
+  const fs::path file = folder_ / "entries" / sha256(key);
   try {
     text = read_file(file);
   } catch (const InputError&) {
@@ -201,7 +195,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
 Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_view content,
                    const std::string& name, std::map<std::string, std::string> facts,
                    fs::file_time_type since) const {
-  const std::string hash = hash_text(content);
+  const std::string hash = sha256(content);
   const fs::path base = name;
   const std::string stored =
       fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 32), base.extension().string());
@@ -222,7 +216,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
     }
   }
   text += "end\n";
-  if (sound) write_file(make_way(folder_ / "entries" / hash_text(key)), text);
+  if (sound) write_file(make_way(folder_ / "entries" / sha256(key)), text);
   return entry;
 }
 

@@ -1,6 +1,6 @@
 // A cache of build results, by content. An entry remembers every file that was read for it, by content, and
 // every folder whose list of names mattered; it is valid as long as they are the same. File times do not
-// matter.
+// matter. Contents and keys are compared by SHA-256: a stranger can choose both.
 //
 // Safe for concurrent processes: files appear by rename, and a result's name contains its content's hash.
 #pragma once

@@ -19,8 +19,7 @@ class CacheTest : public SketchTest {
  protected:
   CacheTest() : cache_(folder_ / "cache") {}
   Entry store(const Inputs& inputs, const std::string& key = "key") const {
-    return cache_.store(key, inputs, "result of " + key, "made.o",
-                        {{"fact", "two\nlines \\n"}},
+    return cache_.store(key, inputs, "result of " + key, "made.o", {{"fact", "two\nlines \\n"}},
                         fs::file_time_type::clock::now() + std::chrono::hours(1));
   }
   Cache cache_;
@@ -45,6 +44,15 @@ TEST_F(CacheTest, AnEntryHoldsByContentNotByTime) {
   EXPECT_TRUE(cache_.find("key"));
   fs::remove(input);
   EXPECT_FALSE(cache_.find("key"));
+}
+
+TEST_F(CacheTest, KeysAndContentsAreComparedBySha256ForAStrangerMayChooseThem) {
+  const fs::path input = write("input.h", "x");
+  const Entry stored = store({{input}, {}});
+  const std::string text = read_file(folder_ / "cache/entries" / sha256("key"));
+  EXPECT_THAT(text, testing::HasSubstr("result " + sha256("result of key") + " made-"));
+  EXPECT_THAT(text, testing::HasSubstr("file " + sha256("x") + " " + input.string()));
+  EXPECT_THAT(stored.result.string(), testing::HasSubstr(sha256("result of key").substr(0, 32)));
 }
 
 TEST_F(CacheTest, AFolderCountsByItsNamesAndMayAppearLater) {
