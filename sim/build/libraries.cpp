@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <system_error>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/project.h"
 #include "sim/build/source.h"
 #include "sim/project/project.h"
 
@@ -38,15 +40,24 @@ bool is_library_header(const fs::path& path) {
   return path.extension() == ".h" || path.extension() == ".hpp";
 }
 
-void take_sources(Library& library, const fs::path& folder, bool deep) {
+void take_sources(Library& library, const fs::path& folder) {
   library.listed.push_back(folder);
   for (const fs::path& child : children(folder)) {
-    if (deep && is_folder(child)) take_sources(library, child, deep);
     if (!is_file(child)) continue;
     const std::string name = child.lexically_relative(library.folder).string();
     if (is_source(child)) library.sources.push_back(name);
     if (child.extension() == ".S") library.assembler.push_back(name);
   }
+}
+
+/// Takes each folder once, whatever links lead to it, and none outside of the library.
+void take_all_below(Library& library, const fs::path& folder, std::set<fs::path>& taken) {
+  std::error_code error;
+  const fs::path real = fs::canonical(folder, error);
+  if (error || !lies_in(real, library.folder) || !taken.insert(real).second) return;
+  for (const fs::path& child : children(folder))
+    if (is_folder(child)) take_all_below(library, child, taken);
+  take_sources(library, folder);
 }
 
 bool holds_headers(const fs::path& folder) {
@@ -99,13 +110,14 @@ Library read_library(const fs::path& folder) {
     if (!is_arduino && is_folder(folder / "include")) library.includes = {folder / "include"};
     library.includes.push_back(folder / "src");
     library.listed = {folder};
-    take_sources(library, folder / "src", true);
+    std::set<fs::path> taken;
+    take_all_below(library, folder / "src", taken);
   } else {
     library.includes = {folder};
-    take_sources(library, folder, false);
+    take_sources(library, folder);
     if (is_folder(folder / "utility")) {
       library.includes.push_back(folder / "utility");
-      take_sources(library, folder / "utility", false);
+      take_sources(library, folder / "utility");
     }
   }
   std::sort(library.sources.begin(), library.sources.end());

@@ -9,6 +9,7 @@
 #include "sim/base/file.h"
 #include "sim/base/machine_fault.h"
 #include "sim/build/hints.h"
+#include "sim/build/process.h"
 #include "sim/build/slips.h"
 #include "sim/build/walls.h"
 #include "sim/elf/avr_addresses.h"
@@ -209,6 +210,8 @@ void fail(const Target& target, const std::string& messages) {
   check_machine("the compiler", messages);
   std::smatch match;
   if (!find_error(messages, match)) {
+    if (messages.find(kTooMuchOutput) != std::string::npos)
+      throw CompileError("the compiler was stopped: expected at most 16 MB of messages, got more");
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!target.chip && std::regex_search(messages, match, assembler)) {
       // gcc notes no place of an asm() outside of functions: then the file is the compiler's assembly.

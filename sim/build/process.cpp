@@ -156,7 +156,7 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
         if (read_some(running[i].output.get(), result.output)) continue;
       } else {
         running[i].child.send(SIGKILL);
-        result.output.insert(0, kTooMuchOutput);
+        result.output.insert(0, std::string(kTooMuchOutput) + "\n");
       }
       const Ending ending = running[i].child.wait();
       result.status = ending.signal > 0 ? 128 + ending.signal : ending.status;

@@ -19,7 +19,7 @@ struct Command {
 };
 
 /// The first line of the output of a program that was killed because it wrote too much.
-constexpr const char* kTooMuchOutput = "robosim: more output than is read\n";
+constexpr const char* kTooMuchOutput = "robosim: more output than is read";
 
 struct CommandResult {
   int status = 0;      ///< exit status; 128 + signal where a signal ended it

@@ -50,8 +50,19 @@ class Shared {
  public:
   Shared(fs::path folder, fs::path reach) : folder_(std::move(folder)), reach_(std::move(reach)) {}
 
-  /// What it is, and what it includes.
+  /// What it is, what it includes, and so on.
   void look_at(const fs::path& file) {
+    for (pending_.push_back(file); !pending_.empty();) {
+      const fs::path next = std::move(pending_.back());
+      pending_.pop_back();
+      look_at_one(next);
+    }
+  }
+
+  std::vector<fs::path> all() const { return {seen_.begin(), seen_.end()}; }
+
+ private:
+  void look_at_one(const fs::path& file) {
     std::error_code error;
     const fs::path real = fs::canonical(file, error);
     if (error || !fs::is_regular_file(real, error) || seen_.size() > kMostShared) return;
@@ -62,13 +73,11 @@ class Shared {
       return;
     }
     for (const std::string& name : included_by(real))
-      for (const fs::path& from : {file.parent_path(), folder_}) look_at(from / name);
+      for (const fs::path& from : {file.parent_path(), folder_}) pending_.push_back(from / name);
   }
 
-  std::vector<fs::path> all() const { return {seen_.begin(), seen_.end()}; }
-
- private:
   fs::path folder_, reach_;
+  std::vector<fs::path> pending_;
   std::set<fs::path> seen_, own_;
 };
 

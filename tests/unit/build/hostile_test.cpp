@@ -1,13 +1,18 @@
 // Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
 // author's choice, who need not be the user.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "sim/base/child.h"
 #include "sim/build/cache.h"
+#include "sim/build/libraries.h"
 #include "sim/build/process.h"
+#include "sim/build/project.h"
+#include "sim/build/source.h"
 #include "sim/build/walls.h"
 #include "tests/unit/build/fixture.h"
 
@@ -174,6 +179,49 @@ TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
   EXPECT_NE(key_of({"a b"}), key_of({"a", "b"}));
   EXPECT_NE(key_of({"a\n1 b"}), key_of({"a", "b"}));
   EXPECT_NE(key_of({"a", ""}), key_of({"a"}));
+}
+
+TEST_F(HostileTest, OutputWithoutEndIsNotReadWithoutEnd) {
+  Command command{{"/bin/sh", "-c", "yes"}, "/", {}};
+  command.most_output = 100'000;
+  const CommandResult result = run(command);
+  EXPECT_NE(result.status, 0);
+  EXPECT_THAT(result.output, StartsWith(std::string(kTooMuchOutput) + "\ny\n"));
+  EXPECT_LT(result.output.size(), 200'000u);
+}
+
+TEST_F(HostileTest, AHeaderThatIncludesItselfIsOneError) {
+  write("Pupil/a.h", "#include \"a.h\"\n#include \"a.h\"\n#warning again\n");
+  write("Pupil/x.cpp", "#include \"a.h\"\n");
+  EXPECT_THAT(error_of("Pupil"), HasSubstr("#include nested depth"));
+}
+
+TEST_F(HostileTest, LinksThatLoopInALibraryAreTakenOnce) {
+  write("Pupil/Pupil.ino", "#include <Thing.h>\n" + kEmptySketch);
+  write("shared/Thing/library.properties", "name=Thing\n");
+  write("shared/Thing/src/Thing.h", "");
+  write("shared/Thing/src/deep/thing.cpp", "int thing;\n");
+  for (const char* name : {"a", "b", "deep/c"})
+    fs::create_directory_symlink(folder_ / "shared/Thing/src", folder_ / "shared/Thing/src" / name);
+  fs::create_directory_symlink("..", folder_ / "shared/Thing/src/up");
+  fs::create_directory_symlink("/", folder_ / "shared/Thing/src/out");
+  const LibraryFinder finder({folder_ / "shared"});
+  EXPECT_EQ(finder.find("Thing.h")->sources.size(), 1u);
+  EXPECT_EQ(error_of("Pupil", {folder_ / "shared"}), "no error");
+}
+
+TEST_F(HostileTest, HeadersThatIncludeEachOtherInALongChainTakeNoStack) {
+  write("Pupil/Pupil.ino", "#include \"h0.h\"\n" + kEmptySketch);
+  for (int i = 0; i < 3000; ++i)
+    std::ofstream(folder_ / "Pupil" / ("h" + std::to_string(i) + ".h"))
+        << "#include \"h" << i + 1 << ".h\"\n";
+  const Sketch sketch = read_sketch(folder_ / "Pupil", {});
+  const Ending ending = Child([&] {
+                          const rlimit most{512 << 10, 512 << 10};
+                          ::setrlimit(RLIMIT_STACK, &most);
+                          return shared_files(sketch, folder_).empty() ? 0 : 1;
+                        }).wait();
+  EXPECT_TRUE(ending.ok()) << ending.text();
 }
 
 }  // namespace
