@@ -105,6 +105,9 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
+  // A build does not depend on when it is made, nor on when a file was written.
+  append(words, {"-Wno-builtin-macro-redefined", "-D__DATE__=\"Jan  1 1970\"", "-D__TIME__=\"00:00:00\"",
+                 "-D__TIMESTAMP__=\"Thu Jan  1 00:00:00 1970\""});
   append(words, toolchain.target.definitions);
   if (const BoardSpec& board = toolchain.board; toolchain.target.chip && board.usb_product)
     append(words, {"-DUSB_VID=0x2341", fmt::format("-DUSB_PID=0x{:04x}", board.usb_id),
@@ -165,6 +168,8 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
 /// Macros, and where headers are.
 void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   append(words, definitions(toolchain));
+  // gcc loads a precompiled header, Foo.h.gch, only where Foo.h is the first that a source includes.
+  append(words, {"-include", (data_folder() / "hal/first_include.h").string()});
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
   if (toolchain.sanitize)

@@ -224,5 +224,53 @@ TEST_F(HostileTest, HeadersThatIncludeEachOtherInALongChainTakeNoStack) {
   EXPECT_TRUE(ending.ok()) << ending.text();
 }
 
+TEST_F(HostileTest, APrecompiledHeaderIsNotLoaded) {
+  write("Pupil/Foo.h", "int foo();\n");
+  write("Pupil/x.cpp", "#include \"Foo.h\"\nint x = foo();\nint foo() { return 1; }\n");
+  write("Pupil/Foo.h.gch", "gpch.damaged");
+  write("Pupil/first_include.h.gch", "gpch.damaged");
+  EXPECT_EQ(error_of("Pupil"), "no error");
+  EXPECT_EQ(error_on_avr("Pupil").substr(0, 8), missing_tool("avr").empty() ? "no error" : "begin wi");
+}
+
+TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
+  // gcc loads it where all options are as they were when it was made: so they are, but for the first include.
+  const auto compiles_with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {find_program("g++").string(), "-c", "-o", (folder_ / "x.o").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    words.push_back((folder_ / "Pupil/x.cpp").string());
+    return run(Command{words, folder_ / "Pupil", {}}).status == 0;
+  };
+  write("Pupil/Foo.h", "int hidden;\n");
+  const fs::path header = folder_ / "Pupil/Foo.h";
+  ASSERT_EQ(run(Command{{find_program("g++").string(), "-nostdinc", "-o", header.string() + ".gch",
+                         header.string()},
+                        "/",
+                        {}})
+                .status,
+            0);
+  write("Pupil/Foo.h", "#error not the precompiled one\n");
+  write("Pupil/x.cpp", "#include \"Foo.h\"\nint x = hidden;\n");
+  const std::string first = (data_folder() / "hal/first_include.h").string();
+  EXPECT_TRUE(compiles_with({"-nostdinc"})) << "the danger";
+  EXPECT_FALSE(compiles_with({"-nostdinc", "-include", first})) << "what all sources begin with";
+  EXPECT_THAT(error_of("Pupil"), HasSubstr("not the precompiled one"));
+}
+
+TEST_F(HostileTest, TheTimeOfABuildOrAFileIsNotInIt) {
+  for (const char* name : {"Pupil/Pupil.ino", "Pupil/x.cpp", "Pupil/y.c"})
+    write(name, std::string("const char* const kWhen") + name[6] +
+                    "[] = {__DATE__, __TIME__, __TIMESTAMP__};\n" + (name[6] == 'P' ? kEmptySketch : ""));
+  for (const char* target : {"host", "avr"}) {
+    if (!missing_tool(target).empty()) continue;
+    const Image image = build({folder_ / "Pupil", *find_board("uno"), target});
+    for (const char* name : {"Pupil/Pupil.ino", "Pupil/x.cpp", "Pupil/y.c"})
+      fs::last_write_time(folder_ / name, fs::file_time_type::clock::now() - std::chrono::hours(1000));
+    write("Pupil/y.c", read_file(folder_ / "Pupil/y.c") + "\n");  // another key
+    EXPECT_EQ(build({folder_ / "Pupil", *find_board("uno"), target}).image_sha256, image.image_sha256)
+        << target;
+  }
+}
+
 }  // namespace
 }  // namespace robosim::build
