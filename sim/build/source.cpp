@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/project.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -104,6 +105,17 @@ std::string unix_text(std::string text) {
 
 namespace {
 
+/// A project's file may not open other folders of this machine to compilers.
+void check_within_project(const fs::path& project, const fs::path& folder) {
+  const fs::path reach = reach_of(project);
+  if (!lies_in(folder, reach))
+    throw InputError(
+        {(project / "platformio.ini").string()},
+        fmt::format("folder of sources or headers outside of the project: expected one below {}, "
+                    "got {}; --libraries DIR names a folder of code that sketches share",
+                    reach.string(), folder.string()));
+}
+
 /// As PlatformIO has it: its folder of sources; the .ino file with setup() is the first of them.
 Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   std::error_code error;
@@ -111,6 +123,7 @@ Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   if (error) throw InputError({rules.sources.string()}, "there is no such folder");
   Sketch sketch;
   sketch.name = folder.filename().string();
+  check_within_project(folder, sources);
   const fs::path relative = sources.lexically_relative(folder);
   sketch.folder = relative.empty() || *relative.begin() == ".." ? sources : folder;
   take_all_below(sketch, sources);
@@ -124,6 +137,7 @@ Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   for (const fs::path& include : rules.includes) {
     const fs::path real = fs::canonical(include, error);
     if (error) continue;
+    check_within_project(folder, real);
     if (real != sources) take_headers(sketch, real);
     sketch.includes.push_back(real);
   }

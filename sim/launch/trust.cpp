@@ -35,7 +35,9 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 void check_folder(const SketchChoice& sketch) {
   build::check_links(sketch.folder);
   const project::Project& project = sketch.project;
-  for (const auto* folders : {&project.libraries, &project.includes})
+  std::vector<std::filesystem::path> sources;
+  if (!project.sources.empty()) sources.push_back(project.sources);
+  for (const auto* folders : {&project.libraries, &project.includes, &sources})
     for (const std::filesystem::path& folder : *folders)
       if (!build::lies_in(folder, sketch.folder))
         throw InputError(

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <optional>
 #include <set>
@@ -187,6 +188,15 @@ std::string choose(Project& project, const Settings& settings, const std::string
   return usual[0];
 }
 
+/// Whether a macro's definition is one: NAME, NAME=value or NAME(parameters)=value, on one line.
+bool is_macro(const std::string& text) {
+  const auto in_name = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  const auto end = std::find_if_not(text.begin(), text.end(), in_name);
+  return end != text.begin() && !std::isdigit(static_cast<unsigned char>(text[0])) &&
+         (end == text.end() || *end == '=' || *end == '(') && text.find('\n') == std::string::npos;
+}
+
+/// Takes the options that say what the sketch is. All others could name programs and files of this machine.
 void take_flags(Project& project, const std::string& text, const fs::path& folder) {
   std::vector<std::string> left_out;
   const std::vector<std::string> words = words_of(text);
@@ -198,15 +208,18 @@ void take_flags(Project& project, const std::string& text, const fs::path& folde
       if (value.empty() && i + 1 < words.size()) value = words[++i];
       if (kind == "-I")
         project.includes.push_back((folder / value).lexically_normal());
-      else
+      else if (is_macro(value))
         project.flags.push_back(kind + value);
+      else
+        left_out.push_back(kind + value);
     } else if (kind != "-W" && kind != "-O" && kind != "-g" && word != "-w") {
       left_out.push_back(word);
     }
   }
-  if (!left_out.empty())
-    project.remarks.push_back(
-        fmt::format("of build_flags -D, -U and -I are taken, and not {}", fmt::join(left_out, " ")));
+  if (left_out.empty()) return;
+  std::string names = fmt::format("{}", fmt::join(left_out, " "));
+  std::replace(names.begin(), names.end(), '\n', ' ');
+  project.remarks.push_back("of build_flags -D, -U and -I are taken, and not " + names);
 }
 
 bool is_folder(const fs::path& path) {

@@ -272,5 +272,38 @@ TEST_F(HostileTest, TheTimeOfABuildOrAFileIsNotInIt) {
   }
 }
 
+TEST_F(HostileTest, AProjectOpensNoOtherFolderToCompilers) {
+  write("project/src/main.cpp", "#include \"secret.txt\"\nvoid setup() {}\nvoid loop() {}\n");
+  write("secret.txt", "#error hunter2\n");
+  Request request{folder_ / "project", *find_board("uno")};
+  request.rules.sources = folder_ / "project/src";
+  for (const fs::path& outside : {fs::path("/etc"), fs::path("/"), folder_ / "project/link"}) {
+    if (outside.filename() == "link") fs::create_directory_symlink("/etc", outside);
+    request.rules.includes = {outside};
+    EXPECT_THROW(build(request), InputError) << outside;
+  }
+  request.rules.includes = {};
+  fs::create_directories(folder_ / "project/.git");
+  write("elsewhere/main.cpp", kEmptySketch);
+  request.rules.sources = folder_ / "elsewhere";
+  EXPECT_THROW(build(request), InputError) << "outside of the checkout";
+}
+
+TEST_F(HostileTest, AProjectsMacrosMakeTheCoreReadNoFile) {
+  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  write("Pupil/secret.txt", "");
+  const fs::path secret = write("secret.txt", "#error hunter2\n");
+  Request request{folder_ / "Pupil", *find_board("uno")};
+  request.rules.flags = {"-DROBOSIM_REGISTERS=\"" + secret.string() + "\""};
+  try {
+    build(request);
+    FAIL() << "it compiles";
+  } catch (const CompileError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("the core does not compile with build_flags -DROBOSIM_REGISTERS"),
+                      Not(HasSubstr("hunter2"))));
+  }
+}
+
 }  // namespace
 }  // namespace robosim::build

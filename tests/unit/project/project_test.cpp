@@ -135,6 +135,46 @@ build_flags =
               ElementsAre("of build_flags -D, -U and -I are taken, and not b\" -std=gnu++17"));
 }
 
+TEST_F(ProjectTest, OptionsThatNameProgramsOrFilesAreNotTaken) {
+  for (const char* option : {"-include",
+                             "-imacros",
+                             "-fplugin=evil.so",
+                             "-B.",
+                             "-specs=evil",
+                             "--specs=evil",
+                             "-wrapper",
+                             "@evil",
+                             "-x",
+                             "-isystem",
+                             "-iquote",
+                             "-idirafter",
+                             "-iprefix",
+                             "-dumpbase",
+                             "-o",
+                             "--sysroot=/",
+                             "-T",
+                             "-Xlinker",
+                             "-fprofile-use=evil",
+                             "-D-fplugin=evil.so",
+                             "-D@evil",
+                             "-D1",
+                             "-D",
+                             "-U=",
+                             "'-DA=1\n  x'",
+                             "evil.cpp",
+                             "'-DA B=1'"}) {
+    const Project project = platformio(std::string("[env:a]\nboard = uno\nbuild_flags = ") + option + "\n");
+    EXPECT_THAT(project.flags, IsEmpty()) << option;
+    EXPECT_THAT(project.includes, IsEmpty()) << option;
+    EXPECT_EQ(project.remarks.size(), 1u) << option;
+  }
+  EXPECT_THAT(
+      platformio("[env:a]\nboard = uno\nbuild_flags = -Wl,-T,evil -Wp,-include,evil -Ofast -g3\n").flags,
+      IsEmpty());
+  EXPECT_THAT(platformio("[env:a]\nboard = uno\nbuild_flags = -DF(x)=x '-DA=\"a b\"' -D B -UC\n").flags,
+              ElementsAre("-DF(x)=x", "-DA=\"a b\"", "-DB", "-UC"));
+}
+
 TEST_F(ProjectTest, TheEnvironmentIsTheOneNamedElseTheDefaultElseTheFirstOfAKnownBoard) {
   const std::string ini = "[env:esp]\nboard = esp32dev\n[env:a]\nboard = uno\n[env:b]\nboard = leonardo\n";
   EXPECT_EQ(platformio(ini).environment, "a");
