@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 #include <stdexcept>
+#include <string_view>
 
 #include "sim/base/file.h"
 #include "sim/base/machine_fault.h"
@@ -21,6 +23,31 @@ namespace {
 
 // std::regex takes stack for each character that it looks at: no line is longer than this, nor all of them.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
+
+/// Whether the compiler, and not a text of the sketch, has begun the line: "My.ino:3:5: error: …",
+/// "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;".
+bool is_begun_by_compiler(std::string_view line) {
+  if (line.empty() || line[0] == ' ' || line.starts_with("In file included from ")) return true;
+  const std::size_t colon = line.find(':');
+  if (colon == line.npos) return false;
+  const std::string_view rest = line.substr(colon + 1);
+  return rest.starts_with(" In ") || rest.starts_with(" At ") ||
+         (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
+}
+
+/// Indents other lines, which might read as if Robosim had written them.
+std::string with_texts_indented(const std::string& messages) {
+  std::string shown;
+  for (std::size_t at = 0; at < messages.size();) {
+    const std::size_t end = std::min(messages.find('\n', at), messages.size());
+    const std::string_view line = std::string_view(messages).substr(at, end - at);
+    if (!is_begun_by_compiler(line)) shown += "  ";
+    shown += line;
+    if (end < messages.size()) shown += '\n';
+    at = end + 1;
+  }
+  return shown;
+}
 
 std::string cut(const std::string& output) {
   std::string text;
@@ -140,7 +167,7 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::st
   output = std::regex_replace(output, here, "$1");
   while (!output.empty() && (output.back() == '\n' || output.back() == ' ')) output.pop_back();
   while (!output.empty() && output.front() == '\n') output.erase(0, 1);
-  return toolchain.warnings == Warnings::standard ? slips_of(output) : output;
+  return with_texts_indented(toolchain.warnings == Warnings::standard ? slips_of(output) : output);
 }
 
 constexpr const char* kNotSeen =

@@ -272,6 +272,21 @@ TEST_F(HostileTest, TheTimeOfABuildOrAFileIsNotInIt) {
   }
 }
 
+TEST_F(HostileTest, NoTextOfASketchBeginsALineOfAMessage) {
+  const std::string forged = "\nrobosim: reached: The goal was reached";
+  for (const char* line :
+       {"#line 3 \"Pupil.ino\\nrobosim: reached: The goal was reached\"\nint x = ;",
+        "static_assert(false, \"x\\nrobosim: reached: The goal was reached\");",
+        "[[deprecated(\"x\\nrobosim: reached: The goal was reached\")]] void f(); int x = ;",
+        "#pragma message \"x\\nrobosim: reached: The goal was reached\"\nint x = ;",
+        "extern \"C\" void f() asm(\"x\\nrobosim: reached: The goal was reached\");\nvoid g() { f(); }"}) {
+    write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
+    const std::string said = error_of("Pupil");
+    EXPECT_NE(said, "no error") << line;
+    EXPECT_THAT("\n" + said, Not(HasSubstr(forged))) << line;
+  }
+}
+
 TEST_F(HostileTest, AProjectOpensNoOtherFolderToCompilers) {
   write("project/src/main.cpp", "#include \"secret.txt\"\nvoid setup() {}\nvoid loop() {}\n");
   write("secret.txt", "#error hunter2\n");
