@@ -344,7 +344,22 @@ TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserNamesSketchesOrChecks) {
   EXPECT_THAT(run("../checkout/robosim test pupils/*/").out, EndsWith("<test><pupils/anna/>"));
   EXPECT_THAT(run("../checkout/robosim test --checks class.toml X").out,
               EndsWith("<test><--checks><class.toml><X>"));
+  EXPECT_THAT(run("../checkout/robosim test pupils").out, EndsWith("<test><pupils>"));
+  EXPECT_THAT(run("../checkout/robosim test ./nothing").out, EndsWith("<test><./nothing>"));
+  EXPECT_THAT(run("../checkout/robosim test PidFollower").out, EndsWith("<test><PidFollower>"));
+  EXPECT_THAT(run("../checkout/robosim test --untrusted pupils").out,
+              EndsWith("<test><--untrusted><pupils>"));
+  EXPECT_THAT(run("../checkout/robosim test --jobs=2 pupils").out, EndsWith("<test><--jobs=2><pupils>"));
   EXPECT_THAT(calls(), Not(testing::AnyOf(HasSubstr("ctest"), HasSubstr("robosim-avr"))));
+}
+
+TEST_F(Wrapper, TakesTheValueOfAnOptionOfCtestForNoSketch) {
+  fs::create_directories(folder_ / "elsewhere/grid");
+  for (const char* words : {"-R grid", "-V -R grid", "-R 'grid/.*' -E grid", "--tests-regex grid -j 2",
+                            "-j -R grid", "--rerun-failed", "--repeat until-fail:2 -R=grid", "-Lgrid"}) {
+    run(std::string("../checkout/robosim test ") + words);
+    EXPECT_THAT(calls(), HasSubstr("ctest --preset release")) << words;
+  }
 }
 
 TEST_F(Wrapper, BuildsTheChipsRunnerForChecksOnTheChip) {
