@@ -35,15 +35,14 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 void check_folder(const SketchChoice& sketch) {
   build::check_links(sketch.folder);
   const project::Project& project = sketch.project;
-  std::vector<std::filesystem::path> sources;
-  if (!project.sources.empty()) sources.push_back(project.sources);
-  for (const auto* folders : {&project.libraries, &project.includes, &sources})
-    for (const std::filesystem::path& folder : *folders)
-      if (!build::lies_in(folder, sketch.folder))
-        throw InputError(
-            {project.file.string()},
-            fmt::format("{} is outside of the sketch's folder; --untrusted follows no such folder",
-                        folder.string()));
+  std::vector<std::filesystem::path> folders = project.libraries;
+  folders.insert(folders.end(), project.includes.begin(), project.includes.end());
+  if (!project.sources.empty()) folders.push_back(project.sources);
+  for (const std::filesystem::path& folder : folders)
+    if (!build::lies_in(folder, sketch.folder))
+      throw InputError({project.file.string()},
+                       fmt::format("{} is outside of the sketch's folder; --untrusted follows no such folder",
+                                   folder.string()));
 }
 
 std::string chip_target(const Launch& launch, const Describe& describe) {
