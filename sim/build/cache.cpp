@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <atomic>
@@ -26,11 +27,34 @@ constexpr const char* kHeader = "robosim cache 2";
 constexpr const char* kAbsent = "-";
 constexpr auto kKept = std::chrono::hours(24 * 30);
 
-std::string hash_file(const fs::path& path) {
+std::string checksum(std::string_view text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+/// Whether only the system's administrator, or the user who installed Robosim, writes the file.
+bool is_installed(const fs::path& path, const fs::path& cache) {
+  static const fs::path data = data_folder();
+  const std::string name = path.string();
+  const auto is_below = [&](const fs::path& folder) { return name.starts_with(folder.string() + '/'); };
+  return (is_below("/usr") || is_below(data / "hal") || is_below(data / "firmware") ||
+          name.starts_with((cache / kStage).string())) &&
+         path.lexically_normal() == path;
+}
+
+std::string hash_file(const fs::path& path, const fs::path& cache) {
   try {
-    return sha256_of_file(path);
+    return is_installed(path, cache) ? checksum(read_file(path)) : sha256_of_file(path);
   } catch (const InputError&) {
     return kAbsent;
+  }
+}
+
+bool is_whole(const fs::path& result, std::string_view sum) {
+  try {
+    return checksum(read_file(result)) == sum;
+  } catch (const InputError&) {
+    return false;
   }
 }
 
@@ -174,12 +198,12 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     }
     const std::string_view kind = word(line);
     const std::string_view value = word(line);
-    if (kind == "file" && hash_file(line) != value) return std::nullopt;
+    if (kind == "file" && hash_file(line, folder_) != value) return std::nullopt;
     if (kind == "folder" && hash_folder(line) != value) return std::nullopt;
     if (kind == "fact") entry.facts[std::string(value)] = unescape(line);
     if (kind == "result") {
       entry.result = folder_ / "results" / unescape(line);
-      if (hash_file(entry.result) != value) return std::nullopt;
+      if (!is_whole(entry.result, value)) return std::nullopt;
     }
     if (kind == "end") complete = true;
   }
@@ -202,7 +226,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
   const Entry entry{folder_ / "results" / stored, std::move(facts)};
   write_file(make_way(entry.result), content);
 
-  std::string text = fmt::format("{}\nresult {} {}\n", kHeader, hash, escape(stored));
+  std::string text = fmt::format("{}\nresult {} {}\n", kHeader, checksum(content), escape(stored));
   for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));
   bool sound = !changed_after(inputs, since);
   for (const auto& [kind, paths] : {std::pair{"file", &inputs.files}, {"folder", &inputs.folders}}) {
@@ -211,7 +235,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     for (const fs::path& path : sorted) {
       if (path.string().find('\n') != std::string::npos) sound = false;
-      text += fmt::format("{} {} {}\n", kind, kind[1] == 'i' ? hash_file(path) : hash_folder(path),
+      text += fmt::format("{} {} {}\n", kind, kind[1] == 'i' ? hash_file(path, folder_) : hash_folder(path),
                           path.string());
     }
   }

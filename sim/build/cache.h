@@ -1,6 +1,7 @@
 // A cache of build results, by content. An entry remembers every file that was read for it, by content, and
 // every folder whose list of names mattered; it is valid as long as they are the same. File times do not
-// matter. Contents and keys are compared by SHA-256: a stranger can choose both.
+// matter. Keys, names of results and files that a stranger can write are hashed by SHA-256. XXH3 takes a
+// tenth of the time, and is for the files of Robosim and of the system, and to find a result that is torn.
 //
 // Safe for concurrent processes: files appear by rename, and a result's name contains its content's hash.
 #pragma once
@@ -26,6 +27,9 @@ struct Entry {
   std::filesystem::path result;
   std::map<std::string, std::string> facts;  ///< whatever the caller wants to keep with the result
 };
+
+/// How the names of folders in the cache begin that hold links to installed files.
+constexpr const char* kStage = "stage-";
 
 /// Text of a key: no two lists of words have the same.
 std::string key_of(const std::vector<std::string>& words);

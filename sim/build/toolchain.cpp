@@ -50,7 +50,7 @@ fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& 
   std::string links = hal.string() + core.sources.string() + core.avr_libc.string();
   for (const char* name : kPortable) links += name;
   for (const char* name : registers) links += name;
-  fs::path folder = cache / ("stage-" + sha256(links).substr(0, 16));
+  fs::path folder = cache / (kStage + sha256(links).substr(0, 16));
   std::error_code error;
   if (fs::is_directory(folder, error)) return folder;
 
