@@ -195,8 +195,8 @@ class Build {
     std::vector<Job> jobs;
     for (Unit& unit : units) {
       unit.includes = include_folders(unit, libraries_);
-      const std::string key = unit_key(unit);
-      if (const auto entry = is_kept(unit) ? cache_.find(key) : std::nullopt) {
+      const std::string key = unit_key(toolchain_, unit);
+      if (const auto entry = is_cached(toolchain_, unit) ? cache_.find(key) : std::nullopt) {
         add_message(entry->facts.at("messages"));
         keeps_addresses_ |= entry->facts.at("keeps_addresses") == "yes";
         objects_.push_back(
@@ -269,28 +269,18 @@ class Build {
                        changed_for_host(read_made(assembly), quotient_by_zero(toolchain_.board)), messages);
   }
 
-  /// Whether its object goes into the cache: not that of the joined .ino files, nor one with notes beside it.
-  bool is_kept(const Unit& unit) const { return unit.input.empty() && !is_counted(toolchain_, unit); }
-
-  std::string unit_key(const Unit& unit) const {
-    return key_of({"unit", recipe(toolchain_), seen_by(toolchain_),
-                   std::to_string(static_cast<int>(toolchain_.registers)), unit.folder.string(), unit.source,
-                   key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end()))});
-  }
-
   Object keep(const Job& job, const std::string& messages, fs::file_time_type since) {
-    const Unit& unit = job.unit;
-    std::vector<fs::path> inputs = read_dependencies(read_made(job.compiled.string() + ".d"), unit.folder);
-    if (is_counted(toolchain_, unit))
-      notes_.push_back({notes_name(unit), read_made(job.compiled.string() + ".gcno")});
-    if (!is_kept(unit)) return object_of(unit, job.object, std::move(inputs));
+    auto inputs = read_dependencies(read_made(job.compiled.string() + ".d"), job.unit.folder);
+    if (is_counted(toolchain_, job.unit))
+      notes_.push_back({notes_name(job.unit), read_made(job.compiled.string() + ".gcno")});
+    if (!is_cached(toolchain_, job.unit)) return object_of(job.unit, job.object, std::move(inputs));
     const Entry entry = cache_.store(job.key, {inputs, {}}, read_made(job.object),
-                                     fs::path(unit.source).stem().string() + ".o",
+                                     fs::path(job.unit.source).stem().string() + ".o",
                                      {{"inputs", join_paths(inputs)},
                                       {"messages", messages},
                                       {"keeps_addresses", job.keeps_address ? "yes" : "no"}},
                                      since);
-    return object_of(unit, work_.give(entry.result), std::move(inputs));
+    return object_of(job.unit, work_.give(entry.result), std::move(inputs));
   }
 
   void add_message(const std::string& message) {

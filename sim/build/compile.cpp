@@ -169,7 +169,7 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
 void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   append(words, definitions(toolchain));
   // gcc loads a precompiled header, Foo.h.gch, only where Foo.h is the first that a source includes.
-  append(words, {"-include", (data_folder() / "hal/first_include.h").string()});
+  append(words, {"-include", (data_folder() / "hal/arduino/first_include.h").string()});
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
   if (toolchain.sanitize)

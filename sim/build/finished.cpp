@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "sim/base/file.h"
-#include "sim/build/compile.h"
 #include "sim/build/messages.h"
 #include "sim/build/process.h"
 
@@ -33,6 +32,16 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
 const char* seen_by(const Toolchain& toolchain) { return toolchain.untrusted ? "untrusted\n" : ""; }
 
 std::string notes_key(const Entry& entry) { return "notes\n" + entry.facts.at("image_sha256"); }
+
+bool is_cached(const Toolchain& toolchain, const Unit& unit) {
+  return unit.input.empty() && !is_counted(toolchain, unit);
+}
+
+std::string unit_key(const Toolchain& toolchain, const Unit& unit) {
+  return key_of({"unit", recipe(toolchain), seen_by(toolchain),
+                 std::to_string(static_cast<int>(toolchain.registers)), unit.folder.string(), unit.source,
+                 key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end()))});
+}
 
 Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
                bool from_cache) {

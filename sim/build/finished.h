@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/build/cache.h"
+#include "sim/build/compile.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
 #include "sim/build/toolchain.h"
@@ -17,6 +18,10 @@ const char* seen_by(const Toolchain& toolchain);
 /// Of the image of a sketch whose libraries are looked for in `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<std::filesystem::path>& folders);
+/// Whether a unit's object goes into the cache: not that of the joined .ino files, nor one with notes beside
+/// it.
+bool is_cached(const Toolchain& toolchain, const Unit& unit);
+std::string unit_key(const Toolchain& toolchain, const Unit& unit);
 /// Of the notes of gcov on an image.
 std::string notes_key(const Entry& entry);
 

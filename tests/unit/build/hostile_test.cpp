@@ -251,7 +251,7 @@ TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
             0);
   write("Pupil/Foo.h", "#error not the precompiled one\n");
   write("Pupil/x.cpp", "#include \"Foo.h\"\nint x = hidden;\n");
-  const std::string first = (data_folder() / "hal/first_include.h").string();
+  const std::string first = (data_folder() / "hal/arduino/first_include.h").string();
   EXPECT_TRUE(compiles_with({"-nostdinc"})) << "the danger";
   EXPECT_FALSE(compiles_with({"-nostdinc", "-include", first})) << "what all sources begin with";
   EXPECT_THAT(error_of("Pupil"), HasSubstr("not the precompiled one"));

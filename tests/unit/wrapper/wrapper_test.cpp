@@ -115,7 +115,8 @@ TEST_F(Wrapper, NamesThePackageThatTheSystemDoesNotHave) {
     tool("apt-cache", answer);
     const Result result = run("../checkout/robosim run");
     EXPECT_EQ(result.status, 5);
-    EXPECT_THAT(result.err, AllOf(HasSubstr("robosim: no package scarce in "), HasSubstr("expected Debian 12")));
+    EXPECT_THAT(result.err,
+                AllOf(HasSubstr("robosim: no package scarce in "), HasSubstr("expected Debian 12")));
     EXPECT_THAT(calls(), Not(HasSubstr(" install "))) << "nothing is installed";
   }
 }
