@@ -33,6 +33,8 @@ namespace {
 // In the filter that is made once, what is another number in each process.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
+/// Bytes of a set of signals, as the kernel has it.
+constexpr std::size_t kSignalSet = 8;
 /// Addresses beyond those of kConfinedMemory: pages that are only read, whose tables take memory, too.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (512 << 20);
 /// Of the process's first stack, which RLIMIT_DATA does not count.
@@ -50,8 +52,8 @@ MemoryInUse memory_when_prepared;
 constexpr const char* kHarmless[] = {
     "brk",          "cacheflush",  "clock_getres", "clock_gettime",   "clock_gettime64", "getcpu",
     "getpid",       "getrandom",   "gettid",       "gettimeofday",    "mremap",          "munmap",
-    "rt_sigreturn", "sched_yield", "sigaltstack",  "restart_syscall", "rt_sigprocmask",  "sigreturn",
-    "sysinfo",      "time",        "membarrier"};
+    "rt_sigreturn", "sched_yield", "sigaltstack",  "restart_syscall", "sigreturn",       "sysinfo",
+    "time",         "membarrier"};
 
 class Filter {
  public:
@@ -143,7 +145,10 @@ void add_descriptors(Filter& filter) {
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
-  filter.allow("rt_sigaction", {{1, SCMP_CMP_EQ, 0, 0}});  // a question
+  for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
+    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // a question
+  // The rest, SIG_BLOCK, is answered by serve_call().
+  for (const std::uint32_t how : {SIG_UNBLOCK, SIG_SETMASK}) filter.allow("rt_sigprocmask", {is(0, how)});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
     filter.allow("rt_sigaction", {is(0, static_cast<std::uint32_t>(fault))});
 }
@@ -347,14 +352,20 @@ void end_by_signal(int signal) {
   keyed_exit(kSignalStatus + signal);
 }
 
-bool serve_loader(const siginfo_t& info, ucontext_t& context) {
+bool serve_call(const siginfo_t& info, ucontext_t& context) {
   const Loading asked = loading_of(context);
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   static std::uint64_t opened = 0;
   // By this number the loader tells files apart; no memory's own is as high.
   constexpr std::uint64_t kFirstNumber = std::uint64_t{1} << 30;
-  if (info.si_syscall == SYS_openat) {
+  if (info.si_syscall == SYS_rt_sigprocmask) {
+    // Answers SIG_BLOCK, and blocks nothing: with SIGSYS blocked the kernel would end the process at the next
+    // call that it refuses, and no handler could name that call. glibc 2.41 blocks all in fork() and abort().
+    if (asked.arguments[3] != kSignalSet) return false;
+    if (auto* const before = reinterpret_cast<void*>(asked.arguments[2]))
+      std::memcpy(before, &context.uc_sigmask, kSignalSet);
+  } else if (info.si_syscall == SYS_openat) {
     if (!std::string_view(path).starts_with(kImageName)) return false;
     result = kImageFd;
     ++opened;

@@ -61,9 +61,9 @@ constexpr int kSignalStatus = 128;
 bool is_confined();
 /// How the names begin that the loader opens in a confined process: it gets kImageFd.
 constexpr const char* kImageName = "/robosim/firmware";
-/// In a handler of SIGSYS, while the image is being loaded: does what the loader needs of kImageFd. False if
-/// it was something else.
-bool serve_loader(const siginfo_t& info, ucontext_t& context);
+/// In a handler of SIGSYS: does what the loader needs of kImageFd, and answers calls that the C library makes
+/// around others. Returns false for any other call: that is refused.
+bool serve_call(const siginfo_t& info, ucontext_t& context);
 
 /// In a handler: the signal that the process has sent to itself, or would have if that were not refused;
 /// 0 = neither.

@@ -291,7 +291,7 @@ void HostExecutor::Instance::catch_faults() {
 
 void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context) {
   const bool refused = signal == SIGSYS && is_confined();
-  if (refused && serve_loader(*info, *static_cast<ucontext_t*>(context))) return;
+  if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
     // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.

@@ -111,7 +111,7 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
 }
 
 // In a confined process the loader opens nothing, but gets kImageFd, and closes it. It hears of another file
-// each time (serve_loader()); so those who load the same image one after the other need one copy of it, and
+// each time (serve_call()); so those who load the same image one after the other need one copy of it, and
 // their code is in the same memory.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
