@@ -292,7 +292,7 @@ class Build {
     Place place;
     const std::string header = missing_header(failed.output, &place);
     if (header.empty()) return false;
-    place.file = readable(toolchain_, sketch_.folder, place.file);
+    place.file = without_folders(toolchain_, sketch_.folder, place.file);
     check_seen(sketch_.folder, place, header);
     const Library* library = finder_.find(header);
     if (!library) fail_without_library(toolchain_, core_, finder_, place, header);

@@ -338,7 +338,8 @@ Command product_command(const Target& target, const Product& product, const fs::
 
 std::vector<fs::path> read_by_all(const Toolchain& toolchain, std::vector<fs::path> read) {
   const Core& core = toolchain.core;
-  read.insert(read.end(), {core.root, toolchain.facts.include_folder, data_folder() / "hal"});
+  read.insert(read.end(), {core.root, toolchain.facts.include_folder, data_folder() / "hal",
+                           toolchain.compiler.cxx.parent_path(), toolchain.compiler.cc.parent_path()});
   for (const auto* more : {&core.sources, &core.includes, &core.system_includes, &core.linked})
     read.insert(read.end(), more->begin(), more->end());
   return read;

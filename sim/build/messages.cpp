@@ -151,10 +151,14 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
                                                      known)));
 }
 
-std::string readable(const Toolchain& toolchain, const fs::path& sketch, std::string output) {
-  output = cut(output);
-  replace_all(output, sketch.string() + "/", "");
-  for (const auto& [folder, name] : toolchain.core.readable) replace_all(output, folder.string() + "/", name);
+std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, std::string text) {
+  replace_all(text, sketch.string() + "/", "");
+  for (const auto& [folder, name] : toolchain.core.readable) replace_all(text, folder.string() + "/", name);
+  return text;
+}
+
+std::string readable(const Toolchain& toolchain, const fs::path& sketch, const std::string& messages) {
+  std::string output = without_folders(toolchain, sketch, cut(messages));
   // The linker's lines: only those that name a place in a source are of use.
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");

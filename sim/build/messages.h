@@ -29,8 +29,12 @@ void check_seen(const std::filesystem::path& sketch, const Place& place, const s
                                        const LibraryFinder& finder, const Place& place,
                                        const std::string& header);
 
-/// The compiler's messages with places as the user knows them.
-std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch, std::string output);
+/// Takes names of this machine's folders out of a text: places are then as the user knows them.
+std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
+                            std::string text);
+/// Does so with the compiler's messages, and indents lines that the compiler did not begin.
+std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch,
+                     const std::string& messages);
 
 /// Where the first error is; without a file if no message names one.
 Place first_error(const std::string& messages);
