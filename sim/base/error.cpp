@@ -1,9 +1,11 @@
 #include "sim/base/error.h"
 
+#include "sim/base/terminal_text.h"
+
 namespace robosim {
 
 std::string to_string(const Place& place) {
-  std::string text = place.file;
+  std::string text = in_one_line(place.file);
   if (place.line <= 0) return text;
   text += text.empty() ? "line " : ":";
   text += std::to_string(place.line);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "sim/base/terminal_text.h"
 #include "sim/tui/floor_picture.h"
 #include "sim/tui/text.h"
 
@@ -34,7 +36,10 @@ std::string fleet_picture(const FleetReport& report, const grid::Map& map, int c
 }
 
 /// Columns as wide as what is in them.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
+/// The cells' texts may be names that others chose.
+std::string table(std::vector<std::vector<std::string>> rows) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = in_one_line(cell);
   std::vector<int> widths(rows.front().size());
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
@@ -51,9 +56,10 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string paragraph(const std::string& label, const std::string& words, int columns, Ink ink, Look look) {
-  const int indent = width_of(label) + 1;
-  std::string text, start = select(ink, look) + label + select(Ink::plain, look) + " ";
-  for (const std::string& part : wrap(words, std::max(columns - indent, 20))) {
+  const std::string shown = in_one_line(label);
+  const int indent = width_of(shown) + 1;
+  std::string text, start = select(ink, look) + shown + select(Ink::plain, look) + " ";
+  for (const std::string& part : wrap(for_terminal(words), std::max(columns - indent, 20))) {
     text += start + part + "\n";
     start.assign(static_cast<std::size_t>(indent), ' ');
   }
@@ -69,8 +75,8 @@ std::string fleet_screen(const FleetReport& report, const grid::Map* map, int co
       text += drawn + "\n";
   }
   const wire::RunResult& first = report.rows.front().result;
-  text += fmt::format("{} robots on {} · seed {} · {}\n\n", report.rows.size(), report.map, first.seed,
-                      first.profile);
+  text += fmt::format("{} robots on {} · seed {} · {}\n\n", report.rows.size(), in_one_line(report.map),
+                      first.seed, in_one_line(first.profile));
   std::vector<std::vector<std::string>> rows = {
       {"robot", "verdict", "time", "distance", "collisions", "goal", "what it is"}};
   std::size_t reached = 0;
@@ -81,7 +87,7 @@ std::string fleet_screen(const FleetReport& report, const grid::Map* map, int co
                     std::to_string(r.metrics.collisions), r.goal,
                     fmt::format("{} on {}, {}", row.sketch, row.robot, row.target)});
   }
-  text += table(rows) + "\n";
+  text += table(std::move(rows)) + "\n";
   // What failed comes first where not all can be told.
   std::size_t told = 0, untold = 0;
   const bool all = report.rows.size() <= kMostRobotsTold;

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "sim/base/terminal_text.h"
 #include "sim/base/wall_clock.h"
 #include "sim/tui/text.h"
 
@@ -29,7 +30,7 @@ Progress::~Progress() { clear(); }
 
 void Progress::say(const std::string& text) {
   if (!active_) return;
-  put_on_terminal("\r\033[K" + text);
+  put_on_terminal("\r\033[K" + in_one_line(text));
   shown_ = true;
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "sim/base/terminal_text.h"
 #include "sim/tui/floor_picture.h"
 #include "sim/tui/text.h"
 
@@ -94,8 +95,8 @@ class Writer {
   }
   /// "label: text", the text's further lines indented by as much.
   void labelled(std::string_view label, std::string_view text, Ink ink = Ink::plain) {
-    const int indent = width_of(label) + 1;
-    std::string start(label);
+    std::string start = in_one_line(label);
+    const int indent = width_of(start) + 1;
     if (ink != Ink::plain) start = select(ink, look_) + start + select(Ink::plain, look_);
     start += ' ';
     for (const std::string& part : wrap(text, std::max(columns_ - indent, 20))) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
@@ -291,11 +290,12 @@ int map_command(const MapArguments& arguments) {
     print(graph_of_map(arguments));
     return static_cast<int>(ExitStatus::ok);
   }
-  std::ostringstream text;
+  std::ostringstream text, problems;
   const ExitStatus status =
       arguments.action == "show"
           ? show_map(arguments.map, arguments.start, screen(), text)
-          : check_maps({arguments.map}, arguments.start, text, std::cerr, arguments.json);
+          : check_maps({arguments.map}, arguments.start, text, problems, arguments.json);
+  complain(problems.str());
   print(text.str());
   return static_cast<int>(status);
 }

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <ostream>
 #include <sstream>
 #include <system_error>
 
 #include "sim/base/file.h"
 #include "sim/cli/files/map_command.h"
+#include "sim/cli/output.h"
 #include "sim/course/import.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map_writer.h"
@@ -46,7 +46,7 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
   const course::Imported imported = is_picture
                                         ? course::import_picture(text, file.string(), name, arguments.pixel_m)
                                         : course::import_course(text, file.string(), name, arguments.walls_m);
-  for (const std::string& remark : imported.remarks) std::cerr << "robosim: note: " << remark << '\n';
+  for (const std::string& remark : imported.remarks) complain(fmt::format("robosim: note: {}\n", remark));
   const std::string written = grid::write_map(imported.map);
   // What cannot be read again is not written.
   try {
@@ -72,7 +72,10 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
                        1e3 * imported.map.image->wide_m(), 1e3 * imported.map.image->high_m());
     return ExitStatus::ok;
   }
-  return check_maps({arguments.out}, "", out, std::cerr);
+  std::ostringstream problems;
+  const ExitStatus status = check_maps({arguments.out}, "", out, problems);
+  complain(problems.str());
+  return status;
 }
 
 int import_command(const ImportArguments& arguments) {

@@ -140,7 +140,7 @@ int fleet_command(const RunArguments& arguments) {
     for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.request);
-    print(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
+    print_coloured(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());

@@ -193,8 +193,9 @@ int replay_command(const ReplayArguments& arguments) {
   const tui::Look look = tui::look_from_environment(size.has_value());
   const std::int64_t every_us =
       tui::trail_every_ns(static_cast<std::int64_t>(header.result.for_s * 1e9)) / 1000;
-  print(header.others.empty() ? end_screen(recording, map ? &*map : nullptr, every_us, columns, look)
-                              : fleet_screen(recording, map ? &*map : nullptr, every_us, columns, look));
+  print_coloured(header.others.empty()
+                     ? end_screen(recording, map ? &*map : nullptr, every_us, columns, look)
+                     : fleet_screen(recording, map ? &*map : nullptr, every_us, columns, look));
   if (apart) print(*apart);
   return 0;
 }

@@ -76,12 +76,13 @@ class Listeners {
 
   void watch(tui::LiveView* view) { view_ = view; }
   void print_serial() { print_serial_ = true; }
+  void finish_serial() { serial_.finish(); }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
 
   void on_event(const wire::Event& event) {
     recorders_.add(event);
     if (const auto* serial = std::get_if<wire::SerialText>(&event); serial && print_serial_)
-      print(serial->text);
+      serial_.add(serial->text);
     if (const auto* started = std::get_if<wire::Started>(&event)) started_ = *started;
     if (const auto* sample = std::get_if<wire::Sample>(&event)) add(*sample);
     if (const auto* note = std::get_if<wire::Note>(&event)) notes_.push_back(*note);
@@ -107,6 +108,7 @@ class Listeners {
   tui::Progress& progress_;
   tui::LiveView* view_ = nullptr;
   bool print_serial_ = false;
+  SerialPrinter serial_;
   std::string debugger_;  ///< what to type to attach one
   wire::Started started_;
   tui::Trail trail_;
@@ -216,7 +218,8 @@ int run_command(const RunArguments& arguments) {
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.request);
     const auto free = free_bytes(result, board);
-    (arguments.serial ? complain : print)(tui::end_screen(
+    listeners.finish_serial();
+    (arguments.serial ? complain_coloured : print_coloured)(tui::end_screen(
         {sketch, run.map.name, run.robot.name, run.target, listeners.started(), result, listeners.trail(),
          wall_s, free, rooms(run.image, free), board.chip->target, !run.robot_info.sensors.empty()},
         drawn.get(), screen.columns, screen.look));
