@@ -10,6 +10,7 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
+#include "sim/base/json_limits.h"
 #include "sim/course/formats.h"
 
 namespace robosim::course {
@@ -174,6 +175,11 @@ Imported read_robotrace(const nlohmann::json& json, const std::string& file) {
 }
 
 nlohmann::json json_of(std::string_view text, const std::string& file) {
+  if (!is_within_json_limits(text))
+    throw InputError({file},
+                     fmt::format("is too deep or too long: expected at most {} brackets in one another and "
+                                 "{} values",
+                                 kDeepestJson, kMostJsonValues));
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {

@@ -7,6 +7,8 @@
 #include <queue>
 #include <unordered_map>
 
+#include "sim/base/error.h"
+
 namespace robosim::grid {
 namespace {
 
@@ -105,7 +107,18 @@ class Survey {
     }
   }
 
+  // A node takes some 400 bytes, and its text as much; a cell is one byte of the map.
+  void check_count() const {
+    constexpr std::size_t kAlways = 100'000, kCellsEach = 8;
+    const std::size_t most = kAlways + map_.cells.size() / kCellsEach;
+    if (graph_.stations.size() + graph_.junctions.size() < most) return;
+    throw InputError({map_.file}, fmt::format("the line has too many stations and junctions for a graph: "
+                                              "expected at most {}, which is {} and one for each {} cells",
+                                              most, kAlways, kCellsEach));
+  }
+
   int add_station(CellAt cell, std::optional<Direction> out) {
+    check_count();
     graph_.stations.push_back({cell, "", {}});
     if (out) graph_.stations.back().arm.out = *out;
     const int id = static_cast<int>(graph_.stations.size());
@@ -115,6 +128,7 @@ class Survey {
   }
 
   int add_junction(CellAt cell, Direction zero) {
+    check_count();
     GraphJunction junction{cell, {}};
     const std::vector<Direction> slots = slots_from(line_neighbours(map_, cell), zero);
     junction.arms.reserve(slots.size());

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "sim/base/error.h"
 
@@ -63,7 +65,7 @@ std::string Deflater::unpacked(std::string_view packed, std::size_t unpacked_siz
   stream.avail_in = static_cast<uInt>(packed.size());
   stream.next_out = bytes_of(out.data());
   stream.avail_out = static_cast<uInt>(out.size());
-  inflate(&stream, Z_SYNC_FLUSH);
+  ::inflate(&stream, Z_SYNC_FLUSH);
   return out;
 }
 
@@ -100,24 +102,29 @@ std::string deflated(std::string_view bytes) {
   return out;
 }
 
-std::string inflated(std::string_view bytes, std::size_t most_bytes) {
+void inflate(std::string_view bytes, const Put& put) {
   z_stream stream{};
   if (inflateInit(&stream) != Z_OK) cannot_begin();
+  const std::unique_ptr<z_stream, void (*)(z_stream*)> ends(&stream, [](z_stream* s) { inflateEnd(s); });
   stream.next_in = bytes_of(bytes.data());
   stream.avail_in = static_cast<uInt>(std::min<std::size_t>(bytes.size(), UINT32_MAX));
-  std::string out;
+  std::vector<char> piece(kPiece);
   int status = Z_OK;
-  while (status == Z_OK && out.size() <= most_bytes) {
-    const std::size_t begin = out.size();
-    out.resize(begin + std::max(kPiece, begin));
-    stream.next_out = bytes_of(out.data() + begin);
-    stream.avail_out = static_cast<uInt>(std::min<std::size_t>(out.size() - begin, UINT32_MAX));
-    status = inflate(&stream, Z_NO_FLUSH);
-    out.resize(stream.total_out);
+  while (status == Z_OK) {
+    stream.next_out = bytes_of(piece.data());
+    stream.avail_out = static_cast<uInt>(piece.size());
+    status = ::inflate(&stream, Z_NO_FLUSH);
+    put({piece.data(), piece.size() - stream.avail_out});
   }
-  inflateEnd(&stream);
   if (status != Z_STREAM_END) throw InputError("its data are damaged or cut off");
-  if (out.size() > most_bytes) throw InputError("it holds too much");
+}
+
+std::string inflated(std::string_view bytes, std::size_t most_bytes) {
+  std::string out;
+  inflate(bytes, [&](std::string_view piece) {
+    if (piece.size() > most_bytes - out.size()) throw InputError("it holds too much");
+    out += piece;
+  });
   return out;
 }
 

@@ -50,6 +50,9 @@ class Compressed {
 };
 
 std::string deflated(std::string_view bytes);
+/// Unpacks piece by piece: `put` decides how much it takes. Throws InputError if the bytes are damaged or cut
+/// off, and what `put` throws.
+void inflate(std::string_view bytes, const Put& put);
 /// Throws InputError if the bytes are none that deflated() gave, were cut off, or come to more than
 /// `most_bytes`.
 std::string inflated(std::string_view bytes, std::size_t most_bytes);

@@ -2,18 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "sim/base/file.h"
 #include "sim/record/record_page.h"
+#include "sim/wire/json_parse.h"
 #include "sim/wire/json_reader.h"
 
 namespace robosim::record {
 namespace {
 
-constexpr std::size_t kMostInflated_bytes = std::size_t{1} << 30;
+// What Gatherer writes is far smaller: an hour of one robot has 5 million numbers.
+constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, a page too
+constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
+constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
+constexpr std::uint64_t kMostNumbers = 16'000'000;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
   throw InputError({file}, "this is no recording that can be read: " + problem);
+}
+
+void append(std::string& to, std::string_view piece, std::size_t most_bytes) {
+  if (piece.size() > most_bytes - to.size()) throw InputError("it holds too much");
+  to += piece;
+}
+
+RecordingHeader header_of(std::string_view line) {
+  const wire::JsonReader::Json json = wire::parsed_json(line);
+  if (json.is_discarded()) throw InputError("its header is damaged");
+  RecordingHeader header;
+  wire::JsonReader::read(json, header, wire::JsonReader::Unknown::allowed);
+  if (header.robot_count() > wire::kMostAgents) throw InputError("it has too many robots");
+  return header;
 }
 
 }  // namespace
@@ -35,7 +56,7 @@ std::string Gatherer::encoded(const wire::RunResult& result) {
 
 Recording Recording::read(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::string content = read_file(file);
+  std::string content = read_file(file, kMostRecording_bytes);
   try {
     return decode(recording_in(std::move(content)), name);
   } catch (const InputError& error) {
@@ -55,24 +76,35 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
   Recording recording;
   recording.file_ = file;
   try {
-    const std::string all = inflated(bytes.substr(magic.size()), kMostInflated_bytes);
-    const std::size_t end = all.find('\n');
-    const auto json = wire::JsonReader::Json::parse(all.substr(0, end), nullptr, false);
-    if (end == std::string::npos || json.is_discarded()) throw InputError("its header is damaged");
-    wire::JsonReader::read(json, recording.header_, wire::JsonReader::Unknown::allowed);
-    recording.body_ = all.substr(end + 1);
+    std::string line;
+    bool has_header = false;
+    inflate(bytes.substr(magic.size()), [&](std::string_view piece) {
+      if (!has_header) {
+        const std::size_t end = std::min(piece.find('\n'), piece.size());
+        append(line, piece.substr(0, end), kMostHeader_bytes);
+        if (end == piece.size()) return;
+        recording.header_ = header_of(std::exchange(line, {}));
+        has_header = true;
+        piece.remove_prefix(end + 1);
+      }
+      append(recording.body_, piece, kMostBody_bytes);
+    });
+    if (!has_header) throw InputError("its header is damaged");
   } catch (const wire::BadValue& bad) {
     refuse(file, bad.in("its header"));
   } catch (const InputError& error) {
     refuse(file, error.message());
   }
   std::size_t total = 0;
+  std::uint64_t numbers = 0;
   for (std::size_t robot = 0; robot < recording.header_.robot_count(); ++robot) {
     for (const StreamInfo& stream : recording.header_.of(robot).streams) {
       for (const ColumnInfo& column : stream.columns) {
         if (static_cast<std::size_t>(column.bytes) > recording.body_.size() - total || !(column.scale > 0.0))
           refuse(file, "its column " + column.name + " is longer than the file");
         total += static_cast<std::size_t>(column.bytes);
+        numbers += column.order == 0 ? 0 : static_cast<std::uint64_t>(stream.count);
+        if (numbers > kMostNumbers) refuse(file, "it holds too many numbers");
       }
     }
   }
@@ -94,67 +126,101 @@ void Recording::each_column(std::size_t robot, const std::string& stream_name, V
   }
 }
 
-std::vector<std::vector<std::int64_t>> Recording::steps(const std::string& name, std::size_t robot) const {
-  std::vector<std::vector<std::int64_t>> columns;
+template <class Take>
+void Recording::each_steps(std::size_t robot, const std::string& name, Take take) const {
   each_column(robot, name, [&](const ColumnInfo& column, std::string_view bytes, std::size_t count) {
     if (column.order == 0) return;
     auto steps = wire::ColumnReader(column.order).read(bytes, count);
     if (!steps) refuse(file_, "its column " + column.name + " is damaged");
-    columns.push_back(std::move(*steps));
+    take(column, std::move(*steps));
+  });
+}
+
+std::vector<std::vector<std::int64_t>> Recording::steps(const std::string& name, std::size_t robot) const {
+  std::vector<std::vector<std::int64_t>> columns;
+  each_steps(robot, name, [&](const ColumnInfo&, std::vector<std::int64_t> steps) {
+    columns.push_back(std::move(steps));
   });
   return columns;
 }
 
 std::vector<std::vector<double>> Recording::stream(const std::string& name, std::size_t robot) const {
   std::vector<std::vector<double>> columns;
-  for (const auto& steps : this->steps(name, robot)) columns.emplace_back(steps.begin(), steps.end());
-  std::size_t next = 0;
-  each_column(robot, name, [&](const ColumnInfo& column, std::string_view, std::size_t) {
-    if (column.order == 0) return;
-    for (double& value : columns[next]) value /= column.scale;
-    ++next;
+  each_steps(robot, name, [&](const ColumnInfo& column, const std::vector<std::int64_t>& steps) {
+    std::vector<double>& values = columns.emplace_back(steps.begin(), steps.end());
+    for (double& value : values) value /= column.scale;
   });
   return columns;
 }
 
 void Recording::play(const wire::OnEvent& on_event) const {
+  constexpr std::size_t kFixed = 10;
+  struct Robot {
+    std::vector<std::vector<double>> samples, serial;
+    std::string_view text;  // of the serial rows that have not been told
+  };
+  std::vector<Robot> robots(header_.robot_count());
+  // An event's source: 0 = a note, 2 n + 1 = a sample of robot n, 2 n + 2 = serial text of it. Equal times
+  // keep this order.
   struct Timed {
-    std::int64_t t_ns;
-    wire::Event event;
+    std::uint32_t source, index;
   };
   std::vector<Timed> events;
-  for (const wire::Note& note : header_.notes) events.push_back({note.t_ns, note});
-
-  for (std::size_t robot = 0; robot < header_.robot_count(); ++robot) {
-    const int agent = static_cast<int>(robot);
-    const auto samples = stream("samples", robot);
-    constexpr std::size_t kFixed = 10;
-    for (std::size_t i = 0; samples.size() >= kFixed && i < samples[0].size(); ++i) {
-      const auto at = [&](std::size_t column) { return samples[column][i]; };
-      wire::Sample s{std::llround(at(0)), at(1), at(2), at(3), at(4), at(5), at(6), at(7), {}, "",
-                     {at(8), at(9)},      agent};
-      for (std::size_t column = kFixed; column < samples.size(); ++column) s.readings.push_back(at(column));
-      const std::int64_t t_ns = s.t_us * 1000;
-      events.push_back({t_ns, std::move(s)});
-    }
-
-    const auto serial = stream("serial", robot);
-    std::string_view text;
-    each_column(robot, "serial", [&](const ColumnInfo& column, std::string_view bytes, std::size_t) {
-      if (column.order == 0) text = bytes;
+  const auto add = [&](std::size_t source, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      events.push_back({static_cast<std::uint32_t>(source), static_cast<std::uint32_t>(i)});
+  };
+  std::size_t count = header_.notes.size();
+  for (std::size_t n = 0; n < robots.size(); ++n) {
+    Robot& robot = robots[n];
+    robot.samples = stream("samples", n);
+    robot.serial = stream("serial", n);
+    if (robot.samples.size() < kFixed) robot.samples.assign(kFixed, {});
+    if (robot.serial.size() < 2) robot.serial.assign(2, {});
+    each_column(n, "serial", [&](const ColumnInfo& column, std::string_view bytes, std::size_t) {
+      if (column.order == 0) robot.text = bytes;
     });
-    for (std::size_t i = 0; serial.size() >= 2 && i < serial[0].size(); ++i) {
-      const auto bytes = static_cast<std::size_t>(std::clamp(serial[1][i], 0.0, 1.0 * text.size()));
-      const std::int64_t t_ns = std::llround(serial[0][i]);
-      events.push_back({t_ns, wire::SerialText{t_ns, std::string(text.substr(0, bytes)), agent}});
-      text.remove_prefix(bytes);
-    }
+    count += robot.samples[0].size() + robot.serial[0].size();
   }
-
+  events.reserve(count);
+  add(0, header_.notes.size());
+  for (std::size_t n = 0; n < robots.size(); ++n) {
+    add(2 * n + 1, robots[n].samples[0].size());
+    add(2 * n + 2, robots[n].serial[0].size());
+  }
+  const auto time_of = [&](const Timed& event) -> std::int64_t {
+    if (event.source == 0) return header_.notes[event.index].t_ns;
+    const Robot& robot = robots[(event.source - 1) / 2];
+    if (event.source % 2 == 0) return std::llround(robot.serial[0][event.index]);
+    return std::llround(robot.samples[0][event.index]) * 1000;
+  };
   std::stable_sort(events.begin(), events.end(),
-                   [](const Timed& a, const Timed& b) { return a.t_ns < b.t_ns; });
-  for (std::size_t robot = 0; robot < header_.robot_count(); ++robot) on_event(header_.of(robot).started);
-  for (const Timed& timed : events) on_event(timed.event);
+                   [&](const Timed& a, const Timed& b) { return time_of(a) < time_of(b); });
+
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) on_event(header_.of(robot).started);
+  for (const Timed& event : events) {
+    const std::size_t i = event.index;
+    if (event.source == 0) {
+      on_event(header_.notes[i]);
+      continue;
+    }
+    const std::size_t n = (event.source - 1) / 2;
+    const int agent = static_cast<int>(n);
+    Robot& robot = robots[n];
+    if (event.source % 2 == 0) {
+      const auto bytes =
+          static_cast<std::size_t>(std::clamp(robot.serial[1][i], 0.0, 1.0 * robot.text.size()));
+      on_event(wire::SerialText{time_of(event), std::string(robot.text.substr(0, bytes)), agent});
+      robot.text.remove_prefix(bytes);
+      continue;
+    }
+    const auto at = [&](std::size_t column) { return robot.samples[column][i]; };
+    wire::Sample s{std::llround(at(0)), at(1), at(2), at(3), at(4), at(5), at(6), at(7), {}, "",
+                   {at(8), at(9)},      agent};
+    for (std::size_t column = kFixed; column < robot.samples.size(); ++column)
+      s.readings.push_back(at(column));
+    on_event(s);
+  }
 }
 
 }  // namespace robosim::record

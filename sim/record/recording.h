@@ -95,6 +95,9 @@ class Recording {
   /// Calls visit(column, its bytes, count of its numbers) for each column of a robot's stream.
   template <class Visit>
   void each_column(std::size_t robot, const std::string& stream_name, Visit visit) const;
+  /// Calls take(column, its whole numbers) for each column of a robot's stream that is not text.
+  template <class Take>
+  void each_steps(std::size_t robot, const std::string& stream_name, Take take) const;
 
   RecordingHeader header_;
   std::string body_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/base/json_limits.h"
 #include "sim/base/leading_number.h"
 
 namespace robosim::wire {
@@ -149,6 +150,7 @@ class PlainJson {
 Json parsed_json(std::string_view text) {
   Json value;
   if (PlainJson(text).read_all(value)) return value;
+  if (!is_within_json_limits(text)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
 }
 

@@ -7,7 +7,7 @@
 
 namespace robosim::wire {
 
-/// As nlohmann::json::parse has it, discarded if `text` is none.
+/// As nlohmann::json::parse has it, discarded if `text` is not JSON or exceeds sim/base/json_limits.h.
 nlohmann::json parsed_json(std::string_view text);
 
 }  // namespace robosim::wire

@@ -5,8 +5,10 @@
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "sim/base/file.h"
+#include "sim/base/json_limits.h"
 
 namespace robosim::cli {
 namespace {
@@ -71,6 +73,11 @@ std::string header(const std::string& from, const std::string& part) {
   return json.dump() + "\n";
 }
 
+/// Discarded if it is not JSON.
+Json parsed(std::string_view line) {
+  return is_within_json_limits(line) ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded);
+}
+
 /// Those of whole lines.
 std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
   std::vector<HuntRow> rows;
@@ -79,7 +86,7 @@ std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
        at = end + 1) {
     ++number;
     try {
-      rows.push_back(row_of(Json::parse(text.substr(at, end - at))));
+      rows.push_back(row_of(parsed(std::string_view(text).substr(at, end - at))));
     } catch (const nlohmann::json::exception&) {
       throw InputError({file, number, 0}, "is no line that a hunt has written");
     }
@@ -88,7 +95,7 @@ std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
 }
 
 Shard shard_in(const std::string& first_line, const std::string& from, const std::string& file) {
-  const Json json = Json::parse(first_line, nullptr, false);
+  const Json json = parsed(first_line);
   if (!json.is_object() || json.value("from", "") != from) throw InputError({file, 1, 0}, kOfAnother);
   const std::string part = json.value("part", "1/1");
   if (part == kMerged) throw InputError({file, 1, 0}, "is merged already; give the folders of the shards");

@@ -5,6 +5,7 @@
 #include <queue>
 #include <string>
 
+#include "sim/base/error.h"
 #include "sim/base/noise.h"
 #include "sim/grid/network.h"
 
@@ -278,6 +279,17 @@ TEST(TrueGraphDifference, NamesWhatIsWrong) {
   wrong = right;
   wrong.unreachable.push_back({1, 1});
   EXPECT_EQ(difference(right, wrong), "there is no unreachable station at 1,1");
+}
+
+TEST(TrueGraph, OfAMapThatIsAllLineIsRefused) {
+  std::string rows = "S" + std::string(999, '1') + "\n";
+  for (int row = 1; row < 1000; ++row) rows += std::string(1000, '1') + "\n";
+  const Map map = parse_map(rows, "full.map");
+  EXPECT_THAT(
+      [&] { true_graph(map, default_start(map)); },
+      testing::ThrowsMessage<InputError>(
+          "full.map: the line has too many stations and junctions for a graph: expected at most 225000, "
+          "which is 100000 and one for each 8 cells"));
 }
 
 }  // namespace

@@ -318,6 +318,21 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
   EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
 }
 
+TEST_F(ARecording, ThatUnpacksToTooMuchIsRefusedBeforeItIsUnpacked) {
+  const auto refusal_of = [&](const std::string& content) {
+    return refusal(kRecordingMagic + deflated(content));
+  };
+  const std::string magic = "x.rec: this is no recording that can be read: ";
+  EXPECT_EQ(refusal_of(std::string(17 << 20, ' ')), magic + "it holds too much") << "a header without an end";
+  EXPECT_EQ(refusal_of("{\"a\":" + std::string(1000, '[') + std::string(1000, ']') + "}\n"),
+            magic + "its header is damaged");
+  std::string wide = "{\"a\":[";
+  for (int i = 0; i < 2'100'000; ++i) wide += "0,";
+  EXPECT_EQ(refusal_of(wide + "0]}\n"), magic + "its header is damaged");
+  const std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
+  EXPECT_EQ(refusal_of(all + std::string(65 << 20, '\0')), magic + "it holds too much");
+}
+
 TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
   columns.add(wire::Sample{});
   std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
