@@ -394,7 +394,13 @@ Image build(const Request& request) try {
     cache.store(notes_key(entry), {}, pack(build->notes()), sketch.name + ".notes", {}, since);
   return image_of(target, sketch, entry, cache, false);
 } catch (const fs::filesystem_error& error) {
-  throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());
+  const bool is_foreign = error.code() == std::errc::permission_denied;
+  throw InputError(
+      {error.path1().string()},
+      "cannot be used: " + error.code().message() +
+          (is_foreign ? ": expected a folder for compiled sketches that this user may write; remove "
+                        "it, or set XDG_CACHE_HOME to another folder"
+                      : ""));
 }
 
 }  // namespace robosim::build

@@ -25,6 +25,7 @@ namespace {
 
 constexpr const char* kHeader = "robosim cache 2";
 constexpr const char* kAbsent = "-";
+constexpr const char* kInner[] = {"entries", "results", "work"};
 constexpr auto kKept = std::chrono::hours(24 * 30);
 
 std::string checksum(std::string_view text) {
@@ -107,11 +108,14 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
+/// What another user owns may hold images of theirs, and what is made in it they could not use.
 bool usable(const fs::path& folder) {
   if (!is_utf8(folder.string())) return false;  // runners are told where images are, in JSON
   std::error_code error;
   fs::create_directories(folder, error);
-  return ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
+  struct stat info {};
+  return ::stat(folder.c_str(), &info) == 0 && info.st_uid == ::geteuid() &&
+         ::access(folder.c_str(), R_OK | W_OK | X_OK) == 0;
 }
 
 void remove_old(const fs::path& folder) {
@@ -165,16 +169,16 @@ fs::path cache_folder() {
   const fs::path fallback = fs::temp_directory_path() / fmt::format("robosim-{}", ::getuid());
   struct stat info {};
   if (!usable(fallback) || ::lstat(fallback.c_str(), &info) != 0 || info.st_uid != ::getuid())
-    throw InputError({fallback.string()},
-                     "no folder for compiled sketches can be written; set XDG_CACHE_HOME");
+    throw InputError(
+        {fallback.string()},
+        "is not a folder for compiled sketches: expected one that this user owns and may write; set "
+        "XDG_CACHE_HOME to another");
   fs::permissions(fallback, fs::perms::owner_all);
   return fallback;
 }
 
 Cache::Cache(fs::path folder) : folder_(std::move(folder)) {
-  fs::create_directories(folder_ / "entries");
-  fs::create_directories(folder_ / "results");
-  fs::create_directories(folder_ / "work");
+  for (const char* inner : kInner) fs::create_directories(folder_ / inner);
 }
 
 std::optional<Entry> Cache::find(const std::string& key) const {
@@ -253,7 +257,7 @@ CacheLock::CacheLock(const Cache& cache)
 
 WorkFolder::WorkFolder(const Cache& cache) {
   remove_unheld(cache.folder() / "work");
-  for (const char* folder : {"work", "entries", "results"}) remove_old(cache.folder() / folder);
+  for (const char* folder : kInner) remove_old(cache.folder() / folder);
   static std::atomic<int> count{0};
   for (;;) {
     path_ = cache.folder() / "work" / fmt::format("{}-{}", ::getpid(), count++);

@@ -150,6 +150,16 @@ TEST_F(SketchTest, TheCacheIsWhereTheUserSays) {
   EXPECT_THAT(cache_folder().string(), testing::StartsWith((folder_ / "robosim-").string()));
 }
 
+TEST_F(SketchTest, TheCacheIsNeverOneThatAnotherUserOwns) {
+  ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
+  ASSERT_EQ(cache_folder(), folder_ / "xdg/robosim");
+  if (::geteuid() == 0)
+    ASSERT_EQ(::chown((folder_ / "xdg/robosim").c_str(), 65534, 65534), 0);
+  else
+    fs::permissions(folder_ / "xdg/robosim", fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EQ(cache_folder(), folder_ / "home/.cache/robosim");
+}
+
 TEST_F(CacheTest, EachOfSeveralBuildsAtOnceHasItsFolder) {
   std::atomic<int> missing{0};
   std::vector<std::thread> builds;

@@ -146,6 +146,17 @@ TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {
   EXPECT_THAT(error_of("Any"), StartsWith((folder_ / "xdg/robosim/entries").string() + ": cannot be used: "));
 }
 
+TEST_F(SketchTest, ACacheWhoseFoldersAreOfAnotherUserIsNamedWithAWayOut) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write every folder";
+  write("Any/Any.ino", kEmptySketch);
+  ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
+  std::filesystem::create_directories(folder_ / "xdg/robosim/work");
+  std::filesystem::permissions(folder_ / "xdg/robosim/work",
+                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_THAT(error_of("Any"), HasSubstr("Permission denied: expected a folder for compiled sketches"));
+  std::filesystem::permissions(folder_ / "xdg/robosim/work", std::filesystem::perms::owner_all);
+}
+
 TEST_F(SketchTest, AMissingCompilerIsNamedWithItsPackage) {
   write("Any/Any.ino", kEmptySketch);
   ::setenv("PATH", folder_.c_str(), 1);
