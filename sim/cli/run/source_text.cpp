@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <deque>
-#include <fstream>
 #include <regex>
+#include <sstream>
+
+#include "sim/base/error.h"
+#include "sim/base/file.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -12,6 +15,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
+constexpr std::size_t kMostSource_bytes = std::size_t{4} << 20;
+
+std::string text_of(const fs::path& path) {
+  try {
+    return read_file(path, kMostSource_bytes);
+  } catch (const InputError&) {
+    return "";
+  }
+}
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
@@ -256,16 +268,18 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   const auto [known, fresh] = files_.try_emplace(file);
   if (!fresh) return known->second;
   for (const fs::path& path : paths_of(file)) {
-    std::ifstream in(path);
+    std::istringstream in(text_of(path));
     for (std::string text; std::getline(in, text);) known->second.push_back(text);
     if (!known->second.empty()) break;
   }
   return known->second;
 }
 
-// Of a library's the image knows "libraries/NAME/..." only.
+// A sketch can claim any name by #line: a name that leads out of its folder, or that is not a file, has no
+// lines. Of a library's the image knows "libraries/NAME/..." only.
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
+  if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;
   for (const fs::path& folder : folders_) paths.push_back(folder / file);
   if (!file.string().starts_with("libraries/")) return paths;
   const fs::path within_all = file.lexically_relative("libraries");
