@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/base/file_scope.h"
 
 // Defined in tests that toolchain/cmake/robosim_functions.cmake makes: the prefix of an installed Robosim; ""
 // = none.
@@ -40,7 +41,13 @@ fs::path executable_folder() {
 }  // namespace
 
 Descriptor open_to_read(const fs::path& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // a pipe would wait for a writer
+  Descriptor file = open_in_scope(path, O_RDONLY | O_NONBLOCK);  // a pipe would wait for a writer
+  check_is_file(file, path);
+  return file;
+}
+
+void check_is_file(const Descriptor& file, const fs::path& path) {
+  if (!file.is_open() && errno == EXDEV) throw out_of_scope(path);
   if (!file.is_open()) fail(path, "read", errno);
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail(path, "read", errno);
@@ -49,11 +56,13 @@ Descriptor open_to_read(const fs::path& path) {
     const char* what = S_ISFIFO(info.st_mode) ? "a pipe" : "a device";
     throw InputError({path.string()}, std::string("cannot be read: it is ") + what + ", and must be a file");
   }
-  return file;
 }
 
 std::string read_file(const fs::path& path, std::size_t most_bytes) {
-  const Descriptor file = open_to_read(path);
+  return read_file(open_to_read(path), path, most_bytes);
+}
+
+std::string read_file(const Descriptor& file, const fs::path& path, std::size_t most_bytes) {
   struct stat info {};
   ::fstat(file.get(), &info);
   std::string content;
@@ -100,7 +109,10 @@ void write_file(const fs::path& path, std::string_view content) {
   const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
   const fs::path target = in_place ? path : beside(path);
   try {
-    const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    // Another user's link of that name would lead elsewhere.
+    if (!in_place) ::unlink(target.c_str());
+    const int fresh = in_place ? O_TRUNC : O_EXCL | O_NOFOLLOW;
+    const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | fresh, 0666));
     if (!file.is_open()) fail(path, "written", errno);
     if (const int problem = write_all(file.get(), content))
       throw std::system_error(problem, std::generic_category());

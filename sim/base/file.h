@@ -14,11 +14,17 @@ namespace robosim {
 /// no file: a folder, or a device or a pipe, which may never end.
 Descriptor open_to_read(const std::filesystem::path& path);
 
+/// Throws InputError, with the name `path`, for a closed descriptor by errno, and for what is not a file.
+void check_is_file(const Descriptor& file, const std::filesystem::path& path);
+
 /// No file that is read as a whole is larger.
 inline constexpr std::size_t kMostFile_bytes = std::size_t{256} << 20;
 
 /// The whole content. Throws InputError as open_to_read() does, and if there is more than `most_bytes`.
 std::string read_file(const std::filesystem::path& path, std::size_t most_bytes = kMostFile_bytes);
+
+/// Returns the rest of an open file; `path` is its name in messages.
+std::string read_file(const Descriptor& file, const std::filesystem::path& path, std::size_t most_bytes);
 
 /// Writes beside the target and renames, so that a reader or an interrupt never sees half a file; a device
 /// such as /dev/stdout is written as it is. Throws InputError.

@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 #include "sim/build/project.h"
 #include "sim/build/source.h"
 #include "sim/project/project.h"
@@ -89,6 +90,7 @@ constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
 void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
   const fs::path snap = home / "snap/arduino/current";
   const auto add = [&](const fs::path& folder) {
+    extend_file_scope(folder);
     if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
   };
   for (const fs::path& book : project::sketchbooks())

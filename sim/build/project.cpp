@@ -11,6 +11,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -86,7 +87,7 @@ class Shared {
 fs::path reach_of(const fs::path& sketch_folder) {
   const char* const home = std::getenv("HOME");
   const auto too_far = [&](const fs::path& folder) {
-    return folder == folder.root_path() || (home && is_below(home, folder));
+    return folder == folder.root_path() || (home && is_below(home, folder)) || !is_in_scope(folder);
   };
   const fs::path beside = sketch_folder.parent_path();
   std::error_code none;

@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "sim/base/file_scope.h"
+
 namespace robosim::build {
 namespace fs = std::filesystem;
 
@@ -43,7 +45,7 @@ long version() {
 }
 
 void allow(int rules, const fs::path& path, std::uint64_t what) {
-  const Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  const Descriptor place = open_to_show(path);
   struct stat facts {};
   if (!place.is_open() || ::fstat(place.get(), &facts) != 0) return;
   if (!S_ISDIR(facts.st_mode)) what &= kOfFiles | kTruncate;

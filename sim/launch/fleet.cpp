@@ -8,6 +8,7 @@
 
 #include "sim/base/config.h"
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 #include "sim/base/units.h"
 
 namespace robosim::launch {
@@ -17,6 +18,13 @@ namespace {
 
 constexpr std::size_t kLongestName = 32;
 constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
+
+/// A path that begins at the file's folder.
+std::string named_path(const fs::path& folder, const std::string& word, const Place& place) {
+  const std::string path = path_from(folder, word);
+  check_in_scope(path, place);
+  return path;
+}
 
 /// One [[agent]].
 class MemberReader {
@@ -63,15 +71,20 @@ class MemberReader {
   /// Paths begin at the file's folder.
   std::string path_at(const char* key, bool always = false) {
     const std::string word = word_at(key);
-    return word.empty() || !(always || is_path(word)) ? word : from_folder(word);
+    if (word.empty() || !(always || is_path(word))) return word;
+    return from_folder(word, reader_.table().find(key)->place);
   }
-  std::string from_folder(const std::string& word) const { return path_from(folder_, word); }
+  std::string from_folder(const std::string& word, const Place& place) const {
+    return named_path(folder_, word, place);
+  }
   std::vector<std::string> libraries() {
     std::vector<std::string> folders;
     const ConfigValue* value = reader_.find("libraries");
     if (!value) return folders;
-    if (value->kind != ConfigValue::Kind::array) return {from_folder(as_string(*value, "libraries"))};
-    for (const ConfigValue& item : value->items) folders.push_back(from_folder(as_string(item, "libraries")));
+    if (value->kind != ConfigValue::Kind::array)
+      return {from_folder(as_string(*value, "libraries"), value->place)};
+    for (const ConfigValue& item : value->items)
+      folders.push_back(from_folder(as_string(item, "libraries"), item.place));
     return folders;
   }
   std::int64_t clock() {
@@ -130,7 +143,7 @@ Fleet parse_fleet(std::string_view text, const fs::path& file) {
   Fleet fleet;
   fleet.file = file.string();
   fleet.map = reader.string("map", "");
-  if (is_path(fleet.map)) fleet.map = path_from(file.parent_path(), fleet.map);
+  if (is_path(fleet.map)) fleet.map = named_path(file.parent_path(), fleet.map, root.find("map")->place);
   const ConfigValue* tables = reader.find("agent");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())

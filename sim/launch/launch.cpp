@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 #include "sim/launch/trust.h"
 
 namespace robosim::launch {
@@ -12,6 +13,10 @@ namespace robosim::launch {
 Chosen choose(const Launch& launch) {
   Chosen chosen;
   chosen.sketch = choose_sketch(launch.sketch, launch.environment);
+  for (const project::Project& project = chosen.sketch.project;
+       const auto* folders : {&project.libraries, &project.includes})
+    for (const std::filesystem::path& folder : *folders) check_in_scope(folder, {project.file.string()});
+  check_in_scope(chosen.sketch.project.sources, {chosen.sketch.project.file.string()});
   if (launch.untrusted) check_folder(chosen.sketch);
   chosen.target = choose_target(launch.target, chosen.sketch);
   if (launch.sanitize) name_flag("--sanitize", [&] { build::check_can_sanitize(chosen.target); });

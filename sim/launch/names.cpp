@@ -1,14 +1,16 @@
 #include "sim/launch/names.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 #include "sim/base/robot_name.h"
 #include "sim/base/spelling.h"
 #include "sim/build/source.h"
@@ -46,14 +48,25 @@ bool is_there(const fs::path& path) {
 }
 
 void check_path(const std::string& what, const std::string& path) {
+  check_in_scope(path);
   std::error_code error;
   if (fs::exists(path, error)) return;
   throw InputError({path, 0, 0}, "there is no such file (a " + what + " with / or . in its name is a path)");
 }
 
+/// Of what is not a file nothing: a pipe would wait for a writer.
+std::string beginning_of(const fs::path& path) try {
+  const Descriptor file = open_to_read(path);
+  char buffer[4096];
+  const ssize_t size = ::read(file.get(), buffer, sizeof buffer);
+  return {buffer, static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
+} catch (const InputError&) {
+  return "";
+}
+
 /// What a linker calls a map, by the headings that GNU ld's begins with: a list of sections, no floor.
 bool is_linkers(const fs::path& map) {
-  std::ifstream file(map);
+  std::istringstream file(beginning_of(map));
   std::string first;
   while (first.empty() && std::getline(file, first)) {
   }

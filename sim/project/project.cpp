@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
+#include "sim/base/json_limits.h"
 #include "sim/base/spelling.h"
 #include "sim/project/board_names.h"
 #include "sim/project/files.h"
@@ -26,7 +28,9 @@ bool is_file(const fs::path& path) {
 nlohmann::json build_options(const fs::path& folder) {
   const fs::path file = folder / "build.options.json";
   if (!is_file(file)) return nullptr;
-  return nlohmann::json::parse(read_file(file, kMostProjectFile_bytes), nullptr, false);
+  const std::string text = read_file(file, kMostProjectFile_bytes);
+  if (!is_within_json_limits(text)) return nlohmann::json(nlohmann::json::value_t::discarded);
+  return nlohmann::json::parse(text, nullptr, false);
 }
 
 std::string text_in(const nlohmann::json& object, const char* key) {
@@ -136,6 +140,7 @@ std::vector<fs::path> sketchbooks() {
   if (!home_text || *home_text != '/') return books;
   const fs::path home = home_text;
   for (const fs::path& root : {home, home / "snap/arduino/current"}) {
+    for (const char* name : {".arduino15", ".arduinoIDE"}) extend_file_scope(root / name);
     const fs::path preferences = root / ".arduino15/preferences.txt";
     if (is_file(preferences)) {
       const std::string text = "\n" + read_file(preferences, kMostProjectFile_bytes);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/file.h"
+#include "sim/base/file_scope.h"
 #include "sim/robot/description.h"
 
 namespace robosim::robot {
@@ -128,6 +129,7 @@ fs::path find_base(const ConfigValue& base, const fs::path& from) {
   const std::string& name = as_string(base, "base");
   if (name.find_first_of("/.") != std::string::npos) {
     const fs::path path = from.parent_path() / name;
+    check_in_scope(path, base.place);
     std::error_code error;
     if (!fs::is_regular_file(path, error))
       throw InputError(base.place,

@@ -1,10 +1,13 @@
 #include "sim/serve/folder.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "sim/base/error.h"
-#include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/launch/names.h"
 
@@ -17,15 +20,10 @@ constexpr int kDeepest = 3;
 constexpr std::size_t kMost = 500;
 constexpr std::size_t kLongestToml = 256 * 1024;
 
-bool is_within(const fs::path& path, const fs::path& folder) {
-  const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-  return end == folder.end();
-}
-
 // Whether a table of it is an [[agent]]; what is too long for TOML has none.
-bool names_robots(const fs::path& file) {
+bool names_robots(const HeldFolder& root, const std::string& file) {
   try {
-    std::istringstream lines(read_file(file, kLongestToml));
+    std::istringstream lines(root.read(file, kLongestToml));
     for (std::string line; std::getline(lines, line);) {
       const std::size_t begin = line.find_first_not_of(" \t");
       if (begin != line.npos && line.compare(begin, 9, "[[agent]]") == 0) return true;
@@ -35,24 +33,27 @@ bool names_robots(const fs::path& file) {
   return false;
 }
 
-void look(const fs::path& folder, const fs::path& root, int depth, Choices& choices) {
+// `below`: "." or "./some/folder".
+void look(const HeldFolder& root, const std::string& below, int depth, Choices& choices) {
+  const Descriptor folder = root.open(below, O_RDONLY | O_DIRECTORY);
+  if (!folder.is_open()) return;
   std::error_code error;
-  const std::string below = folder == root ? "." : "./" + fs::relative(folder, root, error).string();
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+  const fs::path names = "/proc/self/fd/" + std::to_string(folder.get());
+  for (const fs::directory_entry& entry : fs::directory_iterator(names, error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(".") || !is_within(fs::weakly_canonical(entry.path(), error), root)) continue;
-    if (entry.is_directory(error)) {
-      if (depth < kDeepest) look(entry.path(), root, depth + 1, choices);
-      continue;
-    }
-    if (!entry.is_regular_file(error)) continue;
-    const std::string extension = entry.path().extension().string();
+    if (name.starts_with(".")) continue;
     const std::string path = below + "/" + name;
+    const Descriptor found = root.open(path, O_PATH);
+    struct stat info {};
+    if (!found.is_open() || ::fstat(found.get(), &info) != 0) continue;
+    if (S_ISDIR(info.st_mode) && depth < kDeepest) look(root, path, depth + 1, choices);
+    if (!S_ISREG(info.st_mode)) continue;
+    const std::string extension = fs::path(name).extension().string();
     if (extension == ".ino" && (choices.sketches.empty() || choices.sketches.back() != below))
       choices.sketches.push_back(below);
     if (is_image(name)) choices.sketches.push_back(path);
     if (extension == ".toml" && name != "checks.toml")
-      (names_robots(entry.path()) ? choices.sketches : choices.robots).push_back(path);
+      (names_robots(root, path) ? choices.sketches : choices.robots).push_back(path);
     if (extension == ".map") choices.maps.push_back(path);
   }
 }
@@ -68,10 +69,9 @@ void finish(std::vector<std::string>& own, const std::vector<std::string>& ours)
 
 bool is_image(const std::string& name) { return name.ends_with(".hex") || name.ends_with(".elf"); }
 
-Choices choices_in(const fs::path& folder) {
+Choices choices_in(const HeldFolder& folder) {
   Choices choices;
-  const fs::path root = fs::canonical(folder);
-  look(root, root, 1, choices);
+  look(folder, ".", 1, choices);
   finish(choices.sketches, build::stock_sketches());
   finish(choices.robots, launch::names_in(launch::stock_robot_folder(), ".toml"));
   finish(choices.maps, launch::names_in(launch::stock_map_folder(), ".map"));

@@ -2,9 +2,10 @@
 // request names one of these; it never is a path.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "sim/base/file_scope.h"
 
 namespace robosim::serve {
 
@@ -16,7 +17,7 @@ struct Choices {
 
 /// Looks at the folder anew, three levels deep. Hidden ones are left out, and what a symbolic link leads out
 /// of it to. At most 500 of each.
-Choices choices_in(const std::filesystem::path& folder);
+Choices choices_in(const HeldFolder& folder);
 /// Whether it is firmware for a chip, that something else has built.
 bool is_image(const std::string& name);
 

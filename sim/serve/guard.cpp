@@ -21,6 +21,10 @@ bool is_plain(std::string_view path) {
   return path.find("..") == path.npos && path.find("//") == path.npos;
 }
 
+bool is_count(std::string_view text) {
+  return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos;
+}
+
 // Takes as long for a wrong one as for another.
 bool equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
@@ -61,10 +65,16 @@ std::optional<Refusal> Guard::refuse(const Asked& asked) const {
     return Refusal{403, "a page of another site may not use Robosim"};
   if (!token_.empty() && !equal(asked.token, token_))
     return Refusal{401, "the token is missing: open the address that robosim serve has printed"};
+  if (asked.range.find(',') != asked.range.npos)
+    return Refusal{416, "the header Range has several ranges: expected one at most"};
   if (asked.method == "GET" || asked.method == "HEAD") return std::nullopt;
   if (asked.method != "POST") return Refusal{405, "allowed are GET and POST"};
   if (asked.robosim.empty()) return Refusal{403, "the header X-Robosim is missing"};
   if (asked.content_type != "application/json") return Refusal{415, "what is sent must be application/json"};
+  if (!asked.content_encoding.empty())
+    return Refusal{415, "the body has a Content-Encoding: expected none; send the JSON as it is"};
+  if (!asked.transfer_encoding.empty() || !is_count(asked.content_length))
+    return Refusal{411, "the length of the body is not known: expected a Content-Length in bytes"};
   return std::nullopt;
 }
 

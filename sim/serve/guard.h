@@ -5,6 +5,12 @@
 //   Origin           if there is one, it must be ours
 //   Sec-Fetch-Site   if there is one: "same-origin", or "none" (typed by a person)
 //   X-Robosim        must be there where something is done: a form of another site cannot send it
+//
+// The others say how large a request becomes, so that the HTTP library reads none that is larger:
+//   Range            at most one, for the answer has the page once for each
+//   Content-Encoding none: a few bytes may unpack to any number
+//   Transfer-Encoding, Content-Length   the length is said before the body comes
+//
 // Where others than this machine may connect, a token is wanted, too.
 #pragma once
 
@@ -25,6 +31,10 @@ struct Asked {
   std::string robosim;  ///< X-Robosim
   std::string content_type;
   std::string token;  ///< from the query or the cookie
+  std::string range;
+  std::string content_encoding;
+  std::string transfer_encoding;
+  std::string content_length;
 };
 
 struct Refusal {

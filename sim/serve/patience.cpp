@@ -9,8 +9,11 @@
 #include <charconv>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "sim/serve/received.h"
 
 namespace robosim::serve {
 namespace {
@@ -19,6 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kReadAtOnce = 64 * 1024, kMostAway = 4 * 1024 * 1024;
 constexpr int kPause_ms = 100;  // with nothing in it there is no more
+constexpr std::size_t kMostHead = 64 * 1024;
+constexpr auto kLook = std::chrono::milliseconds(20);  // so often heads are looked at
+constexpr std::string_view kHeadTooLong =
+    "HTTP/1.1 431 Request Header Fields Too Large\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
 
 ino_t inode_of(int descriptor) {
   struct stat status {};
@@ -73,7 +80,7 @@ void Patience::answer(Connection* connection, const std::function<void()>& work)
   if (own_) {
     const std::lock_guard lock(mutex_);
     own_->since = Clock::now();
-    own_->awaited = true;
+    own_->awaited = own_->head_awaited = true;
     changed_.notify_one();
   }
   work();
@@ -82,9 +89,16 @@ void Patience::answer(Connection* connection, const std::function<void()>& work)
   connections_.remove_if([&](const Connection& one) { return &one == connection; });
 }
 
+void Patience::head_is_here() {
+  if (!own_) return;
+  const std::lock_guard lock(mutex_);
+  own_->head_awaited = false;
+}
+
 void Patience::is_here() {
   if (!own_) return;
   const std::lock_guard lock(mutex_);
+  own_->head_awaited = false;
   own_->awaited = false;
 }
 
@@ -101,19 +115,28 @@ void Patience::read_away() {
   }
 }
 
+bool Patience::floods(const Connection& one) {
+  return one.head_awaited && inode_of(one.socket) == one.inode && bytes_taken(one.socket) > kMostHead;
+}
+
 void Patience::watch() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
     auto next = Clock::time_point::max();
     for (Connection& one : connections_) {
       if (!one.awaited) continue;
-      if (one.since + most_ > Clock::now()) {
-        next = std::min(next, one.since + most_);
+      const auto now = Clock::now();
+      const bool too_long = floods(one);
+      if (one.since + most_ > now && !too_long) {
+        next = std::min({next, one.since + most_, one.head_awaited ? now + kLook : Clock::time_point::max()});
         continue;
       }
-      one.awaited = false;
+      one.awaited = one.head_awaited = false;
       if (inode_of(one.socket) != one.inode) continue;  // the library has closed it just now
-      (void)::send(one.socket, answer_.data(), answer_.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+      const std::string_view answer = too_long ? kHeadTooLong : std::string_view(answer_);
+      const linger at_once{1, 0};  // or a client that goes on sending waits for room that never comes
+      if (too_long) ::setsockopt(one.socket, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+      (void)::send(one.socket, answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
       ::shutdown(one.socket, SHUT_RDWR);
     }
     if (next == Clock::time_point::max())

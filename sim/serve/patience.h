@@ -1,5 +1,6 @@
-// How long a client may take to send a request. The HTTP library limits only the time from one byte to the
-// next, so that whoever sends one now and then would keep one of its threads.
+// How long a client may take to send a request, and how long the head of it may be. The HTTP library limits
+// only the time from one byte to the next, so that a client that sends one now and then would keep one of its
+// threads; and the length of a header, but not their number.
 #pragma once
 
 #include <sys/types.h>
@@ -29,6 +30,7 @@ class Patience {
   void answer(Connection* connection, const std::function<void()>& work);
 
   // Of the connection that this thread answers:
+  void head_is_here();
   void is_here();    ///< the request, as a whole
   void read_away();  ///< what comes of one that is answered already, or its sender would not see the answer
 
@@ -39,8 +41,10 @@ class Patience {
     ino_t inode = 0;  // the number of a socket is used again
     Clock::time_point since{};
     bool awaited = false;
+    bool head_awaited = false;
   };
   void watch();
+  static bool floods(const Connection& one);
 
   static thread_local Connection* own_;
 

@@ -16,6 +16,7 @@
 #include "sim/serve/patience.h"
 #include "sim/serve/shelf.h"
 #include "sim/serve/workshop.h"
+#include "sim/wire/json_parse.h"
 
 namespace robosim::serve {
 namespace {
@@ -50,20 +51,27 @@ bool has_body(const Request& request) {
   return request.has_header("Transfer-Encoding") || request.has_header("Content-Length");
 }
 
-// Of two names neither is meant.
-std::string host_of(const Request& request) {
-  return request.get_header_value_count("Host") == 1 ? request.get_header_value("Host") : "";
+// The values of a header, with commas where a request repeats it.
+std::string all_of(const Request& request, const char* header) {
+  std::string all;
+  const auto [begin, end] = request.headers.equal_range(header);
+  for (auto one = begin; one != end; ++one) all += (one == begin ? "" : ",") + one->second;
+  return all;
 }
 
 Asked asked_of(const Request& request) {
   return {request.method,
           request.target.substr(0, request.target.find('?')),
-          host_of(request),
+          all_of(request, "Host"),
           request.get_header_value("Origin"),
           request.get_header_value("Sec-Fetch-Site"),
           request.get_header_value("X-Robosim"),
           request.get_header_value("Content-Type"),
-          token_of(request)};
+          token_of(request),
+          all_of(request, "Range"),
+          all_of(request, "Content-Encoding"),
+          all_of(request, "Transfer-Encoding"),
+          all_of(request, "Content-Length")};
 }
 
 void refuse(Response& response, const Refusal& refusal) {
@@ -221,12 +229,11 @@ struct Server::Inside {
   }
 
   httplib::Server::HandlerResponse check(const Request& request, Response& response) {
+    patience.head_is_here();
     if (request.method != "POST") patience.is_here();
     auto refusal = guard.refuse(asked_of(request));
-    const bool is_long =
-        request.has_header("Transfer-Encoding") ||
-        std::strtoull(request.get_header_value("Content-Length").c_str(), nullptr, 10) > kLongestBody;
-    if (!refusal && is_long && request.path != kFiles) refusal = kTooLong;
+    const auto length = std::strtoull(request.get_header_value("Content-Length").c_str(), nullptr, 10);
+    if (!refusal && length > (request.path == kFiles ? kLongestImage : kLongestBody)) refusal = kTooLong;
     if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
     refuse(response, *refusal);
     return httplib::Server::HandlerResponse::Handled;
@@ -251,7 +258,7 @@ struct Server::Inside {
 
   void list(Response& response) const {
     const Choices choices = choices_in(workshop.folder());
-    response.set_content(json_text({{"folder", workshop.folder().filename().string()},
+    response.set_content(json_text({{"folder", workshop.folder().path().filename().string()},
                                     {"sketches", choices.sketches},
                                     {"robots", choices.robots},
                                     {"maps", choices.maps}}),
@@ -319,7 +326,7 @@ struct Server::Inside {
   }
 
   void ask(const Request& request, Response& response) {
-    const Json json = Json::parse(request.body, nullptr, false);
+    const Json json = wire::parsed_json(request.body);
     if (!json.is_object() || request.body.size() > kLongestRequest)
       return refuse(response, {400, "what is sent is no JSON object of at most 4000 bytes"});
     if (!workshop.ask(std::stoi(request.matches[1].str()), json_text(json) + "\n"))

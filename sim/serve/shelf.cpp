@@ -1,8 +1,14 @@
 #include "sim/serve/shelf.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -13,6 +19,7 @@
 #include "sim/grid/map.h"
 #include "sim/launch/names.h"
 #include "sim/record/floor_shapes.h"
+#include "sim/wire/json_parse.h"
 #include "sim/wire/json_writer.h"
 
 namespace robosim::serve {
@@ -21,28 +28,61 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+constexpr std::size_t kLongestMap = 256 * 1024;
+
 bool has_ending(const std::string& name, std::string_view ending) { return name.ends_with(ending); }
 
-// Where it goes; below `folder`.
-fs::path place_of(const fs::path& folder, const std::string& name) {
+// Where it goes, below `folder`.
+fs::path place_of(const HeldFolder& folder, const std::string& name) {
   if (name.starts_with("./")) {  // one that is there, and no link leads out to it
     const Choices choices = choices_in(folder);
     if (has_ending(name, ".map") &&
         std::find(choices.maps.begin(), choices.maps.end(), name) != choices.maps.end())
-      return folder / name.substr(2);
+      return name.substr(2);
   }
   static const std::regex plain("[A-Za-z0-9][A-Za-z0-9_-]{0,62}\\.(ino|hex|elf|toml|map)");
   if (!std::regex_match(name, plain) || name == "checks.toml")
     throw InputError(
         "the name of a file must end with .ino, .hex, .elf, .toml or .map, and before that have 1 to 63 "
         "letters, digits, - and _; checks.toml is not written");
-  return has_ending(name, ".ino") ? folder / fs::path(name).stem() / name : folder / name;
+  return has_ending(name, ".ino") ? fs::path(name).stem() / name : fs::path(name);
+}
+
+// By handles, so that no link leads elsewhere, whenever it appears.
+void write_below(const HeldFolder& folder, const fs::path& place, const Offered& offered) {
+  const auto foreign = [&] {
+    return InputError(offered.name + " is there, and is no file of the folder's own");
+  };
+  const auto parent = [&] {
+    const fs::path above = place.has_parent_path() ? place.parent_path() : fs::path(".");
+    return folder.open(above, O_PATH | O_DIRECTORY, HeldFolder::Links::refused);
+  };
+  Descriptor into = parent();
+  if (!into.is_open() && errno == ENOENT) {
+    ::mkdirat(folder.handle(), place.parent_path().c_str(), 0777);
+    into = parent();
+  }
+  if (!into.is_open()) throw foreign();
+  const std::string name = place.filename().string(), fresh = fmt::format("{}.tmp{}", name, ::getpid());
+  struct stat info {};
+  if (::fstatat(into.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0) {
+    if (!S_ISREG(info.st_mode)) throw foreign();
+    if (!offered.replace) throw IsThere{offered.name + " is there already"};
+  }
+  ::unlinkat(into.get(), fresh.c_str(), 0);
+  const int how = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  const Descriptor file(::openat(into.get(), fresh.c_str(), how, 0666));
+  int problem = file.is_open() ? write_all(file.get(), offered.text) : errno;
+  if (problem == 0 && ::renameat(into.get(), fresh.c_str(), into.get(), name.c_str()) != 0) problem = errno;
+  if (problem == 0) return;
+  ::unlinkat(into.get(), fresh.c_str(), 0);
+  throw InputError({offered.name}, std::string("cannot be written: ") + std::strerror(problem));
 }
 
 }  // namespace
 
 Offered read_offered(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = wire::parsed_json(text);
   if (!json.is_object()) throw InputError("what is sent is no JSON object");
   Offered offered;
   for (const auto& item : json.items()) {
@@ -65,30 +105,22 @@ Offered read_offered(const std::string& text) {
   return offered;
 }
 
-std::string keep(const fs::path& folder, const Offered& offered) {
-  const fs::path root = fs::canonical(folder), place = place_of(root, offered.name);
+std::string keep(const HeldFolder& folder, const Offered& offered) {
+  const fs::path place = place_of(folder, offered.name);
   if (has_ending(offered.name, ".map")) grid::parse_map(offered.text, offered.name);
   if (has_ending(offered.name, ".elf")) target_of_elf(offered.text, offered.name);
   if (has_ending(offered.name, ".hex") && !offered.text.starts_with(":"))
     throw InputError(offered.name + ":1: is no line of an Intel HEX file");
-  std::error_code error;
-  const fs::path parent = place.parent_path();
-  if (fs::is_symlink(fs::symlink_status(parent, error)) || fs::is_symlink(fs::symlink_status(place, error)) ||
-      (fs::exists(place, error) && !fs::is_regular_file(place, error)))
-    throw InputError(offered.name + " is there, and is no file of the folder's own");
-  if (fs::exists(place, error) && !offered.replace) throw IsThere{offered.name + " is there already"};
-  fs::create_directory(parent, error);
-  write_file(place, offered.text);
-  return "./" + fs::relative(place, root).string();
+  write_below(folder, place, offered);
+  return "./" + place.string();
 }
 
-std::string map_text(const fs::path& folder, const std::string& name) {
+std::string map_text(const HeldFolder& folder, const std::string& name) {
   const Choices choices = choices_in(folder);
   if (std::find(choices.maps.begin(), choices.maps.end(), name) == choices.maps.end())
     throw InputError("there is no map of that name in the folder that is served, nor of ours");
-  constexpr std::size_t kLongest = 256 * 1024;
-  return read_file(name.starts_with("./") ? folder / name : launch::stock_map_folder() / (name + ".map"),
-                   kLongest);
+  if (name.starts_with("./")) return folder.read(name, kLongestMap);
+  return read_file(launch::stock_map_folder() / (name + ".map"), kLongestMap);
 }
 
 std::string floor_of(const Offered& offered) {

@@ -2,8 +2,6 @@
 // else is written, nowhere else, and nothing over what is there unless that is said.
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <string>
 
 #include "sim/serve/folder.h"
@@ -27,10 +25,10 @@ struct IsThere {
 
 /// Keeps it; a sketch Mine.ino is in a folder Mine. Gives its place in the folder, "./Mine/Mine.ino". Throws
 /// InputError for other names, for what is no text, and for a map that is none.
-std::string keep(const std::filesystem::path& folder, const Offered& offered);
+std::string keep(const HeldFolder& folder, const Offered& offered);
 
 /// The text of a map of Choices. Throws InputError.
-std::string map_text(const std::filesystem::path& folder, const std::string& name);
+std::string map_text(const HeldFolder& folder, const std::string& name);
 
 /// The floor of a map's text, as JSON (docs/recordings.md). Throws InputError with the map reader's sentence.
 std::string floor_of(const Offered& map);

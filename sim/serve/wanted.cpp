@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/launch/fleet.h"
 #include "sim/serve/workshop.h"
+#include "sim/wire/json_parse.h"
 #include "sim/wire/run_request.h"
 
 namespace robosim::serve {
@@ -59,7 +60,7 @@ std::map<std::string, std::string> scripts_in(const Json& json) {
 }  // namespace
 
 Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
-  const Json json = Json::parse(text_of_it, nullptr, false);
+  const Json json = wire::parsed_json(text_of_it);
   if (!json.is_object()) throw InputError("what is sent is no JSON object");
   for (const auto& item : json.items()) {
     const char* const known[] = {"sketch", "robot", "map",    "target", "seed",

@@ -5,14 +5,21 @@
 #include <limits.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/sketch.h"
+
+extern char** environ;
 
 namespace robosim::serve {
 namespace {
@@ -24,10 +31,25 @@ constexpr std::size_t kMostText = 1 << 20;       // of what a run prints
 constexpr std::size_t kLongestLine = 16 << 20;   // that a watched run tells: a floor may be in it
 constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
-fs::path new_folder() {
-  std::string name = (fs::temp_directory_path() / "robosim-serve-XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw InputError({name}, "cannot be made");
-  return name;
+constexpr const char* kFolders = "robosim-serve-";
+
+/// Holds a folder until the descriptor is closed, also by a kill. Closed: another server holds it.
+Descriptor hold(const fs::path& folder) {
+  Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (held.is_open() && ::flock(held.get(), LOCK_EX | LOCK_NB) != 0) held.close();
+  return held;
+}
+
+/// Removes the folders of servers of this user that were killed.
+void remove_abandoned(const fs::path& place) {
+  std::error_code error;
+  for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    struct stat info {};
+    if (!entry->path().filename().string().starts_with(kFolders)) continue;
+    if (::lstat(entry->path().c_str(), &info) != 0 || info.st_uid != ::geteuid()) continue;
+    std::error_code ignored;
+    if (const Descriptor held = hold(entry->path()); held.is_open()) fs::remove_all(entry->path(), ignored);
+  }
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
@@ -36,7 +58,34 @@ fs::path script_file(const fs::path& folder, int number, const std::string& robo
   return folder / fmt::format("{}", number) / (robot + ".txt");
 }
 
+std::vector<std::string> environment_with(const std::string& variable) {
+  std::vector<std::string> all;
+  const std::string_view name(variable.data(), variable.find('=') + 1);
+  for (char** one = environ; *one; ++one)
+    if (!std::string_view(*one).starts_with(name)) all.emplace_back(*one);
+  all.push_back(variable);
+  return all;
+}
+
 }  // namespace
+
+PageFolder::PageFolder() {
+  const fs::path place = fs::temp_directory_path();
+  remove_abandoned(place);
+  struct stat info {};
+  do {  // another server may take it for abandoned before it is held
+    std::string name = (place / (std::string(kFolders) + "XXXXXX")).string();
+    if (!::mkdtemp(name.data()))
+      throw InputError({name}, std::string("cannot be made: ") + std::strerror(errno));
+    path_ = name;
+    held_ = hold(path_);
+  } while (!held_.is_open() || ::fstat(held_.get(), &info) != 0 || info.st_nlink == 0);
+}
+
+PageFolder::~PageFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
 
 /// A run's place among those that are under way; false: there was none left.
 class Workshop::Place {
@@ -75,12 +124,7 @@ class Workshop::Listening {
 };
 
 Workshop::Workshop(fs::path robosim, fs::path folder)
-    : robosim_(std::move(robosim)), folder_(fs::canonical(folder)), kept_(new_folder()) {}
-
-Workshop::~Workshop() {
-  std::error_code ignored;
-  fs::remove_all(kept_, ignored);
-}
+    : robosim_(std::move(robosim)), folder_(fs::canonical(folder)) {}
 
 ChildStart Workshop::start_of(const Wanted& wanted, int number) const {
   ChildStart start;
@@ -91,22 +135,24 @@ ChildStart Workshop::start_of(const Wanted& wanted, int number) const {
   if (!is_image(wanted.sketch)) option("--target", wanted.target);
   option("--seed", std::to_string(wanted.seed));
   option("--for", fmt::format("{}s", wanted.for_s));
-  option("--record", page_file(kept_, number).string());
+  option("--record", page_file(pages_.path(), number).string());
   option("--robot", wanted.robot);
   option("--map", wanted.map);
   option("--goal", wanted.goal);
-  fs::create_directory(script_file(kept_, number).parent_path());
+  fs::create_directory(script_file(pages_.path(), number).parent_path());
   if (!wanted.script.empty()) {
-    const fs::path script = script_file(kept_, number);
+    const fs::path script = script_file(pages_.path(), number);
     write_file(script, wanted.script);
     option("--script", script.string());
   }
   for (const auto& [robot, text] : wanted.scripts) {
-    const fs::path script = script_file(kept_, number, robot);
+    const fs::path script = script_file(pages_.path(), number, robot);
     write_file(script, text);
     option("--script", robot + "=" + script.string());
   }
-  start.folder = folder_;
+  start.folder = folder_.path();
+  start.environment =
+      environment_with(file_scope_variable({folder_.path(), pages_.path(), build::cache_folder()}));
   start.own_group = true;
   start.input = ChildStart::kNothing;
   return start;
@@ -149,9 +195,9 @@ Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources
 
 void Workshop::put_away(int number, Done& done) const {
   std::error_code ignored;
-  fs::remove_all(script_file(kept_, number).parent_path(), ignored);
-  if (fs::exists(page_file(kept_, number), ignored)) done.recording = number;
-  fs::remove(page_file(kept_, number - static_cast<int>(kKept)), ignored);
+  fs::remove_all(script_file(pages_.path(), number).parent_path(), ignored);
+  if (fs::exists(page_file(pages_.path(), number), ignored)) done.recording = number;
+  fs::remove(page_file(pages_.path(), number - static_cast<int>(kKept)), ignored);
 }
 
 std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
@@ -240,7 +286,7 @@ int Workshop::next_number() {
 
 std::string Workshop::page_of(int recording) const {
   try {
-    return read_file(page_file(kept_, recording), kLongestPage);
+    return read_file(page_file(pages_.path(), recording), kLongestPage);
   } catch (const InputError&) {
     return "";
   }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/base/child.h"
+#include "sim/base/file_scope.h"
 #include "sim/serve/folder.h"
 
 namespace robosim::serve {
@@ -33,6 +34,18 @@ struct Wanted {
 /// be chosen.
 Wanted read_wanted(const std::string& json, const Choices& choices);
 
+/// A temporary folder for the pages of runs. The next server of this user removes it if this one is killed.
+class PageFolder {
+ public:
+  PageFolder();
+  ~PageFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  Descriptor held_;
+};
+
 class Workshop {
  public:
   static constexpr int kAtOnce = 2;            ///< runs
@@ -42,7 +55,6 @@ class Workshop {
 
   /// `robosim`: the program. Pages are kept in a temporary folder until this ends.
   Workshop(std::filesystem::path robosim, std::filesystem::path folder);
-  ~Workshop();
 
   /// How a run ended.
   struct Done {
@@ -72,7 +84,7 @@ class Workshop {
   /// The page of a run; "" if it is not kept any more.
   std::string page_of(int recording) const;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const HeldFolder& folder() const { return folder_; }
 
  private:
   class Place;
@@ -88,7 +100,9 @@ class Workshop {
   Done follow(Child& child, const std::vector<Source>& sources, double longest_s) const;
   void put_away(int number, Done& done) const;
 
-  const std::filesystem::path robosim_, folder_, kept_;
+  const std::filesystem::path robosim_;
+  const HeldFolder folder_;
+  const PageFolder pages_;
   mutable std::mutex mutex_;
   std::atomic<bool> ending_{false};
   int running_ = 0;

@@ -13,7 +13,9 @@ struct Hostile {
 
 Asked get(const char* path) { return {"GET", path, "127.0.0.1:8080", "", "", "", "", ""}; }
 Asked post(const char* origin, const char* site, const char* robosim, const char* type) {
-  return {"POST", "/api/run", "127.0.0.1:8080", origin, site, robosim, type, ""};
+  Asked asked{"POST", "/api/run", "127.0.0.1:8080", origin, site, robosim, type, ""};
+  asked.content_length = "2";
+  return asked;
 }
 Asked host(const char* name) { return {"GET", "/", name, "", "", "", "", ""}; }
 
@@ -70,6 +72,26 @@ TEST(Guard, AnswersItsOwnPageByEachNameOfThisMachine) {
     EXPECT_FALSE(guard.refuse(host(name))) << name;
   EXPECT_FALSE(guard.refuse(post("http://127.0.0.1:8080", "same-origin", "1", "application/json")));
   EXPECT_EQ(guard.url(), "http://127.0.0.1:8080/");
+}
+
+TEST(Guard, LetsNoRequestGrow) {
+  const Guard guard("127.0.0.1", 8080, "");
+  const Asked good = post("", "", "1", "application/json");
+  ASSERT_FALSE(guard.refuse(good));
+  const auto status = [&](std::string Asked::*header, const char* value) {
+    Asked asked = good;
+    asked.*header = value;
+    const auto refusal = guard.refuse(asked);
+    return refusal ? refusal->status : 200;
+  };
+  for (const char* coding : {"gzip", "deflate", "br", "GZIP", "identity, gzip", ",gzip"})
+    EXPECT_EQ(status(&Asked::content_encoding, coding), 415) << coding;
+  for (const char* coding : {"chunked", "identity", ",chunked"})
+    EXPECT_EQ(status(&Asked::transfer_encoding, coding), 411) << coding;
+  for (const char* length : {"", "-1", "2,2", "0x10", "1e9", " 2", "99999999999999999999"})
+    EXPECT_EQ(status(&Asked::content_length, length), 411) << length;
+  EXPECT_EQ(status(&Asked::range, "bytes=0-1"), 200);
+  EXPECT_EQ(status(&Asked::range, "bytes=0-1,0-1"), 416);
 }
 
 TEST(Guard, WantsATokenWhereOthersMayConnect) {

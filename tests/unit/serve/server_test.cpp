@@ -8,9 +8,12 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -209,6 +212,96 @@ TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
   }
 }
 
+TEST_F(Serving, ReadsNoBodyThatGrows) {
+  serve("echo ran\n");
+  const std::string head =
+      "POST /api/file HTTP/1.1\r\nHost: " + host() + "\r\nX-Robosim: 1\r\nContent-Type: application/json\r\n";
+  const auto answer = [&](const std::string& request) {
+    const Descriptor socket = connected(port());
+    ::send(socket.get(), request.data(), request.size(), MSG_NOSIGNAL);
+    return read_all(socket).substr(0, 12);
+  };
+  for (const char* coding : {"gzip", "deflate", "br"})
+    EXPECT_EQ(answer(head + "Content-Encoding: " + coding + "\r\nContent-Length: 2\r\n\r\n{}"),
+              "HTTP/1.1 415")
+        << coding;
+  EXPECT_EQ(answer(head + "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), "HTTP/1.1 411");
+  EXPECT_EQ(answer(head + "\r\n{}"), "HTTP/1.1 411") << "it would be read until the client closes";
+  EXPECT_EQ(answer(head + "Content-Length: 2\r\nContent-Length: 2\r\n\r\n{}"), "HTTP/1.1 411");
+  EXPECT_EQ(answer(head + "Content-Length: 999999999\r\n\r\n{}"), "HTTP/1.1 413");
+}
+
+TEST_F(Serving, CopiesAPageOncePerRequest) {
+  serve("");
+  std::string ranges = "bytes=0-";
+  for (int i = 0; i < 1500; ++i) ranges += ",0-";
+  EXPECT_EQ(http_->Get("/live.html", {{"Range", ranges}})->status, 416);
+  EXPECT_LT(http_->Get("/live.html", {{"Range", ranges}})->body.size(), 1'000'000u);
+  EXPECT_EQ(http_->Get("/bench.css", {{"Range", "bytes=0-9"}})->body.size(), 10u);
+}
+
+TEST_F(Serving, ReadsNoJsonThatIsNestedDeeply) {
+  serve("echo ran\n");
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_EQ(run(deep)->status, 400);
+  EXPECT_EQ(run(R"({"sketch": "./Mine", "x": )" + deep + "}")->status, 400);
+  EXPECT_EQ(
+      http_->Post("/api/live/1", "{\"a\": " + deep.substr(99'000, 2'000) + "}", "application/json")->status,
+      400);
+  for (const char* path : {"/api/file", "/api/map", "/api/floor"})
+    EXPECT_EQ(http_->Post(path, R"({"name": )" + deep + "}", "application/json")->status, 400) << path;
+}
+
+TEST_F(Serving, HandsEachRunTheFoldersThatItMayRead) {
+  serve("echo \"$ROBOSIM_FILE_SCOPE\"\n");
+  const auto answer = run(R"({"sketch": "./Mine"})");
+  ASSERT_TRUE(answer);
+  EXPECT_THAT(answer->body, HasSubstr("{\"say\":\"" + root().string() + "\\n"));
+}
+
+TEST_F(Serving, RemovesTheFolderOfAServerThatWasKilled) {
+  const auto folders = [&] {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(outside_.path() / "tmp"))
+      found.push_back(entry.path().filename().string());
+    return found;
+  };
+  fs::create_directory(outside_.path() / "tmp");
+  const char* const usual = std::getenv("TMPDIR");
+  const std::string before = usual ? usual : "";
+  ::setenv("TMPDIR", (outside_.path() / "tmp").c_str(), 1);
+  const pid_t killed = ::fork();
+  if (killed == 0) {
+    const PageFolder pages;
+    ::kill(::getpid(), SIGKILL);
+  }
+  ::waitpid(killed, nullptr, 0);
+  EXPECT_EQ(folders().size(), 1u);
+  {
+    const PageFolder first, second;
+    EXPECT_EQ(folders().size(), 2u) << "the killed server's is gone, and no living one's";
+  }
+  EXPECT_TRUE(folders().empty());
+  before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
+}
+
+TEST_F(Serving, WritesThroughNoLinkWhicheverFolderItReplaces) {
+  serve("");
+  fs::create_directory(outside_.path() / "target");
+  fs::create_directory_symlink(outside_.path() / "target", root() / "New");
+  write(outside_.path() / "target.map", "");
+  fs::create_symlink(outside_.path() / "target.map", root() / "hall.map");
+  fs::create_symlink(outside_.path() / "target.map", root() / ("new.map.tmp" + std::to_string(::getpid())));
+  const auto status = [&](const Json& json) {
+    return http_->Post("/api/file", json.dump(), "application/json")->status;
+  };
+  EXPECT_EQ(status({{"name", "New.ino"}, {"text", "void loop() {}"}, {"replace", true}}), 400);
+  EXPECT_EQ(status({{"name", "hall.map"}, {"text", "S..\n"}, {"replace", true}}), 400);
+  EXPECT_EQ(status({{"name", "new.map"}, {"text", "S..\n"}}), 200);
+  EXPECT_TRUE(fs::is_empty(outside_.path() / "target"));
+  EXPECT_TRUE(fs::is_empty(outside_.path() / "target.map"));
+}
+
 /// Sends `text`, and then a byte now and then, until there is an answer.
 struct Drips {
   Drips(int port, std::string text) {
@@ -235,6 +328,21 @@ TEST_F(Serving, WaitsForNoRequestForEver) {
     EXPECT_THAT(slow.answer, HasSubstr("HTTP/1.1 408")) << begin;
     EXPECT_THAT(slow.answer, HasSubstr("a request must be here within 0.2 s")) << begin;
   }
+}
+
+TEST_F(Serving, ReadsNoHeadWithoutAnEnd) {
+  serve("");
+  const Descriptor socket = connected(port());
+  std::string lines = "GET / HTTP/1.1\r\n";
+  std::size_t sent = 0;
+  constexpr std::size_t kMost = 1u << 30;
+  for (ssize_t size = 0; size >= 0 && sent < kMost; sent += static_cast<std::size_t>(size)) {
+    size = ::send(socket.get(), lines.data(), lines.size(), MSG_NOSIGNAL);
+    lines.clear();
+    while (lines.size() < 100'000) lines += "a:b\r\n";
+    if (size < 0) break;
+  }
+  EXPECT_LT(sent, kMost) << "the connection is closed long before";
 }
 
 TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {

@@ -1,0 +1,223 @@
+#include "sim/base/file_scope.h"
+
+#include <fcntl.h>
+#include <limits.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "sim/base/file.h"
+
+namespace robosim {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostLinks = 40;  // as in Linux
+constexpr const char* kSystem[] = {"/usr", "/lib", "/lib64", "/opt", "/nix"};
+
+std::deque<std::string> steps_of(const fs::path& path) {
+  std::deque<std::string> steps;
+  for (const fs::path& step : path)
+    if (!step.empty() && step != ".") steps.push_back(step.string());
+  return steps;
+}
+
+/// The steps that lead from `folder` to `path`; nothing if it does not begin with `folder`.
+std::optional<std::deque<std::string>> steps_below(const fs::path& folder, const fs::path& path) {
+  const std::deque<std::string> top = steps_of(folder);
+  std::deque<std::string> steps = steps_of(path);
+  if (steps.size() < top.size() || !std::equal(top.begin(), top.end(), steps.begin())) return std::nullopt;
+  steps.erase(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(top.size()));
+  return steps;
+}
+
+fs::path joined(const std::deque<std::string>& steps) {
+  fs::path path;
+  for (const std::string& step : steps) path /= step;
+  return path;
+}
+
+/// Where a link leads; nothing if it is not a link.
+std::optional<fs::path> link_at(int folder, const std::string& name) {
+  char target[PATH_MAX];
+  const ssize_t size = ::readlinkat(folder, name.c_str(), target, sizeof target);
+  if (size < 0) return std::nullopt;
+  return fs::path(std::string(target, static_cast<std::size_t>(size)));
+}
+
+Descriptor fail(int error) {
+  errno = error;
+  return {};
+}
+
+}  // namespace
+
+HeldFolder::HeldFolder(const fs::path& path)
+    : path_(path), handle_(::open(path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
+  if (!handle_.is_open())
+    throw InputError({path.string()}, std::string("cannot be opened: ") + std::strerror(errno));
+}
+
+Descriptor HeldFolder::open(const fs::path& below, int flags, Links allowed) const {
+  if (below.is_absolute()) return fail(EXDEV);
+  std::vector<Descriptor> folders;  // from this one down; `..` goes back to the one that was left
+  std::deque<std::string> left = steps_of(below);
+  int links = 0;
+  const auto here = [&] { return folders.empty() ? handle_.get() : folders.back().get(); };
+  while (!left.empty()) {
+    const std::string step = left.front();
+    left.pop_front();
+    if (step == "..") {
+      if (folders.empty()) return fail(EXDEV);
+      folders.pop_back();
+      continue;
+    }
+    if (std::optional<fs::path> target = link_at(here(), step)) {
+      if (allowed == Links::refused || ++links > kMostLinks) return fail(ELOOP);
+      std::deque<std::string> more = steps_of(*target);
+      if (target->is_absolute()) {
+        auto inside = steps_below(path_, *target);
+        if (!inside) return fail(EXDEV);
+        more = std::move(*inside);
+        folders.clear();
+      }
+      left.insert(left.begin(), more.begin(), more.end());
+      continue;
+    }
+    const bool is_last = left.empty();
+    const int how = is_last ? flags : O_PATH | O_DIRECTORY;
+    Descriptor opened(::openat(here(), step.c_str(), how | O_NOFOLLOW | O_CLOEXEC));
+    if (is_last || !opened.is_open()) return opened;
+    folders.push_back(std::move(opened));
+  }
+  return Descriptor(::openat(here(), ".", flags | O_CLOEXEC));
+}
+
+std::string HeldFolder::read(const fs::path& below, std::size_t most_bytes) const {
+  const Descriptor file = open(below, O_RDONLY | O_NONBLOCK);
+  check_is_file(file, below);
+  return read_file(file, below, most_bytes);
+}
+
+namespace {
+
+class Scope {
+ public:
+  explicit Scope(const char* text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    served_.emplace(line);
+    while (std::getline(lines, line)) add(line);
+    for (const char* folder : kSystem) add(folder);
+    for (const fs::path& folder : {data_folder(), helper_folder()}) add(folder);
+  }
+
+  void add(const fs::path& folder) { others_.push_back(folder); }
+
+  Descriptor open(const fs::path& path, int flags) const {
+    const fs::path file = whole(path);
+    const auto below = steps_below(served_->path(), file);
+    std::size_t depth = below ? depth_of(served_->path()) : 0;
+    bool is_served = below.has_value();
+    bool is_other = false;
+    for (const fs::path& folder : others_) {  // the deepest that holds it says what may be done
+      if (depth_of(folder) <= depth || !holds(folder, file)) continue;
+      depth = depth_of(folder);
+      is_served = false;
+      is_other = true;
+    }
+    if (is_served) return served_->open(joined(*below), flags);
+    return is_other ? Descriptor(::open(file.c_str(), flags | O_CLOEXEC)) : fail(EXDEV);
+  }
+
+  Descriptor open_to_show(const fs::path& path) const {
+    const auto below = steps_below(served_->path(), whole(path));
+    return below ? served_->open(joined(*below), O_PATH)
+                 : Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  }
+
+  bool leads_into_served(const fs::path& path) const {
+    const auto below = steps_below(served_->path(), whole(path));
+    return below && (served_->open(joined(*below), O_PATH).is_open() || errno != EXDEV);
+  }
+
+ private:
+  static fs::path whole(const fs::path& path) {
+    return path.is_absolute() ? path : fs::current_path() / path;
+  }
+  static std::size_t depth_of(const fs::path& path) { return steps_of(path).size(); }
+  static bool holds(const fs::path& folder, const fs::path& file) {
+    const auto below = steps_below(folder, file);
+    return below && std::find(below->begin(), below->end(), "..") == below->end();
+  }
+
+  std::optional<HeldFolder> served_;
+  std::vector<fs::path> others_;
+};
+
+std::mutex scope_mutex;  // of what scope() gives
+
+Scope* scope() {
+  static const std::unique_ptr<Scope> only = [] {
+    const char* const text = std::getenv(kFileScope);
+    return text ? std::make_unique<Scope>(text) : nullptr;
+  }();
+  return only.get();
+}
+
+}  // namespace
+
+std::string file_scope_variable(const std::vector<fs::path>& folders) {
+  std::string text = std::string(kFileScope) + "=";
+  for (const fs::path& folder : folders) text += folder.string() + "\n";
+  return text;
+}
+
+Descriptor open_in_scope(const fs::path& path, int flags) {
+  const Scope* const only = scope();
+  if (!only) return Descriptor(::open(path.c_str(), flags | O_CLOEXEC));
+  const std::lock_guard lock(scope_mutex);
+  return only->open(path, flags);
+}
+
+Descriptor open_to_show(const fs::path& path) {
+  const Scope* const only = scope();
+  if (!only) return Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
+  const std::lock_guard lock(scope_mutex);
+  return only->open_to_show(path);
+}
+
+void extend_file_scope(const fs::path& folder) {
+  Scope* const only = scope();
+  if (!only) return;
+  const std::lock_guard lock(scope_mutex);
+  only->add(folder);
+}
+
+InputError out_of_scope(const fs::path& path, const Place& place) {
+  return {place, "'" + path.string() + "' leads out of the served folder: expected a path inside it"};
+}
+
+void check_in_scope(const fs::path& path, const Place& place) {
+  if (!is_in_scope(path)) throw out_of_scope(path, place);
+}
+
+bool is_in_scope(const fs::path& folder) {
+  const Scope* const only = scope();
+  if (!only) return true;
+  const std::lock_guard lock(scope_mutex);
+  return only->leads_into_served(folder);
+}
+
+}  // namespace robosim

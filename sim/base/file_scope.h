@@ -1,0 +1,65 @@
+// Restricts the files that a process opens by name to a few folders. `robosim serve` does so for the runs of
+// its clients: robots, maps and scripts from the network name files, and none of them may lie elsewhere.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/base/descriptor.h"
+#include "sim/base/error.h"
+
+namespace robosim {
+
+/// A folder, held open, so that nothing that takes its place later is read or written.
+class HeldFolder {
+ public:
+  /// Throws InputError if it cannot be opened.
+  explicit HeldFolder(const std::filesystem::path& path);
+
+  /// Opens a file below this folder, as openat() does with `flags`. Resolves the path step by step: at no
+  /// moment does a `..` or a link lead out, whatever else changes the folder meanwhile. Returns a closed
+  /// descriptor on failure, with errno; EXDEV = the path leads out.
+  /// With Links::refused any link on the way is ELOOP.
+  enum class Links { followed, refused };
+  Descriptor open(const std::filesystem::path& below, int flags, Links links = Links::followed) const;
+
+  /// Returns the content of a file below. Throws InputError as read_file() does.
+  std::string read(const std::filesystem::path& below, std::size_t most_bytes) const;
+
+  const std::filesystem::path& path() const { return path_; }
+  int handle() const { return handle_.get(); }
+
+ private:
+  std::filesystem::path path_;
+  Descriptor handle_;
+};
+
+/// Names the folders for a process and all that it starts, one a line. The first is the served one: names in
+/// files may lead only there. Not set: no restriction.
+inline constexpr const char* kFileScope = "ROBOSIM_FILE_SCOPE";
+
+/// Returns the variable's value, "NAME=…", for the environment of a new process.
+std::string file_scope_variable(const std::vector<std::filesystem::path>& folders);
+
+/// Opens a file as ::open() does. With a scope, only below its folders, Robosim's own and those of the
+/// system's programs; else errno is EXDEV. Links that lead out are followed except from the served folder.
+Descriptor open_in_scope(const std::filesystem::path& path, int flags);
+
+/// Opens what a compiler may see (O_PATH): below the served folder as HeldFolder does, else as ::open() does.
+Descriptor open_to_show(const std::filesystem::path& path);
+
+/// Adds a folder that no file has named, such as that of the user's libraries. Does nothing without a scope.
+void extend_file_scope(const std::filesystem::path& folder);
+
+/// The sentence for a path that leads out.
+InputError out_of_scope(const std::filesystem::path& path, const Place& place = {});
+
+/// Throws InputError if there is a scope and `path`, which something at `place` names, leads out of the
+/// served folder. Whether it exists does not matter.
+void check_in_scope(const std::filesystem::path& path, const Place& place = {});
+
+/// Tells whether there is no scope, or `folder` is the served one or below it.
+bool is_in_scope(const std::filesystem::path& folder);
+
+}  // namespace robosim
