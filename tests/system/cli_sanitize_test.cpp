@@ -121,8 +121,8 @@ TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   std::vector<std::string> words = {"run", sum, "--map", "oval", "--robot", "uno5", "--target", "avr"};
   const Ended screen = robosim_command(words);
   EXPECT_EQ(screen.status, 1) << screen.err;
-  EXPECT_THAT(screen.out, AllOf(HasSubstr("\nlost: "), HasSubstr("ChipSum.ino:9"),
-                                HasSubstr("1000L * analogRead(A1)")));
+  EXPECT_THAT(screen.out,
+              AllOf(HasSubstr("\nlost: "), HasSubstr("ChipSum.ino:9"), HasSubstr("1000L * analogRead(A1)")));
   EXPECT_THAT(screen.out, testing::AnyOf(HasSubstr("\nnext: 1000 * "), HasSubstr(" * 1000 does not fit")))
       << "the compiler chooses the order";
   words.push_back("--json");
