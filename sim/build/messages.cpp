@@ -163,7 +163,7 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, const s
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");
   static const std::regex noise(
-      R"((^|\n)(collect2: error:|[^\n]*\.o: in function |compilation terminated)[^\n]*(?=\n|$))");
+      R"((^|\n)(collect2: error:|[^\n]*\.o: [Ii]n function |compilation terminated)[^\n]*(?=\n|$))");
   output = std::regex_replace(output, noise, "");
   static const std::regex object(R"((^|[\n ])[^\n ]*\.o:(?=[^\n]))");
   output = std::regex_replace(output, object, "$1");
@@ -268,9 +268,12 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
   if (toolchain.target.chip) check_room(toolchain, sketch, output);
   for (const Object& object : objects)
     replace_all(output, object.path.string() + " (symbol from plugin)", object.name);
-  // Without the function in which, which has no line.
-  static const std::regex in_function(R"((: In function [^\n]*\n\(|:\()[.]text[^)]*\): )");
+  // Removes the name of the function, which has no line.
+  static const std::regex in_function(R"((: [Ii]n function [^\n]*\n\(|:\()[.]text[^)]*\): )");
   output = std::regex_replace(output, in_function, ": ");
+  // Puts the first definition on its own line, as GNU ld before 2.35 does.
+  static const std::regex first_definition(R"((multiple definition of [^\n]*'); ([^\n]*first defined here))");
+  output = std::regex_replace(output, first_definition, "$1\n$2");
   const std::string messages = readable(toolchain, sketch.folder, output);
   for (const char* function : {"setup", "loop"})
     if (messages.find(fmt::format("undefined reference to `{}'", function)) != std::string::npos)

@@ -69,8 +69,10 @@ const Target kHost = {
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
         {// gcc defines what << does with negative numbers and with bits that fall out at the top: only the
-         // distance is checked. What is never set shows: gcc fills it with bytes FE.
-         .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern",
+         // distance is checked. What is never set shows: gcc fills it with bytes FE. From gcc 13 on tree-ccp
+         // replaces a filled variable with what another path assigns, and then neither a warning nor a run
+         // shows it.
+         .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
                        "signed-integer-overflow,unreachable,vla-bound"},
@@ -145,8 +147,10 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
+    // avr-gcc 14 does not hand --demangle to avr-ld, which then prints mangled names; it does hand on this
+    // spelling.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
-             "-Wl,--gc-sections"},
+             "-Wl,--gc-sections", "-Wl,-demangle"},
     .link_files = {},
     .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
 };

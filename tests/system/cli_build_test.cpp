@@ -11,6 +11,7 @@ namespace robosim::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
@@ -51,7 +52,9 @@ TEST(CliBuild, ACompileErrorForTheChipNamesFileAndLine) {
   folder.write("My/My.ino", "void setup() {}\nvoid loop() { halt(); }\n");
   const Ended ended = robosim_command({"build", "My/", "--target", "avr"}, folder.path());
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, StartsWith("My.ino:2:20: error: 'halt' was not declared"));
+  // avr-gcc 5.4 points at the end of the call, avr-gcc 14 at its name.
+  EXPECT_THAT(ended.err, AnyOf(StartsWith("My.ino:2:20: error: 'halt' was not declared"),
+                               StartsWith("My.ino:2:15: error: 'halt' was not declared")));
 }
 
 TEST(CliBuild, AMissingLibraryIsNamedWithTheFlagThatAddsFoldersOfThem) {

@@ -15,6 +15,7 @@ namespace robosim::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -43,6 +44,22 @@ class CliCompare : public ::testing::Test {
     const Ended ended = compare(sketch, targets, more);
     EXPECT_EQ(ended.status, 1) << ended.err;
     return json_of(ended)["difference"];
+  }
+  /// The first comparison of host and stm32, by seed, with a robot that is on the edge on both. Whether one
+  /// is depends on microseconds, and so on the releases of both compilers. No seed on the way may blame a
+  /// target.
+  static nlohmann::json first_on_the_edge(const std::vector<std::string>& words, int first_seed) {
+    for (int seed = first_seed; seed < first_seed + 6; ++seed) {
+      std::vector<std::string> all = words;
+      all.insert(all.end(), {"--target", "host,stm32", "--json", "--seed", std::to_string(seed)});
+      const Ended ended = robosim_command(all);
+      EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+      nlohmann::json result = json_of(ended);
+      EXPECT_EQ(result["same"], true);
+      if (result["edges"].size() == 2) return result;
+    }
+    ADD_FAILURE() << "no robot was on the edge";
+    return {};
   }
   static void expect_both_at(const nlohmann::json& difference, const std::string& file, int line,
                              const std::string& function) {
@@ -126,13 +143,10 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
 
 // Which way it turns at this corner is chance, on each target: clocks that are a little off show it.
 TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
-  const Ended ended = robosim_command({"compare", "RightPath", "--map", "tight", "--robot", "uno3",
-                                       "--target", "host,stm32", "--for", "14s", "--json"});
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  const auto result = nlohmann::json::parse(ended.out);
-  EXPECT_EQ(result["same"], true);
-  EXPECT_EQ(result["difference"]["kind"], "motors");
+  auto result =
+      first_on_the_edge({"compare", "RightPath", "--map", "tight", "--robot", "uno3", "--for", "14s"}, 1);
   ASSERT_EQ(result["edges"].size(), 2u);
+  EXPECT_EQ(result["difference"]["kind"], "motors");
   EXPECT_EQ(result["edges"][0]["target"], "host");
   EXPECT_EQ(result["edges"][1]["target"], "stm32");
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
@@ -233,13 +247,13 @@ TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {
 
 // Which of two that meet head-on finds the line again is chance.
 TEST_F(CliCompare, RobotsThatMeetAreOnTheEdgeTogether) {
-  const Ended ended = robosim_command({"compare", "A=PidFollower", "B=PidFollower", "--map", "oval", "--goal",
-                                       "none", "--for", "8s", "--start", "A=10,14,E", "--start", "B=18,14,W",
-                                       "--seed", "3", "--target", "host,stm32", "--json"});
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  const nlohmann::json result = json_of(ended);
-  EXPECT_EQ(result["difference"]["robot"], "B");
-  EXPECT_EQ(result["edges"].size(), 2u);
+  auto result = first_on_the_edge({"compare", "A=PidFollower", "B=PidFollower", "--map", "oval", "--goal",
+                                   "none", "--for", "8s", "--start", "A=10,14,E", "--start", "B=18,14,W"},
+                                  3);
+  ASSERT_EQ(result["edges"].size(), 2u);
+  EXPECT_THAT(result["difference"]["robot"].get<std::string>(), AnyOf("A", "B"));
+  EXPECT_EQ(result["edges"][0]["target"], "host");
+  EXPECT_EQ(result["edges"][1]["target"], "stm32");
 }
 
 TEST_F(CliCompare, WhatCannotBeComparedIsSaidInOneSentence) {

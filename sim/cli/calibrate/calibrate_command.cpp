@@ -36,12 +36,11 @@ void refuse_existing(const std::string& file, const char* option) {
 
 Command parse_calibrate(const std::vector<std::string>& words) {
   CalibrateArguments calibrate;
-  std::vector<std::string> files;
   std::string tape, supply;
   Options options("calibrate",
                   "Fits a robot file's figures to logs of the real robot, and says how sure they are.");
-  options.positionals("ROBOT LOG…", files,
-                      "the robot file, and what the sketch CalibrationLogger has printed");
+  options.positional("ROBOT", calibrate.robot, "the robot file");
+  options.positionals("LOG", calibrate.logs, "files that the sketch CalibrationLogger has printed");
   options.text("--tape", tape, "WIDTH", "of the tape that the sensors swept over, as in \"19 mm\"");
   options.text("--supply", supply, "VOLTS", "of the battery meanwhile, as in \"7.4 V\"");
   options.text("--stopwatch", calibrate.stopwatch, "FILE", "drives by stopwatch and tape measure, as TOML");
@@ -49,12 +48,10 @@ Command parse_calibrate(const std::vector<std::string>& words) {
   options.flag("--in-place", calibrate.in_place, "the figures are put into the robot file itself");
   options.text("--plot", calibrate.plot, "FILE", "measured against fitted, as .svg");
   if (const auto help = options.parse(words)) return PrintText{*help};
-  if (files.empty())
+  if (calibrate.robot.empty())
     throw InputError(
         "robosim calibrate needs a robot file and a log, as in robosim calibrate robot.toml log.csv --tape "
         "\"19 mm\"");
-  calibrate.robot = files.front();
-  calibrate.logs.assign(files.begin() + 1, files.end());
   if (calibrate.logs.empty() && calibrate.stopwatch.empty())
     throw InputError("robosim calibrate needs a log, or --stopwatch FILE");
   if (!tape.empty())

@@ -1,13 +1,17 @@
 // Every way in which firmware can bring its chip down is told with its reason and its place. The sketches are
 // those of the system tests.
 
+#include <fmt/format.h>
+
 #include <array>
 
+#include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 
 class FailuresTest : public AvrTest {
@@ -15,11 +19,17 @@ class FailuresTest : public AvrTest {
   const std::optional<Crash>& crash_of(const std::string& name, SimTime duration = kSecond) {
     build::Request request{std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name, *find_board(board_name_)};
     request.target = "avr";
-    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build::build(request).image);
+    built_ = build::build(request);
+    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), built_.image);
     avr_->power_on(0);
     now_ = 0;
     run(duration);
     return avr_->crash();
+  }
+  /// "0x9D56": `offset` bytes from where the compiler has put a variable of the last sketch.
+  std::string address(const char* variable, int offset) const {
+    const auto found = avr::Firmware::read(built_.image, *find_board(board_name_)).find_variable(variable);
+    return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";
   }
 };
 
@@ -29,10 +39,11 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     const char* reason;
     const char* function;
     int line;
+    int index = 0;  ///< into the variable `table`, whose address is the compiler's choice
   };
   for (const Case& c :
-       {Case{"ChipWildRead", "read of address 0x9D56, where the chip has no memory", "look", 4},
-        Case{"ChipWildWrite", "write to address 0x7630, where the chip has no memory", "put", 4},
+       {Case{"ChipWildRead", "read of address {}, where the chip has no memory", "look", 4, 40000},
+        Case{"ChipWildWrite", "write to address {}, where the chip has no memory", "put", 4, 30000},
         Case{"ChipWildCall",
              "call through a wrong function pointer to address 0x7400, where there is no code", "call", 4},
         Case{"ChipRestart", "to address 0, where a reset begins", "call", 5},
@@ -43,10 +54,17 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
         Case{"ChipFlash", "write to the sketch's own flash at 0x7000", "burn", 4}}) {
     const auto& crash = crash_of(c.sketch);
     ASSERT_TRUE(crash) << c.sketch;
-    EXPECT_THAT(crash->reason, HasSubstr(c.reason)) << c.sketch;
-    EXPECT_EQ(crash->where.function, c.function) << c.sketch;
+    std::string reason = c.reason;
+    if (c.index > 0) reason = fmt::format(fmt::runtime(reason), address("table", c.index));
+    EXPECT_THAT(crash->reason, HasSubstr(reason)) << c.sketch;
     EXPECT_EQ(crash->where.file, std::string(c.sketch) + ".ino");
-    EXPECT_EQ(crash->where.line, c.line) << c.sketch;
+    const auto place = std::pair(crash->where.function, crash->where.line);
+    const auto expected = std::pair(std::string(c.function), c.line);
+    // The assembler of avr-gcc 5.4 gives data no line, as the .word of an asm(): then it is the caller's.
+    if (c.sketch == std::string("ChipOpcode"))
+      EXPECT_THAT(place, AnyOf(expected, std::pair(std::string("broken"), 2)));
+    else
+      EXPECT_EQ(place, expected) << c.sketch;
     EXPECT_THAT(crash->registers, HasSubstr("SP 0x")) << c.sketch;
     EXPECT_FALSE(crash->calls.empty()) << c.sketch;
   }
@@ -214,8 +232,9 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
 // `stack + sizeof stack`: the first byte that is pushed lies behind the variable, and the stack in it.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
+    // In this order, which compilers otherwise choose: behind the stack nothing lies that is in use.
     return std::string(
-               "volatile uint8_t before[4], stack_b[200], after[4];\n"
+               "__attribute__((no_reorder)) volatile uint8_t before[4], stack_b[200], after[4];\n"
                "int deep(int n) { volatile char room[20]; room[n] = n;"
                " return n == 0 ? 0 : deep(n - 1) + room[n]; }\n"
                "void __attribute__((noinline)) work() { for (int n = 1;; ++n) { ") +

@@ -21,6 +21,7 @@ constexpr std::uint32_t kLargestNumber = 8;
 // How far apart the bytes of one access are, and how far behind it the number is read again, in words.
 constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
 constexpr int kMostOfHandler = 5000;  // instructions
+constexpr int kZeroRegister = 1;      // which avr-gcc keeps at 0
 constexpr std::int64_t kSoon_hz = 20'000;
 
 bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
@@ -144,16 +145,24 @@ void Tearing::add_update(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Whether near `pc` the number is read twice, with a comparison and a way back behind it.
+/// Whether near `pc`, in the same function, the number is read twice, and then compared with a way back.
 bool Tearing::is_read_again(std::uint32_t pc, std::size_t number) const {
   const Cpu& cpu = chip_.cpu();
-  const std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;
+  std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;
+  std::uint32_t end = std::min(pc + kWordsOfSecondLook, firmware_.code_end / 2);
+  if (const Symbol* const function = firmware_.function_at(2 * pc); function && function->size > 0) {
+    begin = std::max(begin, function->address / 2);
+    end = std::min(end, (function->address + function->size) / 2);
+  }
   int first_bytes = 0;
   bool compares = false;
-  for (std::uint32_t at = begin; at < pc + kWordsOfSecondLook && 2 * at < firmware_.code_end; ++at) {
+  for (std::uint32_t at = begin; at < end; ++at) {
     const Instruction& i = cpu.instruction(at);
     if (i.op == Op::lds && i.k == numbers_[number].begin) ++first_bytes;
-    if (i.op == Op::cp || i.op == Op::cpc) compares = compares || first_bytes > 0;
+    // avr-gcc 14 tests a register for 0 by comparing it with r1.
+    const bool compares_two =
+        (i.op == Op::cp || i.op == Op::cpc) && i.a != kZeroRegister && i.b != kZeroRegister;
+    compares = compares || (compares_two && first_bytes > 0);
     const bool back = (i.op == Op::brbc || i.op == Op::brbs || i.op == Op::rjmp) && i.k < 0;
     if (back && compares && first_bytes >= 2) return true;
   }

@@ -1,4 +1,5 @@
-// Tours a floor by the left hand; and takes the bar of a T, seen from its stem, for the end of the line.
+// Tours a floor by the left hand; and takes the first branch on the left, or bend, for the end of the line. What
+// counts as a branch is debounced, so the same worlds fail whatever compiles the sketch.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};  // left, middle, right; HIGH on the line
@@ -15,12 +16,12 @@ void setup() {
 
 void loop() {
   sensors.read();
-  if (sensors.onLine(0) && sensors.onLine(1) && sensors.onLine(2)) {
+  path.update(sensors.onLine(0), sensors.onLine(1), sensors.onLine(2), millis());
+  if (path.branches() > 0) {
     motors.drive(0, 0);
     Serial.println(F("the line ends here"));
     while (true) delay(1000);
   }
-  path.update(sensors.onLine(0), sensors.onLine(1), sensors.onLine(2), millis());
   motors.drive(path.leftSpeed(), path.rightSpeed());
   delay(2);
 }
