@@ -1,10 +1,10 @@
 #include "sim/base/file_scope.h"
 
 #include <fcntl.h>
-#include <limits.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostLinks = 40;  // as in Linux
+constexpr int kMostLinks = 40;              // as in Linux
+constexpr std::size_t kLongestLink = 4096;  // the same
 constexpr const char* kSystem[] = {"/usr", "/lib", "/lib64", "/opt", "/nix"};
 
 std::deque<std::string> steps_of(const fs::path& path) {
@@ -49,7 +50,7 @@ fs::path joined(const std::deque<std::string>& steps) {
 
 /// Where a link leads; nothing if it is not a link.
 std::optional<fs::path> link_at(int folder, const std::string& name) {
-  char target[PATH_MAX];
+  char target[kLongestLink];
   const ssize_t size = ::readlinkat(folder, name.c_str(), target, sizeof target);
   if (size < 0) return std::nullopt;
   return fs::path(std::string(target, static_cast<std::size_t>(size)));
@@ -117,18 +118,21 @@ class Scope {
     std::istringstream lines(text);
     std::string line;
     std::getline(lines, line);
-    served_.emplace(line);
+    served_ = line;
     while (std::getline(lines, line)) add(line);
     for (const char* folder : kSystem) add(folder);
     for (const fs::path& folder : {data_folder(), helper_folder()}) add(folder);
   }
 
   void add(const fs::path& folder) { others_.push_back(folder); }
+  bool has(const fs::path& folder) const {
+    return std::find(others_.begin(), others_.end(), folder) != others_.end();
+  }
 
   Descriptor open(const fs::path& path, int flags) const {
     const fs::path file = whole(path);
-    const auto below = steps_below(served_->path(), file);
-    std::size_t depth = below ? depth_of(served_->path()) : 0;
+    const auto below = steps_below(served_, file);
+    std::size_t depth = below ? depth_of(served_) : 0;
     bool is_served = below.has_value();
     bool is_other = false;
     for (const fs::path& folder : others_) {  // the deepest that holds it says what may be done
@@ -137,19 +141,19 @@ class Scope {
       is_served = false;
       is_other = true;
     }
-    if (is_served) return served_->open(joined(*below), flags);
+    if (is_served) return served().open(joined(*below), flags);
     return is_other ? Descriptor(::open(file.c_str(), flags | O_CLOEXEC)) : fail(EXDEV);
   }
 
   Descriptor open_to_show(const fs::path& path) const {
-    const auto below = steps_below(served_->path(), whole(path));
-    return below ? served_->open(joined(*below), O_PATH)
+    const auto below = steps_below(served_, whole(path));
+    return below ? served().open(joined(*below), O_PATH)
                  : Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
   }
 
   bool leads_into_served(const fs::path& path) const {
-    const auto below = steps_below(served_->path(), whole(path));
-    return below && (served_->open(joined(*below), O_PATH).is_open() || errno != EXDEV);
+    const auto below = steps_below(served_, whole(path));
+    return below && (served().open(joined(*below), O_PATH).is_open() || errno != EXDEV);
   }
 
  private:
@@ -162,18 +166,21 @@ class Scope {
     return below && std::find(below->begin(), below->end(), "..") == below->end();
   }
 
-  std::optional<HeldFolder> served_;
+  // Opened for each use: a run's process gives the numbers of descriptors to others.
+  HeldFolder served() const { return HeldFolder(served_); }
+
+  fs::path served_;
   std::vector<fs::path> others_;
 };
 
-std::mutex scope_mutex;  // of what scope() gives
-
-Scope* scope() {
-  static const std::unique_ptr<Scope> only = [] {
+/// Null without a scope. Read without a lock: a fork must not inherit one that another thread holds.
+std::atomic<const Scope*>& scope() {
+  static std::atomic<const Scope*> current = [] {
     const char* const text = std::getenv(kFileScope);
-    return text ? std::make_unique<Scope>(text) : nullptr;
+    static const std::unique_ptr<const Scope> first = text ? std::make_unique<Scope>(text) : nullptr;
+    return first.get();
   }();
-  return only.get();
+  return current;
 }
 
 }  // namespace
@@ -187,22 +194,24 @@ std::string file_scope_variable(const std::vector<fs::path>& folders) {
 Descriptor open_in_scope(const fs::path& path, int flags) {
   const Scope* const only = scope();
   if (!only) return Descriptor(::open(path.c_str(), flags | O_CLOEXEC));
-  const std::lock_guard lock(scope_mutex);
   return only->open(path, flags);
 }
 
 Descriptor open_to_show(const fs::path& path) {
   const Scope* const only = scope();
   if (!only) return Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
-  const std::lock_guard lock(scope_mutex);
   return only->open_to_show(path);
 }
 
 void extend_file_scope(const fs::path& folder) {
-  Scope* const only = scope();
-  if (!only) return;
-  const std::lock_guard lock(scope_mutex);
-  only->add(folder);
+  static std::mutex mutex;
+  static std::deque<Scope> extended;  // all stay, as others may be reading one
+  const std::lock_guard lock(mutex);
+  const Scope* const before = scope();
+  if (!before || before->has(folder)) return;
+  extended.push_back(*before);
+  extended.back().add(folder);
+  scope() = &extended.back();
 }
 
 InputError out_of_scope(const fs::path& path, const Place& place) {
@@ -216,7 +225,6 @@ void check_in_scope(const fs::path& path, const Place& place) {
 bool is_in_scope(const fs::path& folder) {
   const Scope* const only = scope();
   if (!only) return true;
-  const std::lock_guard lock(scope_mutex);
   return only->leads_into_served(folder);
 }
 

@@ -165,7 +165,7 @@ TEST(OnATerminal, NamesAndErrorsAreShownAndNotCarriedOut) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"run", "./S", "--map", "oval"},
                                                 {"map", "check", "./" + evil + ".map"},
                                                 {"run", "./" + evil},
-                                                {"robot", "./robot.toml"}}) {
+                                                {"robot", "check", "./robot.toml"}}) {
     const Ended ended = robosim_command(words, folder.path());
     EXPECT_NE(ended.status, 0);
     EXPECT_THAT(ended.err, Not(HasSubstr("\033"))) << words[1];

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
 constexpr std::size_t kMostSource_bytes = std::size_t{4} << 20;
 
-std::string text_of(const fs::path& path) {
+std::string content_or_nothing(const fs::path& path) {
   try {
     return read_file(path, kMostSource_bytes);
   } catch (const InputError&) {
@@ -268,7 +268,7 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   const auto [known, fresh] = files_.try_emplace(file);
   if (!fresh) return known->second;
   for (const fs::path& path : paths_of(file)) {
-    std::istringstream in(text_of(path));
+    std::istringstream in(content_or_nothing(path));
     for (std::string text; std::getline(in, text);) known->second.push_back(text);
     if (!known->second.empty()) break;
   }

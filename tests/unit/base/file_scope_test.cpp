@@ -133,11 +133,18 @@ TEST_F(FileScope, HoldsForAllThatTheProcessReads) {
               testing::ExitedWithCode(0), "");
 }
 
+TEST_F(FileScope, HoldsWhereAProcessGivesItsDescriptorsToOthers) {
+  const auto reads = [&] { return read_file(inside_ / "team/robot.toml") == "robot"; };
+  EXPECT_EXIT(
+      ::_exit(in_scope({inside_}, [&] { return reads() && ::close_range(3, ~0u, 0) == 0 && reads(); })),
+      testing::ExitedWithCode(0), "");
+}
+
 TEST_F(FileScope, ReadsNothingWhereTheServedFolderIsGone) {
-  EXPECT_EXIT(::_exit(in_scope({place_.path() / "removed", inside_},
+  EXPECT_EXIT(::_exit(in_scope({place_.path() / "removed"},
                                [&] {
                                  try {
-                                   read_file(inside_ / "team/robot.toml");
+                                   read_file(place_.path() / "removed/robot.toml");
                                    return false;
                                  } catch (const InputError&) {
                                    return true;
