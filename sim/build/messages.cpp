@@ -24,14 +24,16 @@ namespace {
 // std::regex takes stack for each character that it looks at: no line is longer than this, nor all of them.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
-/// Whether the compiler, and not a text of the sketch, has begun the line: "My.ino:3:5: error: …",
-/// "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;".
+/// Returns whether the compiler or linker, and not a text of the sketch, has begun the line: "My.ino:3:5:
+/// error: …", "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;", "My.ino: first
+/// defined here".
 bool is_begun_by_compiler(std::string_view line) {
   if (line.empty() || line[0] == ' ' || line.starts_with("In file included from ")) return true;
   const std::size_t colon = line.find(':');
   if (colon == line.npos) return false;
   const std::string_view rest = line.substr(colon + 1);
-  return rest.starts_with(" In ") || rest.starts_with(" At ") ||
+  return rest.starts_with(" In ") || rest.starts_with(" At ") || rest == " first defined here" ||
+         rest.starts_with(" multiple definition of `") ||
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 

@@ -114,7 +114,7 @@ TEST(Hostile, ASentenceNamesTheKeyAndWhatIsAllowed) {
               HasSubstr("\"until[0].from\" in the request is unknown"));
 }
 
-TEST(Hostile, NoNestingIsTooDeep) {
+TEST(Hostile, DeepNestingIsRefusedEverywhere) {
   constexpr std::size_t kDepth = 100'000;
   const std::string deep = nested(kDepth);
   EXPECT_NE(request_fault(deep), "");
@@ -130,7 +130,7 @@ TEST(Hostile, NoNestingIsTooDeep) {
   EXPECT_NE(answer_fault("{\"hello\": " + deep + "}"), "");
   EXPECT_NE(answer_fault("{\"id\": 1, \"result\": " + deep + "}"), "");
   EXPECT_NE(answer_fault("{\"id\": 1, \"event\": " + deep + "}"), "");
-  EXPECT_EQ(answer_fault("{\"id\": 1, \"accepted\": {\"lines\": \"\", \"new\": " + deep + "}}"), "");
+  EXPECT_NE(answer_fault("{\"id\": 1, \"accepted\": {\"lines\": \"\", \"new\": " + deep + "}}"), "");
 }
 
 TEST(Hostile, AnyKeyWithAValueOfAnotherKindIsNamed) {
