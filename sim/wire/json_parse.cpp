@@ -149,8 +149,10 @@ class PlainJson {
 
 Json parsed_json(std::string_view text) {
   Json value;
+  const bool may_be_too_much = text.size() > kMostJsonValues;  // else only too deep, which PlainJson refuses
+  if (may_be_too_much && !is_within_json_limits(text)) return Json(Json::value_t::discarded);
   if (PlainJson(text).read_all(value)) return value;
-  if (!is_within_json_limits(text)) return Json(Json::value_t::discarded);
+  if (!may_be_too_much && !is_within_json_limits(text)) return Json(Json::value_t::discarded);
   return Json::parse(text, nullptr, false);
 }
 

@@ -1,10 +1,13 @@
 // What is read quickly and what nlohmann reads is the same, and so is what neither reads.
 #include "sim/wire/json_parse.h"
+#include "sim/base/json_limits.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
+
+#include "sim/base/json_limits.h"
 
 namespace robosim::wire {
 namespace {
@@ -105,11 +108,13 @@ TEST(ParsedJson, IsWhatNlohmannMakesOfIt) {
                            ",",
                            ":"})
     expect_same(text);
-  for (const int depth : {1, 15, 16, 17, 18, 100}) {
+  for (const int depth : {1, 15, 16, 17, 18, kDeepestJson}) {
     const auto levels = static_cast<std::size_t>(depth);
     expect_same(std::string(levels, '[') + std::string(levels, ']'));
     expect_same(std::string(levels, '['));
   }
+  EXPECT_TRUE(
+      parsed_json(std::string(kDeepestJson + 1, '[') + std::string(kDeepestJson + 1, ']')).is_discarded());
 }
 
 // Lines as runners write them, with a byte changed, added or left out.
