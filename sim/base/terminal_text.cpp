@@ -64,10 +64,9 @@ std::string in_one_line(std::string_view text) { return visible(text, ""); }
 
 std::string TerminalText::add(std::string_view piece) {
   held_ += piece;
-  std::string whole = std::exchange(held_, {});
-  const std::size_t rest = unfinished(whole);
-  held_ = whole.substr(whole.size() - rest);
-  whole.resize(whole.size() - rest);
+  const std::string all = std::exchange(held_, {});
+  const std::string_view whole(all.data(), all.size() - unfinished(all));
+  held_ = all.substr(whole.size());
   return for_terminal(whole);
 }
 
