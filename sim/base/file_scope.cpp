@@ -1,6 +1,7 @@
 #include "sim/base/file_scope.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -186,7 +187,7 @@ std::atomic<const Scope*>& scope() {
 }  // namespace
 
 std::string file_scope_variable(const std::vector<fs::path>& folders) {
-  std::string text = std::string(kFileScope) + "=";
+  std::string text = fmt::format("{}=", kFileScope);
   for (const fs::path& folder : folders) text += folder.string() + "\n";
   return text;
 }
@@ -215,7 +216,8 @@ void extend_file_scope(const fs::path& folder) {
 }
 
 InputError out_of_scope(const fs::path& path, const Place& place) {
-  return {place, "'" + path.string() + "' leads out of the served folder: expected a path inside it"};
+  return {place,
+          fmt::format("'{}' leads out of the served folder: expected a path inside it", path.string())};
 }
 
 void check_in_scope(const fs::path& path, const Place& place) {
