@@ -74,7 +74,7 @@ PageFolder::PageFolder() {
   remove_abandoned(place);
   struct stat info {};
   do {  // another server may take it for abandoned before it is held
-    std::string name = (place / (std::string(kFolders) + "XXXXXX")).string();
+    std::string name = (place / fmt::format("{}XXXXXX", kFolders)).string();
     if (!::mkdtemp(name.data()))
       throw InputError({name}, std::string("cannot be made: ") + std::strerror(errno));
     path_ = name;
