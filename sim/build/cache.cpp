@@ -294,7 +294,7 @@ std::string read_made(const fs::path& file) {
   struct stat info {};
   if (!made.is_open() || ::fstat(made.get(), &info) != 0 || !S_ISREG(info.st_mode))
     throw InputError({file.filename().string()}, "the compiler did not write it: expected a file");
-  return read_file(fmt::format("/proc/self/fd/{}", made.get()));
+  return read_file(made, file.filename(), kMostFile_bytes);
 }
 
 WorkFolder::~WorkFolder() {

@@ -2,12 +2,12 @@
 // write, on a terminal, and files that unpack to more than they are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 
 #include <filesystem>
 
 #include "sim/base/file_scope.h"
+#include "sim/build/sketch.h"
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
@@ -32,15 +32,14 @@ class Served : public testing::Test {
     place_.write("outside/secret.h", "#error SECRET\n");
     place_.write("outside/libs/Lib/Lib.h", "#error SECRET\n");
     place_.write("served/Mine/Mine.ino", kSketch);
-    const std::string variable =
-        file_scope_variable({fs::canonical(place_ / "served"), fs::canonical(place_.path()) / "pages"});
-    ::setenv(kFileScope, variable.substr(variable.find('=') + 1).c_str(), 1);
   }
-  void TearDown() override { ::unsetenv(kFileScope); }
 
+  /// Runs a command as serve does: the restriction is the command's, not this process's.
   Ended run(const std::string& words) const {
-    return robosim_command({"-c", std::string(ROBOSIM_COMMAND) + " run " + words + kRun}, place_ / "served",
-                           nullptr, "/dev/null", "/bin/sh");
+    const std::string variable = file_scope_variable(
+        {fs::canonical(place_ / "served"), fs::canonical(place_.path()) / "pages", build::cache_folder()});
+    return robosim_command({"-c", "env '" + variable + "' " + ROBOSIM_COMMAND + " run " + words + kRun},
+                           place_ / "served", nullptr, "/dev/null", "/bin/sh");
   }
   std::string outside(const std::string& name) const { return (place_ / ("outside/" + name)).string(); }
   void refuses(const std::string& words) const {
