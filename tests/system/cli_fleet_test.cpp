@@ -94,8 +94,12 @@ TEST(CliFleet, TheSameSketchTwiceHasItsVariablesTwiceAndACrashIsItsRobots) {
 TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
   const Folder folder;
   write_file(folder / "Gone.ino",
-             "void setup() {}\nvoid loop() { delay(300); long call = 60, status = 3; "
-             "asm volatile(\"syscall\" ::\"a\"(call), \"D\"(status)); }\n");
+             // Where all signals are blocked, the kernel ends a process at the first call that is refused.
+             "void setup() {}\nvoid loop() {\n  delay(300);\n  unsigned long all = ~0ul;\n"
+             "  register long bytes asm(\"r10\") = 8;\n"
+             "  asm volatile(\"syscall\" ::\"a\"(14l), \"D\"(2l), \"S\"(&all), \"d\"(0l), \"r\"(bytes)"
+             " : \"rcx\", \"r11\", \"memory\");\n"
+             "  asm volatile(\"syscall\" ::\"a\"(60l), \"D\"(3l) : \"rcx\", \"r11\", \"memory\");\n}\n");
   const Ended run = robosim_command({"run", "A=PidFollower", "B=./Gone.ino", "--map", "oval", "--goal",
                                      "none", "--for", "1s", "--start", "B=20,2,W", "--json"},
                                     folder.path());
