@@ -152,6 +152,9 @@ class Scope {
                  : Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
   }
 
+  /// Whether it is one of Robosim's own maps, robots or sketches.
+  static bool is_own(const fs::path& path) { return path.is_absolute() && holds(data_folder(), path); }
+
   bool leads_into_served(const fs::path& path) const {
     const auto below = steps_below(served_, whole(path));
     return below && (served().open(joined(*below), O_PATH).is_open() || errno != EXDEV);
@@ -221,7 +224,7 @@ InputError out_of_scope(const fs::path& path, const Place& place) {
 }
 
 void check_in_scope(const fs::path& path, const Place& place) {
-  if (!is_in_scope(path)) throw out_of_scope(path, place);
+  if (!is_in_scope(path) && !Scope::is_own(path)) throw out_of_scope(path, place);
 }
 
 bool is_in_scope(const fs::path& folder) {

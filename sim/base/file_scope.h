@@ -56,7 +56,7 @@ void extend_file_scope(const std::filesystem::path& folder);
 InputError out_of_scope(const std::filesystem::path& path, const Place& place = {});
 
 /// Throws InputError if there is a scope and `path`, which something at `place` names, leads out of the
-/// served folder. Whether it exists does not matter.
+/// served folder and is not below Robosim's own. Whether it exists does not matter.
 void check_in_scope(const std::filesystem::path& path, const Place& place = {});
 
 /// Tells whether there is no scope, or `folder` is the served one or below it.

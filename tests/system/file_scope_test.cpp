@@ -67,6 +67,14 @@ TEST_F(Served, RunsWhatLiesInTheFolder) {
   EXPECT_EQ(fleet.status, 0) << fleet.err;
 }
 
+TEST_F(Served, RunsSeveralRobotsOnAMapOfRobosims) {
+  place_.write("served/two.toml",
+               "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\n"
+               "[[agent]]\nname = \"B\"\nsketch = \"./Mine\"\nstart = \"20,2,W\"\n");
+  const Ended fleet = run("./two.toml");
+  EXPECT_EQ(fleet.status, 0) << fleet.err;
+}
+
 TEST_F(Served, ReadsNoScriptMapSketchRobotOrLibraryThatAFileOfRobotsNamesOutside) {
   const std::string agent = "[[agent]]\nname = \"A\"\nsketch = \"./Mine\"\n";
   const std::string absolute = outside("secret"), relative = "../outside/secret";
