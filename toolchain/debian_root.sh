@@ -91,7 +91,7 @@ for step in "${steps[@]}"; do
   case $step in
     run) try run '^(reached|lost|stuck|robosim):' /root/robosim ./robosim run PidFollower --map oval ;;
     samples)
-      try samples '^[0-9]+ of [0-9]+ check' /root/robosim bash -c './robosim test samples/*/'
+      try samples '^[0-9]+ of [0-9]+ sketches' /root/robosim bash -c './robosim test samples/*/'
       ;;
     commands)
       try compare . /root/robosim ./robosim compare PidFollower --map oval
