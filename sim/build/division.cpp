@@ -13,7 +13,7 @@ struct Division {
   bool is_signed = false;
 };
 
-/// Returns the division in a line; nothing if there is none. x86-64's `idiv`, `div` end with their width.
+/// Returns the division in a line, if any. The names of x86-64's divisions end with their width.
 std::optional<Division> division_in(std::string_view line) {
   const std::size_t space = line.find_first_of(" \t");
   if (space == line.npos) return std::nullopt;

@@ -44,8 +44,7 @@ void blame_for_batch(wire::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
     throw InputError(
-        "one of the sketches on the host has overwritten what is told of their run: run each alone, or on "
-        "its "
+        "one of the sketches on the host has overwritten the events of the run: run each alone, or on its "
         "chip");
   const std::string cause = "it wrote to where the events of its run are kept";
   result.crash.emplace().reason = cause;

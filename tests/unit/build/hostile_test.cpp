@@ -234,7 +234,7 @@ TEST_F(HostileTest, APrecompiledHeaderIsNotLoaded) {
 }
 
 TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
-  // gcc loads it where all options are as they were when it was made: so they are, but for the first include.
+  // gcc loads it where all options are those it was made with. They are, except the first include.
   const auto compiles_with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {find_program("g++").string(), "-c", "-o", (folder_ / "x.o").string()};
     words.insert(words.end(), more.begin(), more.end());
