@@ -1,15 +1,18 @@
-// What an AVR's two-wire interface does as master (ATmega328P, data sheet DS40002061B, chapter 21). For the
-// host target and for the emulated chip.
+// An AVR's two-wire interface as bus master (ATmega328P, data sheet DS40002061B, chapter 21). The host target
+// and the emulated chip share it.
 //
-//   bit      T = 16 + 2 TWBR 4^TWPS cycles (21.5.2)
-//   START    T         TWSR 0x08, repeated 0x10
-//   byte     9 T       address to write 0x18, not acknowledged 0x20; to read 0x40, 0x48; data sent 0x28,
-//   0x30;
-//                      data received 0x50, and 0x58 where the master does not acknowledge it (TWEA)
-//   STOP     T         TWSTO reads 0 again; no TWINT
+//   step     takes   TWSR afterwards
+//   START    T       0x08; 0x10 if repeated
+//   byte     9 T     address to write: 0x18, not acknowledged 0x20
+//                    address to read: 0x40, not acknowledged 0x48
+//                    data sent: 0x28, not acknowledged 0x30
+//                    data received: 0x50, or 0x58 if the master does not acknowledge it (TWEA)
+//   STOP     T       TWINT stays 0; TWSTO reads 0 again
 //
-// Each step begins when 1 is written to TWINT, which is set again when it is done; meanwhile TWSR reads 0xF8.
-// Nobody else is master, and nobody holds the clock low.
+// T = 16 + 2 TWBR 4^TWPS cycles, the duration of one bit (21.5.2). Writing 1 to TWINT starts a step, and
+// TWINT is set again at its end. TWSR reads 0xF8 meanwhile.
+//
+// Not modelled: other masters, and devices that hold the clock low.
 #pragma once
 
 #include <stdint.h>

@@ -10,8 +10,8 @@
 namespace robosim::avr {
 
 // clang-format off
-/// Two that often follow each other, and are then done as one: ONE(X, first, second) for each. It saves the way
-/// from one to the other, and flags that the second makes anew.
+/// Pairs of instructions that often follow each other and run as one: ONE(X, first, second) for each. This
+/// saves the jump between them, and flags that the second overwrites.
 #define ROBOSIM_AVR_PAIRS(ONE, X) \
   /* bytes of a number */ \
   ONE(X, add, adc) ONE(X, adc, adc) ONE(X, sub, sbc) ONE(X, sbc, sbc) ONE(X, subi, sbci) ONE(X, sbci, sbci) \

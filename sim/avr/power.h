@@ -1,16 +1,17 @@
 // Clocks and sleep: SMCR, PRR, CLKPR, MCUSR. Data sheet DS40002061B, chapters 9 to 11.
 //
-//   mode             processor   I/O clock   ADC clock   start-up when it wakes
-//   idle             stands      runs        runs        none
-//   noise reduction  stands      stands      runs        none
-//   standby          stands      stands      stands      6 cycles, extended standby too
-//   the others       stands      stands      stands      the oscillator's (table 9-4: a crystal, 16384
-//   cycles; ChipSpec says which)
+//   mode                         processor   I/O clock   ADC clock   start-up on wake-up
+//   idle                         stopped     runs        runs        none
+//   noise reduction              stopped     stopped     runs        none
+//   standby, extended standby    stopped     stopped     stopped     6 cycles
+//   the others                   stopped     stopped     stopped     the oscillator's
 //
-// A chip that wakes stands still for 4 cycles more, before the 4 of the interrupt (10.2). The registers of a
-// peripheral that its bit in PRR has stopped read 0 and keep what they have (10.11.3). CLKPR divides all
-// clocks but those of the watchdog and of the EEPROM. Timer 2's own crystal is not modelled: all timers use
-// the I/O clock.
+// The oscillator's start-up time is in table 9-4: 16384 cycles for a crystal (ChipSpec has each chip's).
+// After it the processor waits for 4 more cycles, before the 4 of the interrupt (10.2).
+//
+// The registers of a peripheral that its bit in PRR has stopped read 0 and keep their content (10.11.3).
+// CLKPR divides all clocks except those of the watchdog and the EEPROM. Not modelled: timer 2's own crystal;
+// all timers use the I/O clock.
 #pragma once
 
 #include <cstdint>

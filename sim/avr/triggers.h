@@ -1,11 +1,10 @@
-// Flags that start something elsewhere in the chip: a timer's match begins a conversion of the ADC. A flag is
-// named by the vector of its interrupt; one peripheral waits, for one flag at a time.
+// Flags that start something elsewhere in the chip, as a timer's match starts a conversion of the ADC. A flag
+// is named by the vector of its interrupt. One peripheral at a time waits, for one flag.
 //
-//   core.triggers.offer<&Timer::awaited>(vector, this);   once: this peripheral has that flag
-//   core.triggers.raised(vector, at);                     whenever it becomes set; costs nothing if nobody
-//   waits
+//   core.triggers.offer<&Timer::awaited>(vector, this);   // once: this peripheral owns the flag
+//   core.triggers.raised(vector, at);                     // when the flag is set; cheap if not awaited
 //
-// A peripheral that works out its flags only when somebody looks has to do so in time while one is awaited.
+// A peripheral that computes its flags only on demand must compute an awaited flag in time.
 #pragma once
 
 #include <array>

@@ -1,19 +1,21 @@
 // The USB device controller. ATmega16U4/32U4 data sheet 7766J, chapters 21 and 22; the PLL: 6.11.
 //
 //   PLLE     PLOCK reads 1 after 100 us
-//   device   attached while USBE, OTGPADE, and neither FRZCLK nor DETACH
-//   UDINT    end of reset (EORSTI) and a frame each millisecond (SOFI): the general vector, while UDIEN has
-//   them UENUM    selects the endpoint whose registers the others are; a flag of UEINTX that UEIENX has: the
-//            endpoints' vector
+//   device   attached while USBE and OTGPADE are set, and FRZCLK and DETACH are not
+//   UDINT    end of reset (EORSTI) and one frame per millisecond (SOFI); requests the general vector while
+//            UDIEN has the same bit
+//   UENUM    selects the endpoint that the other registers belong to; a flag of UEINTX that UEIENX enables
+//            requests the endpoints' vector
 //
-//   control  SETUP: RXSTPI, UEDATX gives its 8 bytes. TXINI: what is written to UEDATX leaves when it is
-//   cleared.
-//            RXOUTI: a packet to read
-//   IN       one bank or two: FIFOCON reads 1 while one can be filled, and clearing it gives it to the host
+//   control  SETUP sets RXSTPI, and UEDATX returns its 8 bytes
+//            TXINI: clearing it sends what was written to UEDATX
+//            RXOUTI: a packet can be read
+//   IN       one or two banks; FIFOCON reads 1 while a bank can be filled, and clearing it passes that to the
+//            host
 //   OUT      FIFOCON reads 1 while a packet can be read, and clearing it frees its bank
 //
 // The host's side is usb_host.h. Not modelled: suspend and wake-up, isochronous endpoints, ping-pong errors,
-// NAKINI and NAKOUTI, VBUS interrupts (VBUS is always there).
+// NAKINI and NAKOUTI, VBUS interrupts (VBUS is always present).
 #pragma once
 
 #include <array>

@@ -1,13 +1,14 @@
-// The computer at the other end of a chip's USB: it enumerates the device, and opens its serial port if it
-// has one (USB 2.0, chapters 7.1.7 and 9; CDC PSTN 1.2, 6.3).
+// The computer at the other end of a chip's USB. It enumerates the device, and opens its serial port if there
+// is one (USB 2.0, chapters 7.1.7 and 9; CDC PSTN 1.2, 6.3).
 //
-//   attached ── 100 ms ── reset, 10 ms ── 10 ms ── descriptors, address, configuration ── line coding (115200
-//   8N1), DTR
+//   attached ── 100 ms ── reset, 10 ms ── 10 ms ── descriptors, address, configuration
+//            ── line coding (115200 8N1), DTR
 //
-// From then on the port is open: what the device sends reaches Surroundings::sent(), with a line's number
-// behind those of the UARTs, and bytes for it wait here until it takes them. A transaction takes 100 us. The
-// port is opened as soon as it is there, by somebody who waits for it; what a sketch prints before is lost,
-// unless it waits for the port too.
+// From then on the port is open. Surroundings::sent() receives what the device sends, with a line number
+// after those of the UARTs. Bytes for the device wait here until it accepts them. A transaction takes 100 us.
+//
+// The port is opened as soon as it exists, as by a user who waits for it. What a sketch prints earlier is
+// lost, unless the sketch waits for the port.
 #pragma once
 
 #include <array>

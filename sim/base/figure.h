@@ -16,10 +16,9 @@ struct Spread {
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
 };
 
-/// A figure of a robot file or a map: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. One that was
-/// found to be another keeps what it was for `ideal` and older profiles, so that their runs stay what they
-/// were:
-/// `{ value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
+/// A parameter of a robot file or a map: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. A corrected
+/// parameter keeps its former value for `ideal` and older profiles, so that their runs stay the same: `{
+/// value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
 struct Number {
   double value = 0.0;                              ///< SI
   double spread = 0.0;                             ///< SI

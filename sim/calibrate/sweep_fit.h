@@ -1,22 +1,20 @@
-// What a slow sweep over a tape tells of floor sensors.
+// Parameters of floor sensors, fitted to a slow sweep across a tape.
 //
-// A crossing is a stretch of readings over the tape. How fast the sensor moves across it is told by the
-// wheels' counts, v = |d(angle)/dt| times the sensor's distance from the point that the robot turns about, or
-// without counts by the tape itself, v = width / duration at half depth. So each sample has a place s across
-// an edge, and
+// A crossing is a stretch of readings over the tape. With wheel counts, the sensor's speed is v =
+// |d(angle)/dt| times its distance from the centre of the turn. Without counts it is v = width / duration at
+// half depth. So each sample has a position s across an edge, and
 //   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
-// as sim/world/floor.h has it: w the tape's width, d the distance from its middle, f the footprint, B what
-// the sensor gives over black, W over white just there: the floor beside each edge has a brightness of its
-// own. W and the edge's place are fitted for each edge by itself, f for all edges of a part together.
+// as in sim/world/floor.h: w is the tape's width, d the distance from its middle, f the footprint. B is the
+// signal over black, W over white at this edge, since the floor's brightness varies. W and the edge's
+// position are fitted per edge, f for all edges of a part together.
 //
-// The signal is volts, or of an RC sensor its rate, 1 / time: what is linear in blackness.
-//   black       mean of what it gives on the middle of the tape
-//   white       mean of what it gives beside it, as light comes back from the height that the robot file has
-//   noise       from second differences of neighbouring readings, which a floor's patches hardly change, less
-//   what
-//               rounding to codes adds; as a share of white to black
-//   footprint   as above; how sure it is: the scatter of ten estimates, each from a tenth of the edges
-//   track       a whole turn takes from one crossing to the next but one: track = path of the wheels / 2 pi
+// The signal is linear in blackness: volts, or the rate 1 / time of an RC sensor.
+//   black       mean over the middle of the tape
+//   white       mean next to the tape, with the light that returns at the height in the robot file
+//   noise       from second differences of neighbouring readings, on which a floor's patches have little
+//               influence, less what rounding to codes adds; as a share of white to black
+//   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
+//   track       path of the wheels / 2 pi, over a whole turn: from one crossing to the next but one
 #pragma once
 
 #include <string>

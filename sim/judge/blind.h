@@ -1,22 +1,24 @@
-// Blind time: a robot that drives on without a look at the line, and loses it.
+// Finds blind time: a robot that drives on without reading its floor sensors, and loses the line.
 //
-//   digitalRead(middle);  analogWrite(left, 160); …  delay(400);        at 0.4 m/s: 160 mm that nobody saw
+//   digitalRead(middle);  analogWrite(left, 160); …  delay(400);        // at 0.4 m/s: 160 mm without a look
 //
-// Whatever keeps a sketch from its sensors does it: delay(), pulseIn() without a timeout, a print that waits
-// until the 64 bytes of Serial's buffer have room, a loop that waits. On a straight it goes well. What is
-// found is a stretch on which, from one look at a floor sensor to the next,
+// Anything that keeps a sketch from its sensors causes it: delay(), pulseIn() without a timeout, a print that
+// waits for room in Serial's buffer of 64 bytes, a loop that waits. On a straight it goes well. A finding is
+// a stretch from one reading of a floor sensor to the next on which
 //
-//   it drove further than its sensors are ahead of its axle, and the line is wide: from there on its wheels
-//   are on floor that no sensor has ever been read on, and a bend that began meanwhile is behind it;
-//   it had the line under its sensors when it looked, and at the end of the stretch had not;
-//   and the motors were driven in the same way all along.
+//   - the robot drove further than its sensors are ahead of its axle plus the width of the line. From there
+//     on its wheels are on floor that no sensor was ever read on, and a bend may already be behind it;
+//   - a sensor was over the line at the first reading, and none at the end of the stretch;
+//   - and the motor commands stayed the same throughout.
 //
-// The last leaves out who drives blind on purpose: to turn at a crossing, or round an obstacle, a sketch
-// changes its motors' powers between two looks. What it cannot see: a sketch that reads its sensors and takes
-// no notice; one that is blind on straights only; sensors behind a shift register, or read by interrupts.
+// The last condition excludes sketches that drive blind on purpose: to turn at a crossing, or round an
+// obstacle, they change the commands between two readings.
 //
-// Mended by time that is asked for (millis()) in the place of delay(), shorter messages or a faster Serial,
-// a timeout for pulseIn(), and a look at the sensors in each loop that waits.
+// To fix it, compare times (millis()) instead of calling delay(), send shorter messages or use a faster
+// Serial, give pulseIn() a timeout, and read the sensors in each loop that waits.
+//
+// Not detected: sketches that read their sensors and ignore them; blind time on straights only; sensors on a
+// shift register, or read by interrupts.
 #pragma once
 
 #include <vector>

@@ -1,18 +1,18 @@
-// A pin whose source is too weak for the ADC: what was read before is still in the reading.
+// Finds a pin whose source is too weak for the ADC, so that the previous reading shows in the next one.
 //
-//   left = analogRead(A0);  right = analogRead(A1);        A1: a photo diode with 2.2 MOhm to 5 V
+//   left = analogRead(A0);  right = analogRead(A1);        // A1: a photo diode with 2.2 MOhm to 5 V
 //
 // "The ADC is optimized for analog signals with an output impedance of approximately 10 kOhm or less"
-// (ATmega328P, DS40002061B, 24.6.1): more of it does not charge the converter's capacitor in time
-// (hal/board/adc_capacitor.h). What is found are readings
+// (ATmega328P, DS40002061B, 24.6.1): a higher impedance does not charge the converter's capacitor in time
+// (hal/board/adc_capacitor.h). A finding is readings of one pin that
 //
-//   that are off by 0.8 % of the supply (8 of 1024) or more, for this reason,
-//   three times or more, of the same pin,
-//   and behind each of which another pin is read: who reads twice and drops the first one is not told of,
-//   nor who averages.
+//   - are off by 0.8 % of the supply (8 of 1024) or more for this reason,
+//   - occur three times or more,
+//   - and are each followed by a reading of another pin. So a sketch that reads twice and drops the first
+//     reading is not reported, nor one that averages.
 //
-// It knows only sources whose `source_ohms` the robot file says. Mended by a second reading, 100 nF between
-// the pin and ground, or a source of less resistance.
+// It covers only sources whose `source_ohms` is in the robot file. To fix it, read a second time, add 100 nF
+// between the pin and ground, or use a source of lower resistance.
 #pragma once
 
 #include <vector>

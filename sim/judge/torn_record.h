@@ -1,22 +1,22 @@
-// A record in EEPROM that a power cut can leave half old and half new.
+// Finds a record in EEPROM that a power cut can leave half old and half new.
 //
-//   EEPROM.put(0, laps);        an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01) it is 0
-//   between
-//                               them, and that is what setup() reads after the switch was turned just then
+//   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01) it is 0 in
+//                          // between, and setup() reads that if the power was cut just then
 //
-// What is found is a number of two to four bytes, written by one line, of which
+// A finding is a number of two to four bytes, written by one line, of which
 //
-//   at least two bytes changed at once, where an older record was (not all of it erased); a cut between them
-//   leaves what is neither the old number nor the new one;
-//   at other times a single byte changed: so none of the others is a checksum, which would have had to
-//   change; and nothing else was written just before or after, such as a mark that says which record holds.
+//   - at least two bytes changed at once, over an older record that was not completely erased. A cut between
+//     them leaves neither the old nor the new number;
+//   - a single byte changed at other times. So none of the others is a checksum, which would have changed,
+//     too;
+//   - nothing else was written just before or after, such as a mark that names the valid record.
 //
-// The finding has the time during which a cut would tear it, and the line of a script (docs/scripts.md) that
-// cuts there. Mended by a checksum behind the number, which is looked at when it is read; or by two records
-// in turn, each with a number and a checksum, so that the older one is still there.
+// The finding has the time during which a cut would tear the record, and a script line (docs/scripts.md) that
+// cuts there. To fix it, store a checksum after the number and check it when reading. Or write two records
+// alternately, each with a number and a checksum, so that the older one survives.
 //
-// What it cannot see: larger records; numbers of which all bytes change each time, as a float's do; whether
-// the sketch refuses what it reads by itself (by its range), or reads it at all.
+// Not detected: larger records; numbers of which all bytes change each time, such as floats; sketches that
+// check the number by its range, or never read it.
 #pragma once
 
 #include <cstdint>

@@ -26,8 +26,8 @@ struct Mutation {
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
-/// For people: "sketch.ino:20", "`11` for `10`", and all in one line, "sketch.ino:20  constant: `11` for
-/// `10`".
+/// Return a mutation's place, "sketch.ino:20", its change, "`11` for `10`", and both in one line for people:
+///   sketch.ino:20  constant: `11` for `10`
 std::string where(const Mutation& mutation);
 std::string what(const Mutation& mutation);
 std::string described(const Mutation& mutation);

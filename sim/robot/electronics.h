@@ -1,17 +1,18 @@
-// [electronics]: what lies between the battery, the board's supply and its ADC. Without it the supply never
-// sinks and the ADC is exact.
+// [electronics]: the path from the battery over the board's supply to its ADC. Without it the supply is
+// constant and the ADC exact.
 //
-//   supply = min(nominal, battery - drop of the board's regulator)      the ADC's reference, too, if
-//   fed_by_battery a code = volts / supply * steps + adc_noise g          g: standard normal, new for every
-//   conversion
-// So what measures volts (a battery's divider, an infra-red distance sensor) reads higher when the supply
-// sinks. What gives a share of the supply (a reflectance sensor's divider, a current sensor about its half)
-// reads the same, but emitters get darker, by the current through their resistor:
-//   (supply - 1.2 V) / (nominal - 1.2 V)                   1.2 V: an infra-red LED's, as their data sheets
-//   have it
-// References other than the supply (INTERNAL), and the bandgap, which do not sink, are an AVR's own matter:
-// it is told the share (RobotPort::feed), and measures by them as it should. Not modelled: a chip that is
-// reset; an STM32's VREFINT.
+//   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery; also the ADC's
+//                                                                     reference
+//   code   = volts / supply * steps + adc_noise g                     g: standard normal, new per conversion
+//
+// A sensor that outputs volts (a battery's divider, an infra-red distance sensor) therefore reads higher when
+// the supply drops. One that outputs a share of the supply (a reflectance sensor's divider, a current sensor
+// around its half) reads the same. But emitters get darker, with the current through their resistor:
+//   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets
+//
+// Other references (INTERNAL) and the bandgap do not drop. An AVR measures by them itself, as it knows the
+// supply's share of the nominal voltage (RobotPort::feed). Not modelled: a reset of the chip by low supply;
+// an STM32's VREFINT.
 #pragma once
 
 #include <memory>

@@ -1,13 +1,12 @@
 // The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
-// registers and PWM drivers. A part that follows a level does not need to know which of these it is wired to.
+// registers and PWM drivers. A part that follows a level does not need to know which kind it is wired to.
 //
 //   number                 wire
 //   0 .. kMaxPins - 1      the board's pin of that number
-//   kMaxPins + 8 r + q     output q of the robot's register number r, in the file's order. A shift register
-//   is one;
-//                          a PWM driver of 16 channels is two
+//   kMaxPins + 8 r + q     output q of the robot's register number r, in the file's order
 //
-// A shift register's outputs are called "REG1.Q0" to "REG1.Q7", a PWM driver's "pwm.0" to "pwm.15".
+// A shift register is one register, a PWM driver of 16 channels is two. Their outputs are named "REG1.Q0" to
+// "REG1.Q7" and "pwm.0" to "pwm.15".
 #pragma once
 
 #include <optional>

@@ -1,11 +1,11 @@
-// A run, and then back from its verdict to what caused it.
+// Runs a simulation, then traces its verdict back to the causes.
 //
-//   the run is saved now and then
-//   the verdict's decisive moment is run again, with each instruction noted (exec::CauseFinder)
-//   bytes that were made long before: the last two snapshots between which one changed are found, and what
-//   lies between them is run again in the same way
-//   the lines that were met become links: one for a file, one for all that was read, one for all that
-//   was set long before
+//   - The run is saved at intervals.
+//   - The verdict's decisive moment is run again, and each instruction is recorded (exec::CauseFinder).
+//   - For bytes that were written long before, it finds the last two snapshots between which one of them
+//     changed, and runs what lies between them again in the same way.
+//   - The lines found become links: one for a file, one for everything that was read, one for everything that
+//     was set long before.
 #pragma once
 
 #include <map>

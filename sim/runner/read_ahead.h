@@ -41,11 +41,10 @@ long long wall_ns();
 /// InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
-/// All robots, the map with what a simulation begins with there, and the images of those whose numbers are
-/// `confined`. What `last` has and the files still hold is not read again. A robot or map that cannot be read
-/// is left out: the run will say why; so is a map whose file has more than 1 MiB. Throws InputError where an
-/// image cannot be read.
-/// `now`: ns since 1970.
+/// Reads all robots, the map with the simulation's initial state, and the images whose numbers are in
+/// `confined`. Reuses from `last` whatever is unchanged in the files. Skips a robot or map that cannot be
+/// read, since the run reports it, and a map whose file exceeds 1 MiB. Throws InputError where an image
+/// cannot be read. `now`: ns since 1970.
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
                      ReadAhead last, long long now = wall_ns());
 

@@ -1,14 +1,14 @@
-// What goes wrong between the board and the world around it. In scripts it has names beside those of the
-// robot's parts: power, serial, eeprom and clock.
+// Faults between the board and the world around it. Scripts name them power, serial, eeprom and clock, in
+// addition to the robot's parts.
 //
-// Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts); below
-// brown_out_volts (both of its BoardSpec) the chip is held in reset, and starts afresh when there is more
-// again. A robot whose healthy battery gives less than that, or than kLogicKeeps, has another supply for its
-// board, and no sag resets it.
-// Serial. Bytes on their way to the firmware, each by itself and by a hash of (seed, its number).
-// EEPROM. A byte whose writing began is being written for kEepromWriteTime. If the power fails meanwhile, it
-// may hold anything: a script says what. A used chip's holds what another sketch has left there: each byte by
-// a hash of (seed, its address).
+// - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
+//   brown_out_volts (both of its BoardSpec) the chip is held in reset, and restarts when the voltage rises
+//   again. A robot whose healthy battery gives less than that, or than kLogicKeeps, must have another supply
+//   for its board, so no sag resets it.
+// - Serial. Bytes on their way to the firmware, each byte independently, by a hash of (seed, its number).
+// - EEPROM. Writing a byte takes kEepromWriteTime. If the power fails meanwhile, the byte may hold anything:
+//   the script says what. A used chip holds what another sketch has left there: each byte by a hash of (seed,
+//   its address).
 #pragma once
 
 #include <cstdint>

@@ -1,26 +1,25 @@
-// Many events at once: what happens hundreds of times in a simulated second would, as JSON lines of its own,
-// take several times as long as the run.
+// Many events in one binary batch. As one JSON line each, events that occur hundreds of times per simulated
+// second would take several times as long as the run.
 //
-// One behind the other, each begins with eight bytes: what it is, the robot's number, a pin's number, a byte
-// that differs, and a signed number of four bytes: if nothing else is said, the nanoseconds since the one
-// before that has a time, of the first one since 0. Numbers are little-endian, doubles as IEEE 754 has them.
+// Events follow each other. Each begins with eight bytes: kind, robot's number, pin's number, a byte `other`,
+// and a signed number of four bytes. Unless noted below, that number is the nanoseconds since the previous
+// event that has a time, starting at 0. Numbers are little-endian; doubles are IEEE 754.
 //
-//   't'  how many nanoseconds the next one's time is counted from (eight bytes); the robot and the rest are 0
-//   'n'  the pin's name; the differing byte is its length. In each batch before the pin's first
-//   's'  a sample: in place of the time how many readings; t_us (eight bytes); x, y, yaw, speed, cross_track,
-//        left, right, the wheels' two, and the readings: doubles. The differing byte is 1: in place of yaw
-//        its sine and its cosine
-//   'p'  a pin: 0 input, 1 input_pullup, 2 output, and of these bits 4 high, 8 PWM, 16 tone, 32 source; duty,
-//   a
-//        double; with tone its frequency, with source its number (four bytes each)
-//   'l'  a level that was seen: 0 or 1
-//   'v'  volts that were seen, a double
-//   'b'  a byte, in the pin's place: 1 sent by the firmware, 0 received
-//   'd'  the robot's pins have sources, to be told before all else
-//   'c'  a source, numbered from 1: in the pin's place the length of the function's name, then that of the
-//        file's, in place of the time the line; the names
+//   't'  base of the next event's time, in nanoseconds (eight bytes); robot, pin and the rest are 0
+//   'n'  a pin's name, of length `other`; precedes the pin's first event in each batch
+//   's'  a sample; the number is the count of readings. Then t_us (eight bytes), and as doubles x, y, yaw,
+//        speed, cross_track, left, right, the wheels' two, and the readings. If `other` is 1, sine and cosine
+//        of the yaw replace the yaw
+//   'p'  a pin; `other` is 0 input, 1 input_pullup or 2 output, plus 4 high, 8 PWM, 16 tone, 32 source. Then
+//        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
+//   'l'  a level that was read; `other` is 0 or 1
+//   'v'  volts that were read, a double
+//   'b'  a byte, in place of the pin; `other` is 1 if the firmware sent it, 0 if it received it
+//   'd'  announces that the robot's pins have sources; precedes everything else
+//   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
+//        the number is the line. Then the names
 //
-// Who asks for batches and columns gets no columns: BatchReader makes them of these.
+// Batches carry no columns: BatchReader computes those for callers that request both.
 #pragma once
 
 #include <array>

@@ -1,14 +1,14 @@
-// A run's numbers in few bytes: what happens at every pin and a sample each 10 ms, as JSON lines, would take
+// A run's numbers in compact columns. As JSON lines, every pin change and a sample each 10 ms would take
 // several times as long as the run.
 //
-// A column holds whole numbers (value x scale, rounded), of which the differences from what was to be
-// expected are kept, small ones in one byte:
+// A column holds whole numbers (value x scale, rounded). It stores their differences from the expected
+// values, small ones in one byte:
 //
-//   order 1: expected is the value before       (what stays, or jumps)
-//   order 2: expected is a steady change         (times, places)
+//   order 1   expects the previous value      (values that stay, or jump)
+//   order 2   expects a steady change         (times, places)
 //
-// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first; a group that
-// is not the last has its highest bit set.
+// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first. Every group
+// but the last has its highest bit set.
 #pragma once
 
 #include <algorithm>

@@ -138,10 +138,10 @@ class Body {
 
   /// State at the beginning of the current tick.
   const Pose& pose() const { return pose_; }
-  /// The pose `dt_s` into the current tick, extrapolated with constant velocities: an arc of angle a = omega
-  /// dt,
-  ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega,
-  /// sine and cosine as polynomials (error below a^5 / 120 of the way), the heading renormalised.
+  /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. It lies on an arc
+  /// of angle a = omega dt:
+  ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega
+  /// Sine and cosine are polynomials (error below a^5 / 120 of the way), and the heading is renormalised.
   Pose pose_after(double dt_s) const;
   /// The same, of a body that does not move: at any time in the tick.
   Pose standing_pose() const {

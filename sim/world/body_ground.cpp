@@ -8,16 +8,16 @@
 // g cos, with the cosine of its lean; rolling resistance and grip follow it, and the surface under each
 // wheel.
 //
-// With centre_height_m = h loads shift by what the speed gains, a (the mean with the tick before), and by the
+// With centre_height_m = h loads shift by the acceleration a (mean of this tick and the last) and by the
 // slope:
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
 //   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
-// Where N_caster would be negative it leaves the floor, and the body turns about its axle; where a wheel's
-// would be, about the other's side. With f the force m g sine + m a across the line about which it turns, d
-// the mass's distance from it and phi the angle,
-//   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)    I = m (h^2 + d^2 +
-//   bound_radius^2 / 4)
-// Beyond 45 degrees it has toppled. So, standing, it tips where tan(slope) > d / h.
+// If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
+// is negative, the body turns about the line through the other side. With f = m g sine + m a, the force
+// across that line, d the mass's distance from it and phi the angle,
+//   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)
+//   I = m (h^2 + d^2 + bound_radius^2 / 4)
+// Beyond 45 degrees the body has toppled. So, at rest, it tips where tan(slope) > d / h.
 //
 // With the caster behind, what is steeper than the chassis stands, a step or the foot of a slope, pushes at a
 // wheel's hub and not at its tread: of the speed that is lost there, by the impact and to the wheel's own

@@ -1,22 +1,21 @@
-// How high the floor is, how steep, and what it is made of: [[hill]] and [[surface]] of a map. Gaps:
-// joints.h.
+// Height, slope and surface of the floor: [[hill]] and [[surface]] of a map. Gaps between boards: joints.h.
 //
-// Coordinates run along the slope (grid/relief.h), so that the gradient of the height h is the sine of its
-// angle. A wheel of radius r does not follow every corner: its axle is, above r,
-//   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r         s along the hill, within the wheel's
-//   reach
-// found exactly: each corner of the profile, and each straight of slope k, whose part is h(s) + r sqrt(1 +
-// k^2) - r. A wheel that rolls obliquely to a hill reaches r |cos| along it and r |sin| across. So a step of
-// height H is met r sqrt(1 - (1 - H/r)^2) before it, with the slope tan(acos(1 - H/r)), which a wheel at rest
-// climbs only as far as its grip goes: H <= r (1 - 1 / sqrt(1 + grip^2)) if all of the weight is on it. Where
-// hills lie on one another the highest counts. dz/ds is cut at 4.
+// Coordinates run along the slope (grid/relief.h), so the gradient of the height h is the sine of the slope's
+// angle. A wheel of radius r cannot touch every point of a profile. At s its axle is, above r, at
+//   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r      s' within the wheel's reach
+// The maximum is exact: it is at a corner of the profile, or on a straight of slope k, which contributes
+//   h(s) + r sqrt(1 + k^2) - r
+// A wheel that rolls obliquely to a hill reaches r |cos| along it and r |sin| across.
 //
-// A seesaw is a plank on a pivot at height p, with its own mass M, length L, even and thin:
+// So a wheel meets a step of height H at r sqrt(1 - (1 - H/r)^2) before it, with the slope tan(acos(1 -
+// H/r)). A wheel at rest climbs only as far as its grip allows: H <= r (1 - 1 / sqrt(1 + grip^2)), if it
+// carries all of the weight. Where hills overlap, the highest counts. dz/ds is limited to 4.
+//
+// A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
-// It stops where an end is on the floor. Taken: sine for angle, and that masses on it move slowly along it.
+// It stops when an end touches the floor. Approximations: sine for angle; masses on it move slowly along it.
 //
-// Not modelled: the way that a wheel gains at a crest and loses at a foot; soft ground; what hangs over an
-// edge.
+// Not modelled: the way that a wheel gains at a crest and loses at a foot; soft ground; overhangs.
 #pragma once
 
 #include <cstdint>

@@ -1,16 +1,19 @@
-// The light in the room that a map's [[light]] tables describe, as floor sensors see it.
+// Ambient light, as the map's [[light]] tables describe it and floor sensors see it.
 //
-// At a point of the floor a light gives
+// At a point p of the floor a light contributes
 //   L(p, t) = level d(p, t) (1 - flicker (1 - w(t)))
-// d  daylight: 1
-//    a lamp at height h above a point r away: (h^2 / (h^2 + r^2))^(3/2), a small lamp's illuminance on a
-//    plane (Lambert's cosine law and the inverse square), against that right beneath it a patch of sun: 1
-//    within `radius` of at + moves t, else 0
-// w  a rectified sine by parabolas, 4 u (1 - u), u = the fraction of frequency t + phase; within 0.057
-// A sensor sees L times its exposure: light comes in from the side, through the gap between floor and robot,
+//
+//   d, daylight   1
+//   d, lamp       (h^2 / (h^2 + r^2))^(3/2) at height h above a point r away: a small lamp's illuminance of a
+//                 plane (Lambert's cosine law and the inverse square), relative to that right beneath it
+//   d, sun        1 within `radius` of at + moves t, else 0: a patch of sun
+//   w             4 u (1 - u), a rectified sine by parabolas, u = the fraction of frequency t + phase; the
+//                 error is within 0.057
+//
+// A sensor sees L times its exposure, as light enters from the side, through the gap between floor and robot:
 //   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = its height in mm
-// an even sky's light on a point 5 mm behind an edge that is h above it (Lambert), 1 for 3 mm; the 5 mm are
-// our estimate of half a sensor board's width.
+// This is an even sky's light on a point 5 mm behind an edge at height h (Lambert), relative to h = 3 mm. The
+// 5 mm are estimated as half a sensor board's width.
 #pragma once
 
 #include <cstddef>

@@ -1,14 +1,15 @@
-// A debugger that goes back in a run: where it halts, and that the run, what it tells and what it comes to
-// are those of a run without one. The debugger's packets are sent ahead.
+// Tests of a debugger that steps back in a run: where it halts, and that run, output and result equal those
+// of a run without a debugger. The debugger's packets are sent in advance.
 //
-// For tests of one target. Who includes it has declared before, in an anonymous namespace of robosim::runner:
+// Each test file is for one target. Before including this header it declares, in an anonymous namespace of
+// robosim::runner:
 //
 //   struct Target {
 //     using Executor = …;
 //     static constexpr const char *kName, *kRobot, *kPc (gdb's number of the program counter, hexadecimal),
-//         *kTicks (the handler of the core's clock), *kMillis (what it counts up);
-//     static std::uint32_t address_of(const std::filesystem::path& image, const BoardSpec&, const char*
-//     name);
+//         *kTicks (the handler of the core's clock), *kMillis (the variable that it increments);
+//     static std::uint32_t address_of(const std::filesystem::path& image, const BoardSpec&,
+//                                     const char* name);
 //   };
 #pragma once
 

@@ -1,38 +1,39 @@
 // What a robot knows of a network of lines: an m-graph whose nodes are numbered in the order in which a
-// depth-first walk, the right-hand arm first, came upon them (preorder).
+// depth-first walk, the right-hand arm first, meets them (preorder).
 //
-// A Network is anything with these members; explorer and planners are templates over it. FixedNetwork.h keeps
-// one in fixed arrays with 8-bit ids, for a chip; a host may let it grow.
+// A Network is any type with these members; explorer and planners are templates over it. FixedNetwork.h
+// stores one in fixed arrays with 8-bit ids, for a chip; on a host it may grow.
 //
 //   Id                                an unsigned type; nodes are 0, 1, 2, … in preorder
-//   static const Id kNone             behind an arm: not known (yet); of a root: no parent
-//   static const Id kBlocked          behind an arm: an obstacle
+//   static const Id kNone             after an arm: not known (yet); of a root: no parent
+//   static const Id kBlocked          after an arm: an obstacle
 //
 //   Id size() const
 //   bool isStation(Id) const          else it is a junction
-//   uint8_t arms(Id) const            as in Landmark; of a station one arm, or none if it stands alone
-//   Heading entry(Id) const           in which it was first entered; slots count from it (Landmark.h)
+//   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
+//   Heading entry(Id) const           on first entry; slots count from it (Landmark.h)
 //   Place place(Id) const             of a junction
-//   Id parent(Id) const               the node from which it was first entered; it is behind slot 0
-//   Id link(Id, uint8_t slot) const   the node behind that arm, or kNone, or kBlocked
+//   Id parent(Id) const               the node from which it was first entered; it is after slot 0
+//   Id link(Id, uint8_t slot) const   the node after that arm, or kNone, or kBlocked
 //   uint8_t backSlot(Id, uint8_t slot) const    the slot of link() to which this line leads
 //   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a storage that
-//                                             has no room for it may say 1 for a line to a station
+//                                               has no room for it may return 1 for a line to a station
 //   Id find(const Place&) const       the junction there, or kNone
 //   bool isAt(Id junction, const Place&) const   find(place) == junction
-//   bool isTree() const               whether no line was joined beyond those of the depth-first walk
+//   bool isTree() const               whether every line belongs to the depth-first walk
 //
-// Built in preorder, children of a node in the order of its slots 1, 2, 3, and 0 last where it is the root:
+// It is built in preorder. The children of a node follow in the order of its slots 1, 2, 3, and 0 last for
+// the root:
 //
 //   void clear()
 //   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full
 //   Id addJunction(Id from, uint8_t slot, uint8_t arms, Heading entry, Place, uint32_t cost)   kNone if full
 //   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)
-//                                     a line between nodes known, or from one to itself; if an obstacle was
-//                                     noted behind these arms, it is there no more; false if full
-//   bool block(Id, uint8_t slot)      an obstacle behind that arm, on both sides of it; false if full
+//                                     a line between known nodes, or from one to itself; replaces an
+//                                     obstacle noted after these arms; false if full
+//   bool block(Id, uint8_t slot)      an obstacle after that arm, on both sides of it; false if full
 //
-// For the root, `from` is kNone, and slot and cost mean nothing. The arm of a station is its slot 0.
+// For the root, `from` is kNone, and slot and cost have no meaning. The arm of a station is its slot 0.
 #ifndef LINEKIT_NAV_NETWORK_H
 #define LINEKIT_NAV_NETWORK_H
 

@@ -45,11 +45,12 @@ class TreeOrDijkstra {
   DijkstraNext<kJunctions> dijkstra_;
 };
 
-/// Any planner of Plan.h: plans the whole way once, and again if it must. Path needs size() and [] as well.
+/// Adapts any planner of Plan.h: plans the whole path once, and again after forget() or when the robot is
+/// elsewhere. In addition to what Plan.h asks of a Path, it needs size() and [].
 ///
 ///   typedef nav::PathPlanner<Network, Path, Work> Planner;
-///   nav::Navigator<Walker, Network, Planner> navigator(walker, network, Planner(nav::bfs<Network, Path,
-///   Work>));
+///   Planner planner(nav::bfs<Network, Path, Work>);
+///   nav::Navigator<Walker, Network, Planner> navigator(walker, network, planner);
 template <class Network, class Path, class Work>
 class PathPlanner {
  public:

@@ -1,11 +1,11 @@
-// Back from what firmware did to what made it do so: a value is followed through the instructions that made
-// it, down to what was read from outside.
+// Finds the causes of what firmware did: follows a value back through the instructions that computed it, to
+// the inputs that were read.
 //
-//   begin()            from now on each instruction that runs is noted
-//   ask()              what drives these pins, or why firmware is where it is
-//   follow()           back through all that was noted, to its beginning
-//   open_bytes()       were made before that: restore an earlier moment, begin() there, run on, follow()
-//   again
+//   begin()         records each instruction from now on
+//   ask()           asks what drives these pins, or why firmware is where it is
+//   follow()        goes back through everything recorded, to its beginning
+//   open_bytes()    returns the bytes that were written earlier: restore an earlier moment, call begin()
+//                   there, run on, and call follow() again
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,9 @@
-// Which line of the sketch has driven a pin, asked while the chip tells that it is driven.
+// Finds the line of the sketch that has driven a pin, asked while the chip reports the change.
 //
-//   an instruction writes to a register   it has driven the pin: its line, or that of the jump which led out
-//   of
-//                                         the sketch
-//   a timer takes a new duty over         at its next update, so it is the line that has written TIMx_CCRy
-//   a timer, or a handler of the core     switches the pin by itself: no line has
+//   cause                                  line
+//   an instruction writes to a register    its own, or that of the jump that led out of the sketch
+//   a timer takes over a new duty cycle    the one that wrote TIMx_CCRy before the timer's update
+//   a timer or handler of the core         none
 #pragma once
 
 #include <map>

@@ -1,16 +1,15 @@
-// Loops that wait, left out: millis() asked again and again, flags and buttons that are polled. What
-// firmware, pins and time are afterwards is what they would have been; only the processor that simulates them
-// rests.
+// Skips loops that wait: repeated calls of millis(), flags and buttons that are polled. Firmware, pins and
+// time are afterwards as if every pass had run; only the simulating processor saves work.
 //
-//   explores   now and then, among the last jumps: which lead back? Where they lead are heads
-//   records    one pass from a head: what it stores, and how long what it reads from peripherals stays as it
-//   is skips      if registers and RAM are as they were at the pass's beginning: as many passes as end before
-//              the next event, and before anything they read may change. One of them is run again, so that
-//              all is there that a pass leaves behind
+//   explores   from time to time, looks which of the last jumps lead back; their targets are loop heads
+//   records    one pass from a head: what it stores, and how long the values that it reads from peripherals
+//              stay valid
+//   skips      if registers and RAM are as at the beginning of the pass: as many passes as end before the
+//              next event, and before a value that they read may change. One of them is run again, for
+//              everything that a pass leaves behind
 //
-// That is exact, since a pass that begins with the same registers, the same RAM and the same peripherals does
-// the same again. A head has a mark (Cpu), so that loops that are none cost nothing. One that is not worth
-// its while loses it.
+// This is exact, since a pass that begins with equal registers, RAM and peripherals does the same again.
+// Heads are marked (Cpu), so other loops cost nothing. A head that does not pay off loses its mark.
 #pragma once
 
 #include <array>

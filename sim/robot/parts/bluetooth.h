@@ -1,6 +1,5 @@
-// type = "bluetooth": a serial module (HC-05, HC-06 and their kin): a script sends lines to the sketch
-// through it
-// (`send bt "go\n"`), and what the sketch sends is told line by line.
+// type = "bluetooth": a serial module (HC-05, HC-06 and similar). A script sends lines to the sketch through
+// it (`send bt "go\n"`), and what the sketch sends is reported line by line.
 //
 // Its line to the board: serial_line.h. A frame whose stop bit is low is told as "?".
 //

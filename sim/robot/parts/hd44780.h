@@ -1,12 +1,13 @@
 // The controller of character displays, HD44780U (Hitachi data sheet ADE-207-272): what is written to it, and
-// what it shows. Whoever wires it to something, pins or a port expander, calls write() where E falls.
+// what it shows. The part that wires it, to pins or to a port expander, calls write() on E's falling edge.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
-//   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); what comes meanwhile
-//   is lost memory                80 characters: lines of 40, at 0x00 and 0x40
+//   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are
+//                         lost
+//   memory                80 characters: lines of 40, at 0x00 and 0x40
 //
 // Modelled: clear, home, entry mode with shift, display on and off, cursor and display shift, function set,
-// set address, data. Of a sketch's own characters (codes 0 to 7) the code is known, not the picture. Not
+// set address, data. Of user-defined characters (codes 0 to 7) the code is known, not the picture. Not
 // modelled: reading back, the cursor's looks, fonts.
 #pragma once
 

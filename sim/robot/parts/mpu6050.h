@@ -1,21 +1,22 @@
-// type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00),
-// flat on the robot, its x axis ahead, y to the left, z up.
+// type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00).
+// It lies flat on the robot, its x axis ahead, y to the left, z up.
 //
-//   gyro    z: the robot's turn rate; x, y: the rate at which a hand tilts it; each times scale + bias +
-//   noise;
-//           131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
-//   accel   x: dv/dt; y: v w; z: 1 g, or where a hand holds it tilted, 1 g straight up; each + bias + noise;
-//           16384 LSB/g at +-2 g, halved with each step of AFS_SEL
-//   temperature 25 degrees: (T - 36.53) 340
-//   bias    +-20 deg/s at most (zero rate output, 6.1), one for each axis and robot
-//   scale   from the profile typical@2 on 1 +- 3 % (6.1), one for all axes; before, 1
-//   accel_bias  from typical@2 on +-50 mg (6.2; of z 80), one for each axis; before, 0
-//   noise   0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
+//   gyro         z: the robot's turn rate; x, y: the rate of a manual tilt; each times scale + bias + noise
+//                131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
+//   accel        x: dv/dt; y: v w; z: 1 g, or straight up while a manual tilt lasts; each + bias + noise
+//                16384 LSB/g at +-2 g, halved with each step of AFS_SEL
+//   temperature  25 degrees: (T - 36.53) 340
+//   bias         +-20 deg/s at most (zero rate output, 6.1), one per axis and robot
+//   scale        1 +- 3 % from profile typical@2 on (6.1), one for all axes; before, 1
+//   accel_bias   +-50 mg from typical@2 on (6.2; z: 80), one per axis; before, 0
+//   noise        0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
 //
-// dv/dt is that of the last tick. Samples are 8 kHz / (1 + SMPLRT_DIV), 1 kHz with a low-pass filter; each
-// transfer holds the newest. Asleep after power-on (PWR_MGMT_1 = 0x40), it measures nothing. Other registers
-// keep what is written. Not modelled: FIFO (its count stays 0), motion processor, interrupts on the pin INT,
-// the low-pass filter, vibration.
+// dv/dt is that of the last tick. Samples are taken at 8 kHz / (1 + SMPLRT_DIV), or 1 kHz with a low-pass
+// filter, and each transfer returns the newest. After power-on it is asleep (PWR_MGMT_1 = 0x40) and measures
+// nothing. Other registers keep what is written.
+//
+// Not modelled: FIFO (its count stays 0), motion processor, interrupts on pin INT, the low-pass filter,
+// vibration.
 #pragma once
 
 #include "sim/base/noise.h"

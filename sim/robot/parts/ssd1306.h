@@ -1,15 +1,16 @@
 // type = "ssd1306": a graphic OLED display (Solomon Systech data sheet, revision 1.1), 128 pixels wide and 64
-// or 32 high, by I2C.
+// or 32 high, on I2C.
 //
 //   control byte   0x00 commands follow, 0x40 data follows; 0x80, 0xC0: one byte of them, then another
 //   memory         8 pages of 128 bytes, the lowest bit of each on top
 //   addressing     by page (after power-on), horizontal, vertical; each wraps within its window
 //
-// What it shows is told where it has changed and stayed for 50 ms: how many pixels are lit, the rectangle
-// that they fill, x and y of two corners, and what can be read of them as text (pixel_text.h):
-// "212 lit in 0,0 to 63,15: Lap 2|12.4 s". Turned
-// and mirrored pictures (segment remap, COM direction) are told as seen with both set, as libraries do; not
-// modelled: scrolling, contrast, the start line, inverse as something else than pixels.
+// A picture is reported when it has changed and stayed for 50 ms: the number of lit pixels, the rectangle
+// that they fill (x and y of two corners), and any text in them (pixel_text.h), "212 lit in 0,0 to 63,15: Lap
+// 2|12.4 s". Mirrored pictures (segment remap, COM direction) are reported as seen with both set, as
+// libraries do.
+//
+// Not modelled: scrolling, contrast, the start line, inverse other than as pixels.
 #pragma once
 
 #include <vector>

@@ -1,16 +1,15 @@
-// type = "tcs34725": a light-to-digital converter with red, green, blue and clear (TAOS data sheet TAOS135),
-// looking down at the floor beside its own white LED.
+// type = "tcs34725": a light-to-digital converter with red, green, blue and clear channels (TAOS data sheet
+// TAOS135). It looks down at the floor next to its own white LED.
 //
-//   command byte   0x80 | register; the next byte is that of the next one, whatever bit 5 says: libraries
-//   read
-//                  words without it
-//   integration    2.4 ms (256 - ATIME); at most 1024 counts for each 2.4 ms, or 65535
-//   counts         full scale x gain (1, 4, 16, 60) x share; share = white 0.008, on black 1/10 of that, and
-//                  between by what comes back of its colour (grid/colour.h); red 0.36, green 0.36, blue 0.28
-//                  of it, and clear their sum
+//   command byte   0x80 | register; the next byte belongs to the next register, whatever bit 5 says, since
+//                  libraries read words without that bit
+//   integration    2.4 ms (256 - ATIME); at most 1024 counts per 2.4 ms, or 65535
+//   counts         full scale x gain (1, 4, 16, 60) x share
+//   share          red 0.36, green 0.36, blue 0.28 of 0.008 on white, and of 1/10 of that on black; in
+//                  between by the colour's reflectance (grid/colour.h); clear is their sum
 //
-// The shares are our estimate of a breakout some millimetres above paper. It integrates while PON and AEN are
-// set (ENABLE = 3); each ending sets AVALID. Not modelled: interrupts, waiting, noise.
+// The shares are estimated for a breakout some millimetres above paper. It integrates while PON and AEN are
+// set (ENABLE = 3); the end of each integration sets AVALID. Not modelled: interrupts, waiting, noise.
 #pragma once
 
 #include "sim/robot/parts/two_wire.h"

@@ -1,15 +1,16 @@
-// type = "wheel-servo": a servo for continuous rotation, as a wheel's motor. The width of its pulses is its
-// speed.
+// type = "wheel-servo": a servo for continuous rotation, as a wheel's motor. Its pulse width sets its speed.
 //
-//   over = pulse - stop, less the dead band;  drive = over / (full - dead band), at most 1;  brake = 1 -
-//   |drive|
+//   over  = pulse - stop, less the dead band
+//   drive = over / (full - dead band), at most 1
+//   brake = 1 - |drive|
 //
-// drive and brake are of the motor with the figures of [motors] (sim/world/body.h); `reversed` mounts it the
-// other way round. Seen from its shaft, pulses longer than `stop` turn it counter-clockwise: so the left
-// wheel goes forward, and the right one, which looks the other way, backward. 50 ms after the last pulse it
-// rolls out. Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side
-// since 2014, counter-clockwise above; full speed some 0.5 ms away. Parallax 900-00008: full speed 0.2 ms
-// away, without a dead band to speak of.
+// The motor has the parameters of [motors] (sim/world/body.h); `reversed` mounts it the other way round.
+// Pulses longer than `stop` turn it counter-clockwise, seen from its shaft. So they drive the left wheel
+// forward, and the right one, which is mounted mirrored, backward. 50 ms after the last pulse it coasts.
+//
+// Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side since 2014,
+// counter-clockwise above, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed at 0.2 ms from
+// stop, almost no dead band.
 #pragma once
 
 #include "sim/robot/part_reader.h"

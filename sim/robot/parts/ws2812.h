@@ -1,13 +1,14 @@
-// type = "ws2812": a strip of LEDs with a controller each, behind one data pin (NeoPixel).
+// type = "ws2812": a strip of LEDs with a controller each, on one data pin (NeoPixel).
 //
 //   bit 0   high 0.35 us, low 0.8 us       bit 1   high 0.7 us, low 0.6 us     each +- 0.15 us
-//   reset   low for 50 us: what came since the last one is shown
+//   reset   low for 50 us: shows what came since the last one
 //
-// A bit is a 1 if it is high for 0.55 us or longer; 24 of them, green, red, blue, the highest first, are a
-// LED's, and the rest goes on to the next (WorldSemi data sheet WS2812; newer ones take 280 us for a reset,
-// which they get where a sketch waits as its library does). It is told as an event, RRGGBB a LED, when it has
-// changed and stayed for 50 ms. Loops that
-// make pulses so short are a chip's: on the target host the library's stand-in makes them.
+// A bit is a 1 if it is high for 0.55 us or longer. 24 of them, green, red, blue, the highest first, belong
+// to one LED, and the rest goes on to the next (WorldSemi data sheet WS2812). Newer strips take 280 us for a
+// reset, which they get where a sketch waits as its library does. Colours are reported as an event, RRGGBB
+// per LED, when they have changed and stayed for 50 ms.
+//
+// Only an emulated chip makes pulses so short by loops. On the target host the library's stand-in makes them.
 #pragma once
 
 #include "sim/robot/part.h"

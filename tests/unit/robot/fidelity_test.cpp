@@ -1,6 +1,5 @@
-// Our models beside what others have measured: the table of docs/fidelity.md stands between `<!-- ledger -->`
-// and
-// `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*' writes it anew.
+// Compares our models with published measurements: the table of docs/fidelity.md, between `<!-- ledger -->`
+// and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*' regenerates it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

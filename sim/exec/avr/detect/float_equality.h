@@ -1,21 +1,21 @@
-// A float that is compared by == or != with a value which it passes, and never meets.
+// Finds a float that is compared by == or != with a value that it passes and never meets.
 //
-//   while (angle != 90.0) angle += 0.7;      89.6, 90.3, …: the loop does not end
+//   while (angle != 90.0) angle += 0.7;      // 89.6, 90.3, …: the loop does not end
 //
-// Most decimal fractions are no floats, and what is measured or added up comes close to a number, seldom to
-// it: 0.1, added up ten times, is 1.0000001. What is found is a comparison of the sketch's which
+// Most decimal fractions have no exact float, and measured or accumulated values rarely hit a number exactly:
+// 0.1, added up ten times, is 1.0000001. A finding is a comparison in the sketch that
 //
-//   was made 10 times or more, with a constant value on one side, and never found both equal
-//   saw the other side on both sides of that value: it has passed it
-//   is with 0: and ran away from it for 20 comparisons on end, for who only spares himself a step where an
-//   error is 0 misses nothing
+//   - was made at least 10 times, with a constant value on one side, and was never equal;
+//   - saw the other side both below and above that value, so the value has passed it;
+//   - if the constant is 0: saw the value move away from it for 20 consecutive comparisons. Skipping a step
+//     while an error is 0 is harmless.
 //
-// So what watches for a change (x != last) is no finding. Mended by >= or <=, by fabs(a - b) < 0.5, or by
-// counting in integers.
+// So detecting a change (x != last) is not a finding. To fix it, use >= or <=, or fabs(a - b) < 0.5, or count
+// in integers.
 //
-// On the chip such a comparison is a call of a function of libgcc, whose arguments lie in registers
-// (avr-gcc's ABI: R22 to R25 and R18 to R21), and a test of its result for 0 behind it. On the host it is an
-// instruction among others, and not looked at. Nor are comparisons that the compiler has done itself.
+// On the chip such a comparison is a call of a libgcc function, whose arguments are in registers (avr-gcc's
+// ABI: R22 to R25 and R18 to R21), followed by a test of its result for 0. Not examined: the host, where it
+// is an ordinary instruction, and comparisons that the compiler has evaluated itself.
 #pragma once
 
 #include <cstdint>

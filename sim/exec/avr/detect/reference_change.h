@@ -1,22 +1,22 @@
-// The first reading behind a change of the ADC's reference, taken for good.
+// Finds a sketch that uses the first reading after a change of the ADC's reference.
 //
 //   analogReference(INTERNAL);  battery = analogRead(A5);
 //   analogReference(DEFAULT);   left = analogRead(A0);
 //
 // "The first ADC conversion result after switching reference voltage source may be inaccurate, and the user
-// is advised to discard this result" (ATmega328P, DS40002061B, 24.5.2): the capacitor at AREF, 100 nF on an
-// Uno, has to be charged or emptied first, which takes some milliseconds from 5 V to 1.1 V. Here each
-// conversion is exact. What is found is
+// is advised to discard this result" (ATmega328P, DS40002061B, 24.5.2). The capacitor at AREF, 100 nF on an
+// Uno, must be charged or emptied first, which takes some milliseconds from 5 V to 1.1 V. Here each
+// conversion is exact. A finding is a sketch that
 //
-//   a sketch that changes the reference again and again, at least four times,
-//   and with the first reading behind it at least three times does not read the same pin again within 50 ms
+//   - changes the reference at least four times,
+//   - and at least three times does not read the pin of the first reading after the change again within 50
+//     ms.
 //
-// So who reads once in vain, or averages, and who sets the reference once in setup(), is not told of. Mended
-// by a reading that is thrown away, after a few milliseconds; or by one reference for all.
+// So a sketch that discards a reading or averages is not reported, nor one that sets the reference once in
+// setup(). To fix it, discard one reading after a few milliseconds, or use one reference for everything.
 //
-// What it cannot see: sketches that do not use analogRead(); whether a pause stands before the reading (a
-// long one helps); readings behind a change of the channel
-// (sim/judge/slow_source.h).
+// Not detected: sketches that do not use analogRead(); a pause before the reading (a long one helps);
+// readings after a change of the channel (sim/judge/slow_source.h).
 #pragma once
 
 #include <cstdint>
