@@ -1,7 +1,9 @@
-// The Arduino API as a sketch sees it on the host: names, types and macros of the AVR core 1.8.7, so that a
-// sketch compiles as it does for an Uno. Print, Stream, String and IPAddress are the genuine core's own
-// sources, staged beside this header. Functions are documented at https://docs.arduino.cc/language-reference;
-// what they cost in simulated time is in hal/host.
+// The Arduino API of the host target: names, types and macros of the AVR core 1.8.7, so that a sketch
+// compiles as for an Uno. Print, Stream, String and IPAddress are the genuine core's sources, staged next to
+// this header.
+//
+// Functions are documented at https://docs.arduino.cc/language-reference. Their cost in simulated time is in
+// hal/host.
 #pragma once
 #ifndef Arduino_h
 #define Arduino_h

@@ -11,7 +11,7 @@
 #include <avr/io.h>
 #include <inttypes.h>
 
-/// One byte of EEPROM, by its address.
+/// References one byte of EEPROM by its address.
 struct EERef {
   EERef(const int address) : index(address) {}
 
@@ -51,7 +51,7 @@ struct EERef {
   int index;
 };
 
-/// Walks over EEPROM bytes.
+/// Iterates over EEPROM bytes.
 struct EEPtr {
   EEPtr(const int address) : index(address) {}
 

@@ -1,4 +1,4 @@
-// The serial port: the same class as the AVR core's to a sketch. Bytes leave through the simulated UART at
+// The serial port. Its class looks to a sketch like the AVR core's. Bytes leave through the simulated UART at
 // its baud rate; both buffers hold 64 bytes, as on an Uno.
 #pragma once
 #ifndef HardwareSerial_h
@@ -77,7 +77,7 @@ extern HardwareSerial Serial3;
 #define HAVE_HWSERIAL3
 #endif
 
-/// Defined by a sketch: called after each loop() when bytes have arrived.
+/// Is called after each loop() in which bytes have arrived, if the sketch defines it.
 extern void serialEvent() __attribute__((weak));
 extern void serialEventRun() __attribute__((weak));
 

@@ -1,4 +1,4 @@
-// Names for Blue Pill sketches that an Uno does not have, on every target: the chip's pins, as STM32duino
+// Names for Blue Pill sketches that an Uno does not have, on every target: the chip's pins as STM32duino
 // writes them (PA13 and PA14 are the debugger's, PB2 is BOOT1), and the resolution of analog values.
 #pragma once
 
@@ -51,10 +51,10 @@
 extern "C" {
 #endif
 
-/// From now on analogRead gives 0 to 2^bits - 1; 1 to 16 bits, at first 10. The converter of the STM32F103
-/// has 12, the host's 10: what is beyond them is zero.
+/// Makes analogRead return 0 to 2^bits - 1, for 1 to 16 bits; the default is 10. The converter of the
+/// STM32F103 has 12 bits, the host's 10. Further bits are zero.
 void analogReadResolution(int bits);
-/// From now on analogWrite takes 0 to 2^bits - 1; 1 to 16 bits, at first 8. PWM keeps its 256 steps.
+/// Makes analogWrite accept 0 to 2^bits - 1, for 1 to 16 bits; the default is 8. PWM keeps its 256 steps.
 void analogWriteResolution(int bits);
 
 #ifdef __cplusplus

@@ -1,2 +1,2 @@
-// Included before the first line of each source, so that gcc loads no precompiled header (Foo.h.gch) which
-// lies in a sketch's or a library's folder: such a file is an image of the compiler's memory.
+// Is included before the first line of each source. So gcc does not load a precompiled header (Foo.h.gch)
+// from a sketch's or library's folder, which would be an image of the compiler's memory.

@@ -1,11 +1,11 @@
-// avr-libc's generator of random numbers, the same on every target.
+// avr-libc's random number generator, the same on every target.
 #pragma once
 
 #include <stdint.h>
 
 namespace robosim_hal {
 
-/// x' = 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). 0 would stay 0.
+/// Returns x' = 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). 0 would stay 0.
 inline long next_random(unsigned long& seed) {
   auto x = static_cast<int32_t>(seed);
   if (x == 0) x = 123459876;

@@ -1,4 +1,5 @@
-// What analogReadResolution and analogWriteResolution (bluepill.h) have set, for the cores that have them.
+// The resolutions that analogReadResolution and analogWriteResolution (bluepill.h) have set, for cores with
+// them.
 #pragma once
 
 namespace robosim_hal {

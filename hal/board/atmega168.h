@@ -1,5 +1,5 @@
-// The ATmega168 of older Nanos: an ATmega328P with less memory. Source: data sheet 2545W; the section stands
-// at each figure.
+// The ATmega168 of older Nanos: an ATmega328P with less memory. Source: data sheet 2545W; each value names
+// its section.
 #pragma once
 
 #include "hal/board/atmega328p.h"

@@ -1,6 +1,6 @@
-// The ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; the section stands at each group.
+// The ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; each group names its section.
 //
-// PB7 is OC0A and OC1C; here it is the first alone, which is Arduino's.
+// PB7 is OC0A and OC1C. Here it is only OC0A, as in Arduino's core.
 #pragma once
 
 #include "hal/board/chip_spec.h"

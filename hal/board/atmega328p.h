@@ -1,5 +1,4 @@
-// The ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; the section stands at each
-// group.
+// The ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; each group names its section.
 #pragma once
 
 #include "hal/board/chip_spec.h"

@@ -1,8 +1,7 @@
-// The ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; the section stands at each
-// group.
+// The ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; each group names its section.
 //
-// Pins with two timers belong to one here, as in Arduino's core: PB7 is OC0A (not OC1C), PB6 OC1B (not OC4B),
-// PC6 OC3A.
+// A pin with two timers belongs to one of them, as in Arduino's core: PB7 is OC0A (not OC1C), PB6 OC1B (not
+// OC4B), PC6 OC3A.
 #pragma once
 
 #include "hal/board/chip_spec.h"

@@ -1,10 +1,9 @@
-// What the registers of an AVR's analog-digital converter mean (ATmega328P, data sheet DS40002061B, chapter
-// 24). For the host target and for the emulated chip. What samples a board's pins is in avr_adc_sample.h.
+// Registers of an AVR's analog-digital converter (ATmega328P, data sheet DS40002061B, chapter 24). The host
+// target and the emulated chip share them. avr_adc_sample.h samples a board's pins.
 //
-// A conversion takes 13 clocks of the ADC and samples after 1.5; the first one after it was switched on 12
-// more of each (table 24-1). References: AVCC is the supply; AREF, where nothing is wired to it here, the
-// supply too; the bandgap. The temperature sensor reads 0, and so do the differential channels that some
-// chips have.
+// A conversion takes 13 clocks of the ADC and samples after 1.5. The first one after switching on takes 12
+// more of each (table 24-1). References: AVCC is the supply; AREF is the supply, too, if nothing is wired to
+// it; the bandgap. The temperature sensor reads 0, and so do the differential channels of some chips.
 #pragma once
 
 #include <stdint.h>
@@ -14,38 +13,39 @@
 namespace robosim {
 namespace avr {
 
-/// The processor's cycles in a clock of the ADC, by ADCSRA: table 24-5.
+/// Returns the processor cycles per ADC clock, by ADCSRA: table 24-5.
 constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
 
-/// Half clocks of the ADC from a conversion's start to its sample, and clocks to its end.
+/// Return half clocks of the ADC from a conversion's start to its sample, and clocks to its end.
 constexpr int adc_half_clocks_to_sample(bool first) { return first ? 27 : 3; }
 constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
 
-/// The bits MUX of ADMUX and, where there is one, MUX5 of ADCSRB: table 24-4.
+/// Returns the bits MUX of ADMUX and, if present, MUX5 of ADCSRB: table 24-4.
 constexpr int adc_selection(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b) {
   return (multiplexer & adc.multiplexer_bits) | (control_b & adc.high_channels ? 0x20 : 0);
 }
 
-/// The analog input that they select, alone and against ground; -1 = none. MUX5 selects those from 8 on.
+/// Returns the analog input that `selection` connects, single-ended; -1 if none. MUX5 selects inputs from 8
+/// on.
 constexpr int adc_channel(const AdcSpec& adc, int selection) {
   return (selection & 0x18) != 0 || (selection & 7) + (selection & 0x20 ? 8 : 0) >= adc.pins
              ? -1
              : (selection & 7) + (selection & 0x20 ? 8 : 0);
 }
 
-/// The bits REFS of ADMUX: table 24-3.
+/// Returns the bits REFS of ADMUX: table 24-3.
 constexpr int adc_reference(const AdcSpec& adc, uint8_t multiplexer) {
   return (multiplexer >> 6) + (multiplexer & adc.reference_bit ? 4 : 0);
 }
 
-/// The reference that they select, in volts.
+/// Returns the selected reference in volts.
 constexpr double adc_reference_volts(const AdcSpec& adc, uint8_t multiplexer, double supply_volts) {
   return adc.references[adc_reference(adc, multiplexer)] != 0.0
              ? adc.references[adc_reference(adc, multiplexer)]
              : supply_volts;
 }
 
-/// The code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
+/// Returns the code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
 constexpr uint16_t adc_code(double volts, double reference_volts) {
   return volts / reference_volts * 1024.0 <= 0.0 ? uint16_t{0}
          : volts / reference_volts * 1024.0 >= 1023.0
@@ -53,15 +53,15 @@ constexpr uint16_t adc_code(double volts, double reference_volts) {
              : static_cast<uint16_t>(volts / reference_volts * 1024.0);
 }
 
-/// ADCH and ADCL together, as ADMUX has them adjusted (24.9.3).
+/// Returns ADCH and ADCL together, adjusted as ADMUX says (24.9.3).
 constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// The code of what ADMUX and ADCSRB select; `pin_volts(channel)` are those at an analog input.
-/// Where the supply has sunk to `supply_share()` of itself, those are what they would be beside a supply that
-/// has not: right for a reference that is the supply, and too high for one that has stayed. `held` becomes
-/// the volts on the converter's capacitor, likewise.
+/// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns volts at an
+/// analog input as if the supply were nominal. If it has dropped to `supply_share()` of that, these volts
+/// suit a reference that drops along, and are too high for one that does not. `held` receives the volts on
+/// the converter's capacitor, at the same scale.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

@@ -1,4 +1,4 @@
-// What an AVR's analog-digital converter finds at the pins of a board.
+// Samples a board's pins for an AVR's analog-digital converter.
 #pragma once
 
 #include "hal/board/avr_adc.h"
@@ -8,9 +8,9 @@
 namespace robosim {
 namespace avr {
 
-/// Samples on a board the channel that ADMUX selects, and has selected since `from`; `wired(pin)` is the
-/// number of a pin that its wires are on, `held` what is on the converter's capacitor, before and after. The
-/// pin is looked at at `t`, `late` before the sample.
+/// Samples the channel that ADMUX selects, and has selected since `from`. `wired(pin)` returns the pin number
+/// that the wires of a pin are on. `held` is the voltage of the converter's capacitor, before and after. The
+/// pin is read at `t`, `late` before the sample.
 template <typename Wired>
 uint16_t adc_sample(FirmwarePort& board, const BoardSpec& spec, const AdcSpec& adc, uint8_t multiplexer,
                     double& held, SimTime from, SimTime t, SimTime late, Wired wired) {

@@ -1,6 +1,6 @@
-// Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the host target and for the
-// emulated chip: those that an ATmega has there whatever ports, timers and UARTs it has. Of these its
-// ChipSpec says where they are.
+// Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the host target and the
+// emulated chip. These registers have the same address in every ATmega; a ChipSpec has those of ports, timers
+// and UARTs.
 #pragma once
 
 #include <stdint.h>

@@ -1,13 +1,14 @@
-// What the registers of an AVR's timers mean: how they count, and how they drive their pins (ATmega328P, data
-// sheet DS40002061B: timer 0 in chapter 15, timer 1 in 16, timer 2 in 18). For the host target and for the
-// emulated chip.
+// Registers of an AVR's timers: how they count, and how they drive their pins (ATmega328P, data sheet
+// DS40002061B: timer 0 in chapter 15, timer 1 in 16, timer 2 in 18). The host target and the emulated chip
+// share them.
 //
-//   tick       `prescaler` cycles of the processor
-//   period     TOP + 1 ticks, or 2 TOP where it counts up and down (phase correct)
+//   tick                `prescaler` cycles of the processor
+//   period              TOP + 1 ticks, or 2 TOP if the timer counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
-//   COM = 1             toggles at each match: half the time high, a match a period; in PWM modes only
-//                       OCnA, and only where TOP can be set (not by ICRn in the two that count up and down)
+//   COM = 1             toggles at each match: high half the time, one match per period; in PWM modes only
+//                       OCnA, and only if TOP can be set (not by ICRn in the two modes that count up and
+//                       down)
 #pragma once
 
 #include <stdint.h>
@@ -18,13 +19,13 @@
 namespace robosim {
 namespace avr {
 
-/// By TCCRnB: tables 15-9, 16-5, 18-9. 0 = it stands, or counts an external clock.
-/// Of an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (data sheet 2586Q, table 12-5).
+/// Returns the prescaler by TCCRnB: tables 15-9, 16-5, 18-9. 0 if the timer is stopped or counts an external
+/// clock. For an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (data sheet 2586Q, table 12-5).
 constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
   return !timer.top ? timer.prescalers[control_b & 7] : (control_b & 0xF) ? 1 << ((control_b & 0xF) - 1) : 0;
 }
 
-/// How a timer counts.
+/// A timer's counting mode.
 struct Counting {
   enum class Kind : uint8_t { normal, clear_on_match, pwm };
   enum class Top : uint8_t { fixed, compare_a, capture };  ///< where its TOP is kept
@@ -37,8 +38,9 @@ struct Counting {
   bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, always where OCR is TOP
 };
 
-/// By WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal. Of an ATtiny85's
-/// timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match with OCR1C, 3 PWM up to OCR1C.
+/// Returns the mode by WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal. For
+/// an ATtiny85's timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match with OCR1C, 3 PWM
+/// up to OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
@@ -75,22 +77,22 @@ constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t c
                           : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];
 }
 
-/// The end of the count, given OCRnA and (of a timer of 16 bits) ICRn.
+/// Returns the end of the count, given OCRnA and (for a timer of 16 bits) ICRn.
 constexpr int64_t top_of(const Counting& how, uint16_t compare_a, uint16_t capture) {
   return how.top == Counting::Top::compare_a ? compare_a
          : how.top == Counting::Top::capture ? capture
                                              : how.fixed_top;
 }
 
-/// Ticks from one overflow to the next.
+/// Returns the ticks from one overflow to the next.
 constexpr int64_t period_of(const Counting& how, int64_t top) {
   return !how.dual_slope ? top + 1 : top > 0 ? 2 * top : 1;
 }
 
-/// COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA: 0 = the pin belongs to the port.
+/// Returns COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA; 0 if the pin belongs to the port.
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
-/// Whether COM of a channel gives its pin to the timer, which takes it while DDRx says output: COM = 1 does
+/// Returns whether COM of a channel gives its pin to the timer, while DDRx makes it an output. COM = 1 does
 /// not in every PWM mode.
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
@@ -99,7 +101,7 @@ constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
                                           (how.top == Counting::Top::capture && !how.dual_slope)));
 }
 
-/// The level of a pin with PWM, COM being 2 or 3, at a tick of the period that begins at BOTTOM.
+/// Returns the level of a pin with PWM (COM is 2 or 3) at a tick of the period, which begins at BOTTOM.
 constexpr bool pwm_level(const Counting& how, int64_t top, uint16_t compare, uint8_t com, int64_t tick) {
   const bool low = how.dual_slope && compare == 0;
   const bool high =
@@ -107,8 +109,8 @@ constexpr bool pwm_level(const Counting& how, int64_t top, uint16_t compare, uin
   return high != (com == 3);
 }
 
-/// How a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that channel's
-/// OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
+/// Returns how a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that
+/// channel's OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
 inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,
                             uint8_t com, int64_t clock_hz) {
   PinDrive drive;

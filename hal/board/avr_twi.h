@@ -34,7 +34,7 @@ constexpr uint8_t kTwpsMask = 0x03;  ///< of TWSR; the rest is the status
 constexpr uint8_t kNoTwiStatus = 0xF8;
 constexpr uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
 
-/// What a bit takes, in cycles.
+/// Returns the duration of a bit in cycles.
 constexpr int64_t twi_bit(uint8_t rate, uint8_t status) {
   return 16 + 2 * (static_cast<int64_t>(rate) << 2 * (status & kTwpsMask));
 }

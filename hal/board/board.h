@@ -1,14 +1,14 @@
-// The seam between firmware and robot: what either can see of a microcontroller, and do to it.
+// The seam between firmware and robot: everything that either can see of a microcontroller, and do to it.
 //
 //   firmware ──► executor ──► FirmwarePort   RobotPort ◄── robot's parts, simulation
 //                                       one board
 //
-// The executor (host, AVR, STM32) speaks for the firmware: it says how each pin is driven, and asks what a
-// pin reads, always with the exact time (firmware_port.h). The parts of the robot answer and watch
-// (robot_port.h). Neither sees the other's view, and nothing else crosses. No function of either blocks, and
-// none looks at the wall clock. Here is what both speak of.
+// The executor (host, AVR, STM32) acts for the firmware: it drives pins and reads them, always with the exact
+// time (firmware_port.h). The robot's parts provide the values and observe changes (robot_port.h). Neither
+// sees the other's view, and nothing else crosses. No function of either blocks or uses the wall clock. This
+// header has the types that both share.
 //
-// C++14, no standard library: these headers are compiled into firmware images too.
+// C++14, no standard library: firmware images include these headers, too.
 #pragma once
 
 #include <stdint.h>
@@ -17,18 +17,18 @@
 
 namespace robosim {
 
-/// A pin by its Arduino number (`5`, `A0` = 14 on an Uno). See board_spec.h for names.
+/// A pin by its Arduino number (`5`, `A0` = 14 on an Uno). board_spec.h has the names.
 using Pin = uint8_t;
 
 /// No pin: "not wired".
 constexpr Pin kNoPin = 255;
 
-/// Upper bound of Arduino pin numbers over all boards: from here on numbers mean other wires of a robot.
+/// Upper bound of Arduino pin numbers over all boards. Numbers from here on are other wires of a robot.
 constexpr int kMaxPins = 100;
 
 enum class PinMode : uint8_t { input, input_pullup, output };
 
-/// How the microcontroller drives one pin. All zero is what a reset leaves: input, no pull-up.
+/// How the microcontroller drives one pin. All zero is the state after a reset: input, no pull-up.
 struct PinDrive {
   PinMode mode = PinMode::input;
   bool level = false;      ///< output latch; meaningful for `output` without PWM
@@ -44,7 +44,7 @@ inline bool operator==(const PinDrive& a, const PinDrive& b) {
 }
 inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b); }
 
-/// For which a byte of EEPROM is written, old content erased first (datasheet, table 8-1).
+/// The time that writing a byte of EEPROM takes, including erasing it first (datasheet, table 8-1).
 constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
 
 struct BoardSpec;

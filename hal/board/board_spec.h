@@ -1,5 +1,5 @@
-// Boards and their pins, as data. A new board is one entry in board_spec.cpp, and an entry of pins there
-// unless another board's are the same. A board much like another is written as what differs.
+// Boards and their pins, as data. A new board is one entry in board_spec.cpp, and a table of pins there
+// unless another board has the same pins. A variant of a board lists only the differences.
 #pragma once
 
 #include <stdint.h>
@@ -54,17 +54,17 @@ struct BoardSpec {
   uint16_t usb_id = 0;                ///< product; the vendor is 0x2341, Arduino
 };
 
-/// The board of that name, or null. Names are listed by board_at.
+/// Returns the board of that name, or null. board_at lists the names.
 const BoardSpec* find_board(const char* name);
-/// The board of that number, from 0; null past the last.
+/// Returns the board of that number, from 0; null past the last.
 const BoardSpec* board_at(int number);
-/// A pin by what people write: "5", "D5", "A0", "PD5" (case does not matter). kNoPin if the board has none
-/// such.
+/// Returns a pin by any of its usual names: "5", "D5", "A0", "PD5" (case does not matter). kNoPin if the
+/// board has no such pin.
 Pin find_pin(const BoardSpec& board, const char* name);
-/// The highest number of a digital pin.
+/// Returns the highest number of a digital pin.
 Pin last_digital_pin(const BoardSpec& board);
 
-/// The lowest number that the same pin of the chip has: a Leonardo's A6 is its pin 4. Wires are on that.
+/// Returns the lowest number of the same chip pin, which wires use: a Leonardo's A6 is its pin 4.
 inline Pin first_number(const BoardSpec& board, Pin pin) {
   const ChipPin& place = board.pins[pin].chip_pin;
   for (Pin first = 0; first < pin; ++first) {

@@ -1,17 +1,17 @@
-// Chips as data: what emulators, the host's model of a chip, the build and programmers have to know of one.
+// Chips as data, for emulators, the host's model of a chip, the build and programmers.
 //
-//   ChipSpec   one a chip, in a header of its own, from its data sheet: atmega328p.h, stm32f103c8.h
-//   BoardSpec  one a board: the chip on it, its clock, and what its pins are called (board_spec.h)
+//   ChipSpec   one per chip, in a header of its own, from its data sheet: atmega328p.h, stm32f103c8.h
+//   BoardSpec  one per board: its chip, its clock, and the names of its pins (board_spec.h)
 //
-// They are constants, so that they can size arrays and label cases. C++14, no standard library: this header
-// is compiled into firmware images too.
+// They are constants, so that they can size arrays and label cases. C++14, no standard library: firmware
+// images include this header, too.
 #pragma once
 
 #include <stdint.h>
 
 namespace robosim {
 
-/// A pin of a chip. A number is -1 where the pin has none such.
+/// A pin of a chip. A number is -1 if the pin lacks that function.
 struct ChipPin {
   const char* name;       ///< the data sheet's: "PD5"
   int8_t port;            ///< index of ChipSpec::ports; -1 = analog input only
@@ -54,13 +54,13 @@ struct TimerSpec {
   uint8_t flag_bits[3] = {0, 1, 2};  ///< of overflow, compare A and B, in registers that timers may share
 };
 
-/// TimerSpec::bits of a timer 4 as an ATmega32U4 has it, which is another kind.
+/// TimerSpec::bits of an ATmega32U4's timer 4, which is of another kind.
 constexpr uint8_t kHighSpeedBits = 10;
 
-/// Whether timers share TIFR and TIMSK.
+/// Returns whether the timer shares TIFR and TIMSK with others.
 constexpr bool shares_flags(const TimerSpec& timer) { return timer.flag_bits[0] != 0; }
 
-/// How many OCRnx it has.
+/// Returns the timer's number of OCRnx.
 constexpr uint8_t channels(const TimerSpec& timer) { return timer.compare[2] ? 3 : 2; }
 
 struct UartSpec {
@@ -122,7 +122,7 @@ struct ComparatorSpec {
   int8_t captured_by = -1;  ///< index of the timer that can note when its output changes
 };
 
-/// Where an AVR's registers are, in data memory, that belong to none of the others: an ATmega's, unless told.
+/// Addresses in data memory of an AVR's other registers; the defaults are an ATmega's.
 struct AvrRegisters {
   uint16_t external_sense = 0x69;                ///< EICRA, with ISC0 in its lowest bits
   uint16_t external_enables = 0x3D;              ///< EIMSK
@@ -150,7 +150,7 @@ struct AvrRegisters {
   uint16_t general[2] = {0x3E, 0x4A};            ///< GPIOR0, GPIOR1
 };
 
-/// A USB device controller; a serial line of its own to the computer, behind those of the UARTs.
+/// A USB device controller. It is a serial line to the computer, numbered after those of the UARTs.
 struct UsbSpec {
   uint16_t address = 0;  ///< of an AVR's USBCON, which the others follow; 0 = none
   uint16_t pll = 0;      ///< address of PLLCSR

@@ -1,4 +1,4 @@
-// How long so many cycles of a clock take, in whole nanoseconds: rounded down, from the absolute count, so
+// Converts a number of clock cycles to whole nanoseconds, rounded down. It converts the absolute count, so
 // that nothing drifts.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The board as firmware sees it: executors call this, and images of the host target through theirs.
+// The board as firmware sees it. Executors call this interface, and images of the host target through theirs.
 #pragma once
 
 #include "hal/board/board.h"

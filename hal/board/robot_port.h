@@ -1,12 +1,12 @@
-// The board as the robot sees it: its parts, and the simulation around them, call this.
+// The board as the robot sees it. The robot's parts and the simulation around them call this interface.
 #pragma once
 
 #include "hal/board/board.h"
 
 namespace robosim {
 
-/// What the robot puts on a pin. Asked only when firmware looks, with a time inside the current tick; the
-/// answer is extrapolated from the world's state at the tick's start.
+/// A signal that the robot puts on a pin. Firmware's reads call it, with a time inside the current tick; it
+/// extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
   /// The voltage against ground, in volts. May consume a sample of noise.
@@ -23,7 +23,7 @@ class PinSource {
   ~PinSource() = default;
 };
 
-/// Told of every change in the way a pin is driven, in the order of time.
+/// Receives every change in how a pin is driven, in order of time.
 class PinWatcher {
  public:
   virtual void pin_changed(Pin pin, const PinDrive& drive, SimTime t) = 0;
@@ -32,7 +32,7 @@ class PinWatcher {
   ~PinWatcher() = default;
 };
 
-/// Told of every byte that the firmware has sent by UART.
+/// Receives every byte that the firmware has sent by UART.
 class SerialWatcher {
  public:
   /// `t` is when the firmware handed the byte over.
@@ -42,7 +42,7 @@ class SerialWatcher {
   ~SerialWatcher() = default;
 };
 
-/// Told of every byte of EEPROM whose writing begins: it takes kEepromWriteTime.
+/// Receives every byte of EEPROM whose writing begins; writing takes kEepromWriteTime.
 class EepromWatcher {
  public:
   virtual void eeprom_written(uint16_t address, uint8_t before, uint8_t value, SimTime t) = 0;
@@ -51,7 +51,7 @@ class EepromWatcher {
   ~EepromWatcher() = default;
 };
 
-/// Told of every conversion of a pin by an AVR's ADC.
+/// Receives every conversion of a pin by an AVR's ADC.
 class AdcWatcher {
  public:
   /// The capacitor of the converter was still `volts` away from what the pin has: more than 0 = above.
@@ -61,8 +61,8 @@ class AdcWatcher {
   ~AdcWatcher() = default;
 };
 
-/// Told of what comes into the microcontroller: what its firmware finds when it looks at a pin, edges that
-/// reach an interrupt, bytes that reach the UART. Nearly, but not always, in the order of time.
+/// Receives every input of the microcontroller: values that firmware reads from a pin, edges that reach an
+/// interrupt, bytes that reach the UART. The order of time holds nearly, but not always.
 class InputWatcher {
  public:
   virtual void level_seen(Pin pin, bool level, SimTime t) = 0;
@@ -73,7 +73,7 @@ class InputWatcher {
   ~InputWatcher() = default;
 };
 
-/// What answers on the two-wire bus. Addresses have seven bits.
+/// A device on the two-wire bus. Addresses have seven bits.
 class TwoWireDevice {
  public:
   /// Whether it answers to `address`, and if so, it is spoken to from now on.

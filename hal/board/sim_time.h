@@ -1,4 +1,4 @@
-// The one clock of a simulation. Wall time is never one of its inputs.
+// The simulation's only clock. Wall time is never an input of it.
 #pragma once
 
 #include <stdint.h>
@@ -14,10 +14,10 @@ constexpr SimTime kMicrosecond = 1000;
 constexpr SimTime kMillisecond = 1000 * kMicrosecond;
 constexpr SimTime kSecond = 1000 * kMillisecond;
 
-/// The step of the world: firmware and world meet at every multiple of it.
+/// The step of the world. Firmware and world synchronise at every multiple of it.
 constexpr SimTime kTick = kMillisecond;
 
-/// A time no event ever reaches.
+/// A time that no event reaches.
 constexpr SimTime kNever = INT64_MAX;
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
-// The STM32F103C8 of a Blue Pill. Sources: data sheet DS5319, reference manual RM0008 rev. 21; the section of
-// the latter stands at each group. Its other registers are in hal/stm32/addresses.h.
+// The STM32F103C8 of a Blue Pill. Sources: data sheet DS5319, reference manual RM0008 rev. 21; each group
+// names its section of the latter. Other registers are in hal/stm32/addresses.h.
 #pragma once
 
 #include "hal/board/chip_spec.h"

@@ -1,4 +1,4 @@
-// An access to a register in its steps, for those who do not know its value when it begins
+// The steps of a register access, for code that does not know its value when the access begins
 // (register_memory.cpp).
 #pragma once
 
@@ -9,11 +9,11 @@
 namespace robosim {
 namespace host {
 
-/// Notes it, at `place` in the sketch, spends its time, serves what is due, and brings all flags up to date.
+/// Records the access at `place` in the sketch, spends its time, serves what is due, and updates all flags.
 void begin_access(robosim_register address, int bytes, const void* place);
-/// What a read of 1 or 2 bytes then gives.
+/// Returns the result of a read of 1 or 2 bytes, after begin_access().
 uint16_t register_value(robosim_register address, int bytes);
-/// What a write of 1 or 2 bytes then does.
+/// Carries out a write of 1 or 2 bytes, after begin_access().
 void set_register(robosim_register address, int bytes, uint16_t value);
 
 }  // namespace host

@@ -1,4 +1,5 @@
-// The analog to digital converter (datasheet, chapter 24); what its registers mean is hal/board/avr_adc.h's.
+// The analog to digital converter (datasheet, chapter 24). hal/board/avr_adc.h has the meaning of its
+// registers.
 #pragma once
 
 #include <stdint.h>

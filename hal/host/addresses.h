@@ -1,10 +1,10 @@
-// Address checks: which bytes of an image with checks may be accessed. gcc's AddressSanitizer calls
-// before every access of the sketch, its libraries and the core; what it calls is in addresses.cpp. gcc's own
-// runtime is not used: it would have to be the first library in the process, and ends the process.
+// Address checks: which bytes of an image with checks may be accessed. gcc's AddressSanitizer calls functions
+// in addresses.cpp before every access of the sketch, its libraries and the core. gcc's own runtime is not
+// used, since it must be the process's first library and ends the process.
 //
-// One byte of the shadow stands for 8 bytes of memory: 0 = all may be accessed, 1..7 = so many of them, from
-// 0x80 on = none, and why. It lies where gcc expects it, since functions write the shadow of their own frames
-// themselves.
+// One shadow byte describes 8 bytes of memory: 0 = all accessible, 1..7 = only the first so many, from 0x80
+// on = none, and why. The shadow lies where gcc expects it, since functions write the shadow of their own
+// frames themselves.
 #pragma once
 
 #include <stddef.h>
@@ -34,21 +34,21 @@ constexpr uint8_t kHeapFreed = 0xFD;
 constexpr uint8_t kArrayBefore = 0xCA;  // of an array whose length is known only at run time
 constexpr uint8_t kArrayBehind = 0xCB;
 
-/// A block of the heap: what malloc was asked for.
+/// A block of the heap, with the size that malloc was asked for.
 struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
 };
-/// The last block that begins at or before the address, in use or given back; all zero if there is none.
+/// Returns the last block that begins at or before the address, in use or freed; all zero if there is none.
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE
-/// `begin` is a multiple of 8. A last piece of less than 8 bytes is marked by its length.
+/// Allows access to `bytes` from `begin`, a multiple of 8. A rest of less than 8 bytes is marked by its
+/// length.
 void allow(const void* begin, size_t bytes);
-/// `begin` and `bytes` are multiples of 8.
+/// Forbids access; `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);
-/// Bytes that have not been set yet hold the same pattern as local variables
-/// (-ftrivial-auto-var-init=pattern).
+/// Fills uninitialised bytes with the pattern of local variables (-ftrivial-auto-var-init=pattern).
 void fill_unset(void* begin, size_t bytes);
 #else
 inline void allow(const void*, size_t) {}

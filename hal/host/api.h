@@ -1,5 +1,5 @@
-// Every function of the Arduino API begins with one of these: it records the call, so that a verdict can say
-// what firmware waits for.
+// Records calls of the Arduino API, so that a verdict can name what firmware waits for. Every function of the
+// API begins with one of these.
 #pragma once
 
 #include "hal/host/clock.h"
@@ -20,7 +20,7 @@ __attribute__((always_inline)) inline void note_arguments(const char* name, Pin 
   state.call.pin = pin;
 }
 
-/// Inlined, so that the return address is that of the API function: a place in the sketch.
+/// Records a call. Inlined, so that the return address is that of the API function: a place in the sketch.
 __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
                                                      int32_t first = 0, int32_t second = 0) {
   if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
@@ -29,8 +29,8 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
   if (!in_handler()) note_arguments(name, pin, arguments, first, second);
 }
 
-/// The same of one that changes nothing but the time, and whose answer depends on the sketch's own doing, on
-/// `polling.clock` and on what note_level() is told. It spends its time by spend_asking().
+/// Records a call that only spends time, by spend_asking(). Its result depends on the sketch, on
+/// `polling.clock` and on levels reported to note_level().
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();
@@ -39,7 +39,7 @@ __attribute__((always_inline)) inline void note_question(const char* name, Pin p
   if (!in_handler()) note_arguments(name, pin, arguments, first, 0);
 }
 
-/// Remembers which input the sketch looks at, also where it does something else between two looks.
+/// Remembers which input the sketch reads, even if it does something else between two reads.
 inline void note_read(Pin pin) {
   if (in_handler()) return;
   state.read_pin = pin;

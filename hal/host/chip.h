@@ -1,18 +1,18 @@
-// The chip whose registers, timers and interrupts a sketch finds on the target host: of hal/host this alone
-// names it.
+// The chip whose registers, timers and interrupts a sketch finds on the target host. In hal/host only this
+// header names it.
 //
 // A core is compiled for one board (sim/build/compile.cpp):
-//   ROBOSIM_CLOCK_HZ   the chip's clock
-//   ROBOSIM_PINS       how many numbers Arduino's pins have, analog inputs included
-//   ROBOSIM_ANALOG_INPUTS  how many of them are analog inputs, from A0 on
+//   ROBOSIM_CLOCK_HZ       the chip's clock
+//   ROBOSIM_PINS           the number of Arduino pin numbers, analog inputs included
+//   ROBOSIM_ANALOG_INPUTS  the number of analog inputs among them, from A0 on
 #pragma once
 
 #include "hal/board/atmega168.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/board.h"
 
-/// Of a namespace's declarations: nobody outside the image has such a name, so that gcc reaches the variables
-/// without a table (-fvisibility=hidden holds for definitions alone).
+/// Marks declarations of a namespace that is private to the image, so that gcc accesses its variables without
+/// a table (-fvisibility=hidden applies to definitions only).
 #define ROBOSIM_WITHIN __attribute__((visibility("hidden")))
 
 namespace robosim {

@@ -1,4 +1,4 @@
-// Firmware's time: every call and every basic block advances it; at its deadline interrupts are served and
+// Firmware's time. Every call and every basic block advances it. At its deadline interrupts are served and
 // the executor takes over.
 #pragma once
 
@@ -6,13 +6,13 @@
 #include "hal/host/costs.h"
 #include "hal/host/image.h"
 
-/// Of variables that image.h calls the clockwork: they lie together.
+/// Groups the variables that image.h calls clockwork, so that they are adjacent.
 #define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
-/// Of large ones that image.h calls settings.
+/// Groups the large variables that image.h calls settings.
 #define ROBOSIM_SETTINGS __attribute__((section("robosim_settings")))
-/// What few sketches come to, or seldom, is made small: images are read, and hashed, whenever a run begins.
+/// Optimises rarely used code for size, since images are read and hashed at the start of each run.
 #define ROBOSIM_RARE __attribute__((cold))
-/// What sketches call again and again has all inlined that it calls itself.
+/// Inlines everything that a frequently called function calls.
 #define ROBOSIM_FREQUENT __attribute__((flatten))
 
 namespace robosim {
@@ -20,64 +20,65 @@ namespace host ROBOSIM_WITHIN {
 
 extern FirmwareState state;
 extern FirmwarePort* board;
-/// What it says of itself.
+/// The board's description of itself.
 extern const BoardSpec* board_spec;
 extern Host* executor;
-/// When something has to be done: the limit, or an interrupt that is due before it.
+/// The time of the next action: the limit, or an interrupt that is due earlier.
 extern SimTime deadline;
-/// The same, where blocks are watched and come to block_at_deadline() before it.
+/// Like `deadline`; earlier while blocks are observed and call block_at_deadline() before it.
 extern SimTime watched_deadline;
 
 /// Serves what is due, yields at the limit, and sets the next deadline.
 void reach_deadline();
-/// When the next thing happens by itself: an interrupt that will be served, a reset, the end of a tone.
+/// Returns the time of the next autonomous event: an interrupt that will be served, a reset, the end of a
+/// tone.
 SimTime next_due();
-/// To be called after anything that changes when an interrupt is due.
+/// Recomputes the deadline. Call it after any change that moves an interrupt.
 void refresh_deadline();
 
-/// The same where a look may begin (polling.h).
+/// Like spend(), at a place where a polling look may begin (polling.h).
 void spend_late();
 
-/// A short stretch of work. Interrupts that fall into it are served at its end.
+/// Spends a short stretch of work. Interrupts that occur in it are served at its end.
 inline void spend(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) spend_late();
 }
 
 void block_at_deadline();
-/// The same in a basic block of firmware, which may be watched.
+/// Like spend(), in a basic block of firmware, which may be observed.
 inline void spend_in_block(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) block_at_deadline();
 }
 
-/// Work that interrupts prolong: `duration` of the processor's own time.
+/// Does `duration` of the processor's own work, which interrupts prolong.
 void work(SimTime duration);
 
-/// By how much the next delay() shall be shorter, ns.
+/// The time by which the next delay() is shortened, ns.
 extern SimTime sooner;
 
 void be_late();
-/// Lets Lateness pass that is due.
+/// Applies a Lateness that is due.
 inline void be_late_if_due() {
   if (__builtin_expect(state.now >= state.late_from, 0)) be_late();
 }
 
-/// Waits for `time` while interrupts are served at their exact moment; ends later only if a handler takes
-/// longer. Costs nothing however long it is.
+/// Waits for `time`, serving interrupts at their exact moments. Ends later only if a handler takes longer.
+/// Its cost does not depend on the duration.
 void wait_long(SimTime time);
 inline void wait_until(SimTime time) {
   if (time >= deadline) return wait_long(time);
   if (time > state.now) state.now = time;
 }
 
-/// The same for firmware that is not in a call of the API: it hangs.
+/// Like wait_long(), for firmware outside of an API call: it hangs.
 void idle_until(SimTime time);
 
 /// Waits for the next interrupt to be served. Interrupts must be enabled.
 void wait_for_interrupt(bool timer0_counts);
 
-/// Firmware has ended itself; `how` as the sketch would write it. Does not return.
+/// Ends the firmware at its own request; `how` is the call as the sketch would write it. Does not return.
 __attribute__((noreturn)) void stop_for_ever(const char* how);
 
 }  // namespace ROBOSIM_WITHIN

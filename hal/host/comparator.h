@@ -1,6 +1,8 @@
-// The analog comparator (datasheet, chapter 23): AIN0 (pin 6) or the bandgap against AIN1 (pin 7) or the
-// analog input that ADMUX selects. Voltages are looked at when ACSR is read or written, and every 64 cycles
-// while its interrupt is enabled or timer 1 captures its edges.
+// The analog comparator (datasheet, chapter 23). It compares AIN0 (pin 6) or the bandgap with AIN1 (pin 7) or
+// the analog input that ADMUX selects.
+//
+// Voltages are sampled when ACSR is read or written, and every 64 cycles while its interrupt is enabled or
+// timer 1 captures its edges.
 #pragma once
 
 #include <stdint.h>

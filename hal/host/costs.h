@@ -1,9 +1,8 @@
-// What every call of the Arduino API costs on an ATmega328P, in CPU cycles. The only place with these
-// figures.
+// The cost of every Arduino API call on an ATmega328P, in CPU cycles. No other file has these values.
 //
-// Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6, cycles
-// between two writes of GPIOR0 around the call, less the empty pair's. Arguments of the calls are not
-// constants.
+// Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6. A cost is
+// the cycles between two writes of GPIOR0 around the call, less the empty pair's. Arguments of the calls are
+// not constants.
 #pragma once
 
 #include <stdint.h>
@@ -16,7 +15,7 @@ namespace host {
 
 constexpr CycleTime kCycles(kClockHz);
 
-/// Nanoseconds of so many CPU cycles.
+/// Returns the nanoseconds of `count` CPU cycles.
 constexpr SimTime cycles(int64_t count) { return kCycles.of(count); }
 
 namespace cost {
@@ -41,8 +40,8 @@ constexpr int kShiftInBit = 104;   ///< of 251 a bit, the rest is one digitalWri
 // Analog pins.
 constexpr int kAnalogWrite = 128;         ///< M, with PWM
 constexpr int kAnalogWriteDigital = 192;  ///< M, values 0 and 255, and pins without PWM
-/// M: 1706 cycles less 13 ADC clocks of 128. The wait for the ADC's next clock comes on top, so that reads in
-/// a row take 14 ADC clocks (112 us on a board at 16 MHz), as on boards.
+/// M: 1706 cycles less 13 ADC clocks of 128. The wait for the ADC's next clock is added, so consecutive reads
+/// take 14 ADC clocks (112 us on a board at 16 MHz), as on boards.
 constexpr int kAnalogRead = 42;
 
 // Time. M

@@ -1,4 +1,4 @@
-// Which lines of the sketch ran: gcc's counters (-fprofile-arcs), as the files that gcov reads.
+// Line coverage of the sketch: gcc's counters (-fprofile-arcs), as the files that gcov reads.
 #pragma once
 
 #include "hal/host/image.h"

@@ -1,5 +1,5 @@
-// The EEPROM (datasheet, chapter 8.4): by avr-libc's functions, and by its registers. A write goes on by
-// itself, and whatever comes next waits for it, or asks EEPE. EEMPE holds for 64 cycles, not 4.
+// The EEPROM (datasheet, chapter 8.4), by avr-libc's functions and by its registers. A write continues in the
+// background; the next access waits for it or polls EEPE. EEMPE holds for 64 cycles, not 4.
 #pragma once
 
 #include <stdint.h>

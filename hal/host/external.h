@@ -1,5 +1,5 @@
-// Interrupts by pins (datasheet, chapter 13): INTn, and the pin change interrupts. A Blue Pill has one for
-// each pin; those without an INTn come by attachInterrupt alone, under the number of the pin.
+// Interrupts by pins (datasheet, chapter 13): INTn and pin change interrupts. A Blue Pill has one per pin.
+// Pins without an INTn use attachInterrupt only, with the pin's number.
 #pragma once
 
 #include <stdint.h>
@@ -27,7 +27,7 @@ static_assert(kExternals <= 4, "EICRA has the sense of four");
 
 enum Edge : uint8_t { kAnyEdge = 1, kFalling = 2, kRising = 3 };
 
-/// A bit for each of the board's pins.
+/// A set of the board's pins, one bit each.
 struct PinSet {
   uint32_t words[(kPins + 31) / 32] = {};
 
@@ -51,31 +51,32 @@ struct PinSet {
   }
 };
 
-/// Pins that interrupt on an edge, on boards that have more such pins than INTn.
+/// Pins that interrupt on an edge, on boards with more such pins than INTn.
 struct Lines {
   PinSet enabled, flags;
   uint8_t sense[kPins] = {};  ///< Edge
 };
 extern Lines lines;
 
-/// Whether this pin of the board interrupts through `lines`.
+/// Returns whether this pin interrupts through `lines`.
 bool has_line(Pin pin);
-/// The lowest pin whose flag is raised and enabled, and clears the flag; kNoPin if there is none.
+/// Returns the lowest pin whose flag is raised and enabled, and clears the flag; kNoPin if there is none.
 Pin take_line();
 
-/// After a change of the registers: tells the executor which edges matter.
+/// Reports to the executor which edges matter. Call it after a change of the registers.
 ROBOSIM_RARE void refresh_external();
-/// Pins of which they do.
+/// Pins whose edges matter.
 extern PinSet heard;
-/// Takes what has reached such pins until now; and what has come of it that one is driven in another way.
+/// Takes the edges that have reached such pins until now, including those caused by driving a pin
+/// differently.
 void hear();
 void drive_changed(Pin pin);
-/// An edge has arrived at an input, at that moment.
+/// Handles an edge that has arrived at an input at that moment.
 void external_edge(Pin pin, bool level, SimTime at);
-/// The level of a pin that matters, whoever makes it, from a moment on: an edge, if it had the other one.
+/// Handles the level of an observed pin from a moment on, whatever its source: an edge, if the level changes.
 void hear_level(Pin pin, bool level, SimTime at);
-/// The vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low level
-/// raises its flag for as long as it lasts.
+/// Returns the vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low
+/// level keeps its flag raised while it lasts.
 inline uint32_t pending_external() {
   constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
   const uint32_t edges = (external.flags | external.low) & external.mask & kAllExternal;
@@ -83,9 +84,9 @@ inline uint32_t pending_external() {
   const bool by_line = lines.flags.first_common(lines.enabled) != kNoPin;
   return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
 }
-/// The handler of `vector` starts: edges clear their flag.
+/// Clears the flag of an edge as the handler of `vector` starts.
 void acknowledge_external(int vector);
-/// Whether one of them is enabled.
+/// Returns whether any of these interrupts is enabled.
 bool external_may_interrupt();
 
 }  // namespace ROBOSIM_WITHIN

@@ -1,14 +1,14 @@
 // The interface between a firmware image and its executor; nothing else crosses it.
 //
 // An image is a shared object: sketch, libraries, Arduino core and hal/host. It exports one symbol,
-// `robosim_image`. The executor loads it from a private copy, runs `Image::run` on a fiber of its own, and
-// both share a FirmwareState: plain words, because they are looked at in every tick.
+// `robosim_image`. The executor loads it from a private copy and runs `Image::run` on a fiber. Both share a
+// FirmwareState of plain words, which are read in every tick.
 //
 //   executor                                  firmware, on its fiber
 //   limit = t; next_input = …; resume  ──►    runs; its clock `now` advances with all that it does
-//                                      ◄──    now >= limit: wake = when it has something to do; Host::yield()
+//                                      ◄──    now >= limit: wake = its next activity; Host::yield()
 //
-// A firmware that waits until `wake` need not be resumed before, unless there is input.
+// A firmware that waits until `wake` need not be resumed earlier, unless there is input.
 #pragma once
 
 #include <stddef.h>
@@ -19,10 +19,10 @@
 namespace robosim {
 namespace host {
 
-/// Incremented with every change of what is declared here: an image of another version is refused.
+/// Version of these declarations. Increment it with every change; an image of another version is refused.
 constexpr uint32_t kImageVersion = 16;
 
-/// Something that reaches the chip from outside, whether or not firmware is looking.
+/// An input that reaches the chip from outside, whether or not firmware is reading.
 struct Input {
   enum class Kind : uint8_t { edge, byte };
   Kind kind = Kind::edge;
@@ -31,7 +31,7 @@ struct Input {
   SimTime at = 0;
 };
 
-/// What gcc's AddressSanitizer says of a global variable.
+/// gcc's AddressSanitizer record of a global variable.
 struct GlobalRecord {
   uintptr_t begin;
   uintptr_t bytes;
@@ -54,7 +54,7 @@ struct BadAccess {
   size_t block_bytes = 0;
 };
 
-/// What firmware asks of its executor. All calls come from the fiber.
+/// The services of the executor. All calls come from the fiber.
 class Host {
  public:
   /// Firmware has reached its limit; returns when it may go on, with a later limit.
@@ -96,7 +96,7 @@ class Host {
   ~Host() = default;
 };
 
-/// A call of the Arduino API, kept cheaply: `name` is a literal.
+/// A call of the Arduino API, stored cheaply: `name` is a literal.
 struct ApiCall {
   const char* name = "";  ///< "digitalRead", or a register's name: "PORTB"
   int32_t argument[2] = {0, 0};
@@ -104,9 +104,9 @@ struct ApiCall {
   Pin pin = kNoPin;
 };
 
-/// As if firmware's code took longer: for `by` nothing is done but to serve interrupts, before setup(), at
-/// the end of a loop() or the beginning of a delay(), the first behind `from`. Or, negative, as if it took so
-/// much less: the next delay() is shorter.
+/// A simulated slowdown of the firmware: for `by` it only serves interrupts. This happens once, at the first
+/// place after `from`: before setup(), at the end of a loop() or at the beginning of a delay(). If `by` is
+/// negative, the next delay() is that much shorter.
 struct Lateness {
   SimTime from = kNever;
   SimTime by = 0;
@@ -142,7 +142,7 @@ struct FirmwareState {
   const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
 };
 
-/// Takes what has been counted in a sketch that was built for coverage.
+/// Receives the counters of a sketch that was built for coverage.
 class CounterSink {
  public:
   /// From here on it is about this file (.gcda, as gcov reads it).
@@ -182,5 +182,5 @@ struct Image {
 }  // namespace host
 }  // namespace robosim
 
-/// The one symbol an image exports.
+/// The only symbol that an image exports.
 extern "C" __attribute__((visibility("default"))) const robosim::host::Image robosim_image;

@@ -1,5 +1,5 @@
-// The interrupt controller: which handlers are due, and the I flag. Numbers and priority (lowest first) as in
-// the chip's vector table.
+// The interrupt controller: which handlers are due, and the I flag. Numbers and priority (lowest first) are
+// those of the chip's vector table.
 #pragma once
 
 #include <stdint.h>
@@ -35,31 +35,32 @@ static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 
 inline bool interrupts_enabled() { return status_register & 0x80; }
-/// How many handlers run, one within another; and whether one does.
+/// The number of nested handlers that run now.
 extern int handler_depth;
 inline bool in_handler() { return handler_depth > 0; }
-/// Whether the sketch has ever switched on SPI, two-wire interface, comparator or the EEPROM's interrupt: few
-/// do, and until then nothing comes of these.
+/// Whether the sketch has ever enabled SPI, two-wire interface, comparator or the EEPROM's interrupt. Few
+/// sketches do; until then these are skipped.
 extern bool rare_used;
-/// How many handlers have run.
+/// The number of handlers that have run.
 extern uint32_t handlers_run;
 
 /// Brings all flags up to the present moment.
 void sync_peripherals();
-/// The same of what comes from outside alone.
+/// Like sync_peripherals(), for external inputs only.
 void take_inputs();
-/// The flags that are raised and enabled, one bit a vector.
+/// Returns the flags that are raised and enabled, one bit per vector.
 uint32_t pending_interrupts();
-/// When the next enabled flag will be raised; with or without the overflow of Timer 0 that millis() counts.
+/// Returns when the next enabled flag will be raised, with or without the Timer 0 overflow that millis()
+/// counts.
 SimTime next_interrupt(bool with_timer0_overflow);
-/// If nothing is raised and enabled, and no conversion goes on: when the next thing happens by itself but for
-/// the overflow of Timer 0, whether it interrupts or not. Else 0.
+/// Returns the time of the next autonomous event other than Timer 0's overflow, whether it interrupts or not.
+/// 0 if a flag is raised and enabled, or a conversion is in progress.
 SimTime next_alone();
-/// Whether an interrupt is enabled that may come though firmware touches no register any more. Those of the
-/// core's clock and of its Serial do not count: they change nothing that a sketch could see without a call.
-/// With `held_back` those count that come only once the I flag is set again.
+/// Returns whether an enabled interrupt may occur even if firmware accesses no register. Those of the core's
+/// clock and its Serial do not count, since a sketch sees them only through calls. `held_back` includes those
+/// that occur only once the I flag is set again.
 bool may_interrupt(bool held_back);
-/// Runs the handler of the most urgent pending interrupt; false if there is none, or I is clear.
+/// Runs the handler of the most urgent pending interrupt; returns false if there is none, or I is clear.
 bool serve_interrupt();
 
 }  // namespace ROBOSIM_WITHIN

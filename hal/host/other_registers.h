@@ -1,6 +1,6 @@
-// Registers beside those of ports, timers, converter and serial lines: EEPROM and comparator, those that only
-// keep what is written, and those that the host lacks, of which it tells that a sketch uses them. What it
-// does then says nothing of the chip.
+// Registers other than those of ports, timers, converter and serial lines: EEPROM and comparator, registers
+// that only store what is written, and registers that the host lacks. Use of the latter is reported, since
+// the run then differs from the chip.
 #pragma once
 
 #include <stdint.h>
@@ -10,10 +10,10 @@ namespace host {
 
 uint8_t read_other(uint8_t address);
 void write_other(uint8_t address, uint8_t value);
-/// SM and SE.
+/// Returns SM and SE.
 uint8_t sleep_control();
 
-/// The sketch uses something, as its author would name it ("CLKPR"), that the host lacks. `what` is a
+/// Records that the sketch uses a feature that the host lacks, by its usual name ("CLKPR"). `what` is a
 /// literal.
 void note_lack(const char* what);
 

@@ -1,12 +1,11 @@
-// Firmware that only waits, by asking again and again: it finds its variables, heap, stack and registers as
-// they were when it was at the same place before, and all that it has asked meanwhile is sure to be answered
-// in the same way for some time. Then it goes the same round, of the same length, until that time is over,
-// and as many rounds as surely fit into it are left out but for the last: what follows is as if they had been
-// gone through.
+// Skips firmware that only waits by polling. Such firmware returns to a place with the same variables, heap,
+// stack and registers as before, and all its queries are certain to have the same answers for some time. So
+// it repeats the same round, of the same length, until that time is over. As many rounds as certainly fit
+// into it are skipped, except the last; the result is the same as running them.
 //
-// At a deadline a look begins: each basic block comes to look_at_block() from then on. It ends when a
-// round has been left out, when it takes too long, or with a call that does more than those marked by
-// note_question(). Looks that find nothing are repeated ever more rarely.
+// At a deadline a look begins: from then on each basic block calls look_at_block(). The look ends when rounds
+// have been skipped, when it takes too long, or at a call that does more than those marked by
+// note_question(). Looks without success become ever rarer.
 #pragma once
 
 #include <stdint.h>
@@ -51,10 +50,10 @@ struct Polling {
 };
 extern Polling polling;
 
-/// Where a look may begin: after a deadline, in a block or a call.
+/// Starts a look if one may begin: after a deadline, in a block or a call.
 void begin_look();
-/// A block begins during a look. Whether the executor is to compare the state or, as `polling.take` says, to
-/// take it; what follows from that: false if the look is over, and what is due has to be done.
+/// Handles the beginning of a block during a look. Returns whether the executor is to compare the state, or
+/// take it if `polling.take` is set. Afterwards false means that the look is over and due work must be done.
 inline bool look_wants_state() {
   if (polling.sure || state.now >= polling.until || state.place != polling.place) return false;
   polling.take = !polling.known;
@@ -62,23 +61,23 @@ inline bool look_wants_state() {
 }
 bool look_at_block();
 void look_at_level(Pin pin, bool high);
-/// It has got another answer than in the round of `length`, or a handler has run.
+/// Abandons the round of `length`: a query had another answer, or a handler has run.
 inline void leave_round() {
   if (!polling.sure) return;
   polling.sure = polling.going = false;
 }
-/// The sketch has asked for the level of a pin, and got it.
+/// Records that the sketch has read the level of a pin.
 inline void note_level(Pin pin, bool high) {
   if (!(high ? polling.high : polling.low).has(pin)) leave_round();
   if (__builtin_expect(polling.on, 0)) look_at_level(pin, high);
 }
-/// It has asked for what Timer 0's interrupt counts.
+/// Records that the sketch has read what Timer 0's interrupt counts.
 inline void note_clock() {
   polling.clock = true;
   polling.reads = polling.points + 1;  // when its time is spent
   if (timer0_count.millis != polling.millis) leave_round();
 }
-/// A round may be interrupted here.
+/// Marks a point at which a round may be interrupted.
 inline void note_point() {
   if (!polling.going || polling.sure || polling.pins || polling.points < 0) return;
   if (polling.points == Polling::kMostPoints)
@@ -87,7 +86,7 @@ inline void note_point() {
     polling.at[polling.points++] = state.now - polling.since;
 }
 void spend_late();
-/// Work in a call that changes nothing.
+/// Spends work in a call that changes nothing.
 inline void spend_asking(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now < deadline, 1)) return;
@@ -95,7 +94,7 @@ inline void spend_asking(int count) {
   spend_late();
 }
 
-/// Between two calls of loop(), which is no place to look at: it has none of its own in the sketch.
+/// Spends work between two calls of loop(), where no look may begin: the sketch has no place there.
 inline void spend_between_loops(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now < deadline, 1)) return;

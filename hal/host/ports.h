@@ -1,6 +1,6 @@
-// Ports (datasheet, chapter 14), and which Arduino pin is which of their bits: as the board says, or the one
-// that stands in for it here (BoardSpec::host_model). A board with more pins than that one has ports more,
-// which no register shows.
+// Ports (datasheet, chapter 14), and the mapping of Arduino pins to their bits: the board's, or that of its
+// substitute on the host (BoardSpec::host_model). A board with more pins than the substitute has additional
+// ports without registers.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Index of a port: those of ChipSpec::ports come first.
+/// Index of a port; those of ChipSpec::ports come first.
 using Port = uint8_t;
 constexpr int kBits = 8;
 constexpr int kPorts = kChip.port_count + (kPins + kBits - 1) / kBits;
@@ -24,7 +24,7 @@ struct TimerPin {
   int8_t channel = 0;  ///< 0 = A, 1 = B
 };
 
-/// Where a pin is on the chip.
+/// The place of a pin on the chip.
 struct Place {
   bool digital = false;  ///< the board has it, and not as an analog input only, as A6 and A7 of a Nano are
   Port port = 0;
@@ -47,12 +47,12 @@ inline Port port_of(Pin pin) { return places[pin].port; }
 inline uint8_t mask_of(Pin pin) { return places[pin].mask; }
 inline bool is_digital(Pin pin) { return places[pin].digital; }
 inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
-/// The pin of INTn; kNoPin if the board has none.
+/// Returns the pin of INTn; kNoPin if the board has none.
 Pin pin_of_external(int number);
-/// The pin of ICP1; of AIN0 and AIN1.
+/// Return the pin of ICP1, and those of AIN0 and AIN1.
 Pin pin_of_capture();
 Pin pin_of_comparator(int input);
-/// When the firmware begins: fills in all that.
+/// Fills in the mapping when the firmware begins.
 ROBOSIM_RARE void place_pins();
 
 struct PortRegisters {
@@ -61,39 +61,40 @@ struct PortRegisters {
 };
 extern PortRegisters ports[kPorts];
 
-/// Writes registers; what changes on the pins is told to the board.
+/// Writes registers, and reports changes of pins to the board.
 void set_direction(Port port, uint8_t value);
 void set_output(Port port, uint8_t value);
-/// Switches digital inputs off, which then read low: DIDR0, and DIDR1 behind it.
+/// Digital inputs that are switched off and read low: DIDR0, followed by DIDR1.
 extern uint16_t inputs_off;
 inline bool is_input_off(Pin pin) { return inputs_off && inputs_off & places[pin].off_bits; }
-/// What a pin reads, and PINx.
+/// Return the level that a pin reads, and PINx.
 bool read_pin(Pin pin);
 uint8_t read_port(Port port);
 
-/// What the board knows of its pins.
+/// The drive of each pin as last reported to the board.
 extern PinDrive driven[kPins];
 inline bool is_output(Pin pin) { return driven[pin].mode == PinMode::output; }
-/// Whether a timer drives it, if it is an output.
+/// Returns whether a timer drives the pin if it is an output.
 bool is_timed(Pin pin);
-/// Whether the chip drives it up and down by itself (waves.h).
+/// Returns whether the chip toggles the pin by itself (waves.h).
 bool is_wave(Pin pin);
-/// The level of an output.
+/// Returns the level of an output.
 bool output_level(Pin pin);
 
-/// Whether the board has PWM on a pin of which its stand-in has no timer: it is driven without one.
+/// Returns whether the board has PWM on a pin for which its substitute has no timer. Such a pin is driven
+/// without one.
 inline bool has_pwm_without_timer(Pin pin) {
   return pin < kPins && places[pin].timer.timer < 0 && board_spec->pins[pin].pwm;
 }
-/// Such a pin has PWM of `value` of 255 from now on; 0 = none.
+/// Gives such a pin PWM of `value` of 255; 0 = none.
 void set_pwm(Pin pin, uint8_t value);
-/// Whether it had any.
+/// Ends its PWM, and returns whether it had any.
 bool end_pwm(Pin pin);
 
-/// Tells the board if the way `pin` is driven has changed.
+/// Reports to the board if the way `pin` is driven has changed.
 void refresh_pin(Pin pin);
 void refresh_timer_pins(int timer);
-/// `pin` carries a square wave by tone(); 0 = none.
+/// Makes `pin` carry a square wave by tone(); 0 = none.
 void set_tone(Pin pin, uint32_t hz);
 
 }  // namespace ROBOSIM_WITHIN

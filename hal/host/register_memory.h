@@ -1,11 +1,12 @@
-// Registers in memory, for libraries that keep their addresses: `volatile uint8_t* port =
+// Registers in memory, for libraries that store their addresses: `volatile uint8_t* port =
 // portOutputRegister(…)`.
 //
-// An image in which somebody does so is compiled with ROBOSIM_REGISTER_MEMORY (sim/build/target.cpp): there a
-// register is a byte of robosim_register_memory, at its address in the chip's data space, and gcc calls us
-// before each access to memory that is not a function's own (-fsanitize=thread, without its library). Before
-// a read the byte gets what the register holds. What is written is known only after the access: it is settled
-// before the next one, the next call and the next basic block, as of the moment of the write.
+// An image with such code is compiled with ROBOSIM_REGISTER_MEMORY (sim/build/target.cpp). A register is then
+// a byte of robosim_register_memory, at its address in the chip's data space. gcc calls us before each access
+// to memory other than a function's own (-fsanitize=thread, without its library).
+//
+// Before a read the byte receives the register's value. A written value is known only after the access. It
+// takes effect before the next access, call or basic block, as of the moment of the write.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -14,8 +15,8 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Settles the register that was written last; null = that is done. A pointer, so that images without such
-/// registers have none of this.
+/// Applies the register that was written last; null if nothing is pending. It is a pointer, so that images
+/// without such registers do not contain this code.
 extern void (*unsettled)();
 
 inline void settle_registers() {

@@ -1,9 +1,9 @@
-// What a sketch's view of the chip (hal/arduino) asks of the host implementation (hal/host): registers,
-// interrupts, sleep, EEPROM. Plain C, because a sketch's .c files see it too; every name begins with
-// robosim_.
+// The services that a sketch's view of the chip (hal/arduino) needs from the host implementation (hal/host):
+// registers, interrupts, sleep, EEPROM. Plain C, because a sketch's .c files see it, too; every name begins
+// with robosim_.
 //
-// A register is named by its address in the chip's data space (chip.h), so that avr-libc's list of names is
-// the only one there is.
+// A register is named by its address in the chip's data space (chip.h), so that avr-libc's list is the only
+// list of names.
 #pragma once
 
 #include <stddef.h>
@@ -18,29 +18,29 @@ typedef uint8_t robosim_register;
 
 uint8_t robosim_read8(robosim_register address);
 void robosim_write8(robosim_register address, uint8_t value);
-/// The 16-bit registers are named by their low byte: TCNT1, ICR1, OCR1A, OCR1B, ADC.
+/// Reads a 16-bit register, named by its low byte: TCNT1, ICR1, OCR1A, OCR1B, ADC.
 uint16_t robosim_read16(robosim_register address);
 void robosim_write16(robosim_register address, uint16_t value);
 
-/// Where registers are memory (register_memory.h): the chip's data space, byte by byte.
+/// Size of the chip's data space, where registers are memory (register_memory.h).
 #define ROBOSIM_REGISTER_BYTES 256
 extern uint8_t robosim_register_memory[ROBOSIM_REGISTER_BYTES];
 
-/// sei() and cli(): the I flag of SREG.
+/// Set and clear the I flag of SREG, as sei() and cli() do.
 void robosim_enable_interrupts(void);
 void robosim_disable_interrupts(void);
 
-/// Spends that many CPU cycles in a busy loop (_delay_us and the like). Interrupts are served meanwhile.
+/// Spends that many CPU cycles in a busy loop (_delay_us and similar). Interrupts are served meanwhile.
 void robosim_spend_cycles(uint64_t cycles);
-/// Sends bytes, the highest bit first, as pulses of a digital pin, as a loop in assembler does: a bit takes
+/// Sends bytes, the highest bit first, as pulses of a digital pin, like a loop in assembler. A bit takes
 /// `period` CPU cycles, and is high for `one` or `zero` of them. Interrupts should be off.
 void robosim_send_pulses(uint8_t pin, const uint8_t* bytes, size_t count, int zero, int one, int period);
-/// The instruction SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
+/// Executes SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
 void robosim_sleep(void);
-/// The instruction WDR.
+/// Executes WDR.
 void robosim_watchdog_reset(void);
 
-/// One byte of EEPROM; the address wraps at the EEPROM's size, as on the chip. A write takes 3.4 ms.
+/// Access one byte of EEPROM; the address wraps at the EEPROM's size, as on the chip. A write takes 3.4 ms.
 uint8_t robosim_eeprom_read(uint16_t address);
 void robosim_eeprom_write(uint16_t address, uint8_t value);
 

@@ -1,6 +1,6 @@
-// The serial peripheral interface as master (datasheet, chapter 19): a byte takes 8 bits of 4, 16, 64 or 128
-// cycles, with SPI2X half of that. What comes in is the level of MISO at its end; nobody sees the bits, and
-// MOSI and SCK stay the port's. SS is looked at when SPCR or SPDR is written.
+// The serial peripheral interface as master (datasheet, chapter 19). A byte takes 8 bits of 4, 16, 64 or 128
+// cycles, half of that with SPI2X. The received byte is the level of MISO at the end. Bits are not simulated,
+// and MOSI and SCK stay the port's. SS is read when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>

@@ -3,10 +3,9 @@
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
-// A tick is `prescaler` CPU cycles. What a compare register of PWM is given is taken over with the tick that
-// leaves TOP (BOTTOM where the mode is frequency correct). Where TOP changes, or is lowered below the count,
-// a counter goes on in a way of its own until a turn: timer_turns.cpp. Edges of ICP1 are captured in
-// timer_capture.cpp.
+// A tick is `prescaler` CPU cycles. With PWM, a new compare value takes effect with the tick that leaves TOP
+// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter behaves
+// differently up to a turn: timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
 #pragma once
 
 #include <stdint.h>
@@ -234,10 +233,9 @@ class Timer {
 extern Timer timer0, timer1, timer2;
 inline Timer& timer(int number) { return number == 0 ? timer0 : number == 1 ? timer1 : timer2; }
 
-/// Does in one go what the overflow handler of Timer 0 would have done since it ran last. For firmware that
-/// waits.
+/// Does at once what Timer 0's overflow handler would have done since its last run. For firmware that waits.
 void timer0_catch_up();
-/// What the overflow handler of Timer 0 counts.
+/// The counts of Timer 0's overflow handler.
 struct Timer0Count {
   uint64_t millis;     ///< what millis() returns
   uint64_t fraction;   ///< of the next one, in 125ths
@@ -249,5 +247,5 @@ constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);
 }  // namespace ROBOSIM_WITHIN
 }  // namespace robosim
 
-/// The handler of Timer 0's overflow, which takes kOverflowTakes.
+/// Timer 0's overflow handler, which takes kOverflowTakes.
 extern "C" void __vector_16();

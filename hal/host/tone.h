@@ -1,4 +1,4 @@
-// tone(): Timer 2 toggles one pin. As in the AVR core it takes Timer 2 from analogWrite on pins 3 and 11.
+// tone(): Timer 2 toggles one pin. As in the AVR core, this takes Timer 2 from analogWrite on pins 3 and 11.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -7,14 +7,14 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// When the tone that sounds ends; kNever if none does, or it has no end.
+/// The end of the current tone; kNever if there is none, or it is endless.
 extern SimTime tone_end;
-/// Whether one does.
+/// Returns whether a tone sounds.
 bool sounds();
-/// The level of its pin at a moment since it was last changed, and when behind that it changes next.
+/// Return the level of its pin at a moment since its last change, and when it changes next.
 bool tone_level(SimTime at);
 SimTime next_tone_edge(SimTime after);
-/// It is ended where its time has come.
+/// Ends the tone if its time has come.
 ROBOSIM_RARE void end_tone();
 inline void sync_tone() {
   if (state.now >= tone_end) end_tone();

@@ -1,5 +1,5 @@
-// The two-wire interface as master: what it does, and how long that takes, is hal/board/avr_twi.h's. SDA and
-// SCL stay the port's.
+// The two-wire interface as master. hal/board/avr_twi.h has its steps and their durations. SDA and SCL stay
+// the port's.
 #pragma once
 
 #include <stdint.h>

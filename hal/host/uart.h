@@ -1,6 +1,5 @@
-// The UART (datasheet, chapter 19): a transmitter with a data register before its shift register, and a
-// receiver with room for two bytes, behind which a third waits in the shift register; a fourth takes its
-// place.
+// The UART (datasheet, chapter 19). The transmitter has a data register before its shift register. The
+// receiver buffers two bytes, and a third waits in the shift register; a fourth replaces that.
 #pragma once
 
 #include <stdint.h>
@@ -69,9 +68,9 @@ class Uart {
 };
 
 extern Uart uart;
-/// Whether Serial takes the bytes that arrive, and not an ISR of the sketch.
+/// Returns whether Serial receives the bytes that arrive, rather than an ISR of the sketch.
 bool serial_receives();
-/// At a reset: also empties the buffers of Serial.
+/// Resets the UART, and empties the buffers of Serial.
 void reset_uart();
 
 }  // namespace ROBOSIM_WITHIN

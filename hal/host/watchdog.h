@@ -1,6 +1,6 @@
-// The watchdog. As on the chip, of whose modes sim/avr/watchdog.h has the table. It bites as Uno's boot
-// loader hands it on: the sketch begins again, with MCUSR cleared and the watchdog off. Unlike on the chip
-// its variables begin afresh, .noinit too.
+// The watchdog, with the modes of sim/avr/watchdog.h. A reset is as after an Uno's boot loader: the sketch
+// restarts, with MCUSR cleared and the watchdog off. Unlike on the chip, all variables are initialised again,
+// .noinit too.
 #pragma once
 
 #include <stdint.h>

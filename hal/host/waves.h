@@ -1,6 +1,6 @@
-// Pins that the chip itself drives up and down: by PWM, by a timer that toggles them, by tone(). The board is
-// told a duty or a frequency; what the sketch reads there, and the edges that its interrupts hear, are
-// computed when somebody asks, as of that moment.
+// Pins that the chip itself toggles: by PWM, by a timer's toggle mode, by tone(). The board receives a duty
+// cycle or frequency. Levels that the sketch reads there, and edges for its interrupts, are computed on
+// demand for that moment.
 #pragma once
 
 #include "hal/board/board.h"
@@ -10,21 +10,21 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Of a pin that is one now: its level, and until when that surely stays; kNever if it does not change.
+/// Return the level of such a pin, and how long it certainly stays; kNever if it does not change.
 bool wave_level(Pin pin);
 SimTime wave_until(Pin pin);
 
-/// When the next edge comes that somebody listens to.
+/// The time of the next edge that has a listener.
 extern SimTime wave_due;
-/// Tells all such edges until now: before anything changes that says when they come.
+/// Reports all such edges until now. Call it before a change that moves them.
 ROBOSIM_RARE void tell_waves();
 inline void sync_waves() {
   if (state.now >= wave_due) tell_waves();
 }
-/// Pins to which somebody listens.
+/// Pins that have a listener.
 extern PinSet followed;
 void follow_anew();
-/// After such a change; and where one pin may have become one of those, or none any more.
+/// Updates the waves after such a change, or after one pin has started or stopped toggling.
 inline void refresh_waves() {
   if (followed.any()) follow_anew();
 }

@@ -1,9 +1,9 @@
 // Registers of the STM32F103x8 and their bits, as far as hal/stm32 uses them and the emulated chip has them.
 //
-// Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (the section stands at each group), and
-// for what belongs to the processor PM0056 rev. 6, the programming manual of the Cortex-M3.
+// Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (each group names its section); for the
+// processor PM0056 rev. 6, the programming manual of the Cortex-M3.
 //
-// C++14, no standard library: this header is compiled into firmware.
+// C++14, no standard library: firmware includes this header.
 #pragma once
 
 #include <stdint.h>
@@ -23,7 +23,8 @@ constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
-/// A word that is one bit of a peripheral's register (RM0008 3.3.2; PM0056 2.2.5).
+/// Returns the address of a word that stands for one bit of a peripheral's register (RM0008 3.3.2; PM0056
+/// 2.2.5).
 constexpr Address bit_band(Address address, uint32_t bit) {
   return 0x42000000 + (address - 0x40000000) * 32 + bit * 4;
 }

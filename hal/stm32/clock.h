@@ -6,16 +6,16 @@
 namespace robosim {
 namespace stm32 {
 
-/// Brings the chip to F_CPU: 72 MHz by PLL from the 8 MHz crystal (RM0008 7.2), or 8 MHz from the internal
-/// oscillator, as after a reset. All buses run at F_CPU, except that at 72 MHz APB1 runs at half of it; its
-/// timers still run at F_CPU.
+/// Sets the chip's clock to F_CPU: 72 MHz by PLL from the 8 MHz crystal (RM0008 7.2), or 8 MHz from the
+/// internal oscillator, as after a reset. All buses run at F_CPU, except that APB1 runs at half of 72 MHz;
+/// its timers still run at F_CPU.
 void start_clocks();
-/// SysTick interrupts every millisecond (PM0056 4.5).
+/// Starts SysTick, which interrupts every millisecond (PM0056 4.5).
 void start_systick();
 /// Sleeps until the next interrupt, or for `us` microseconds (1 to 1000), whichever is sooner.
 void sleep_for(uint32_t us);
 
-/// Cycles in a microsecond.
+/// The cycles per microsecond.
 constexpr uint32_t kCyclesPerMicro = F_CPU / 1000000u;
 
 }  // namespace stm32

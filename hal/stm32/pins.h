@@ -1,5 +1,5 @@
-// Where Arduino's pin numbers are on the chip, and what else each can do (DS5319, table 5). The assignment is
-// that of hal/board/board_spec.cpp, which gives the reasons.
+// Maps Arduino's pin numbers to the chip's pins and their other functions (DS5319, table 5).
+// hal/board/board_spec.cpp has the same assignment, and its reasons.
 #pragma once
 
 #include "hal/stm32/registers.h"
@@ -17,24 +17,24 @@ struct PinMap {
 
 constexpr uint8_t kPins = 32;
 
-/// Null for a number that is no pin.
+/// Returns a pin's entry; null if the number is not a pin.
 const PinMap* pin_at(uint8_t number);
 
 inline Address port_of(const PinMap& pin) { return kGpioA + kPortBytes * pin.port; }
-/// The four bits of the pin in GPIOx_CRL or GPIOx_CRH (RM0008 9.2.1).
+/// Returns the four bits of the pin in GPIOx_CRL or GPIOx_CRH (RM0008 9.2.1).
 uint32_t configuration(const PinMap& pin);
 void configure(const PinMap& pin, uint32_t configuration);
 inline bool is_output(uint32_t configuration) { return configuration & 3u; }
-/// Whether a timer or USART drives the pin.
+/// Returns whether a timer or USART drives the pin.
 inline bool is_alternate(uint32_t configuration) { return is_output(configuration) && configuration & 8u; }
 
-/// By GPIOx_BSRR, in one write (RM0008 9.2.5).
+/// Sets the level by GPIOx_BSRR, in one write (RM0008 9.2.5).
 inline void write_pin(const PinMap& pin, bool level) {
   at(port_of(pin) + kBsrr) = 1u << (level ? pin.bit : pin.bit + 16u);
 }
 inline bool read_pin(const PinMap& pin) { return load(bit_band(port_of(pin) + kIdr, pin.bit)) != 0; }
 
-/// Gives ports A to C and AFIO their clock, and takes PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays.
+/// Clocks ports A to C and AFIO, and releases PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays.
 void start_pins();
 /// Changes one bit of the pin's port without reading it first.
 void toggle_pin(const PinMap& pin);

@@ -1,4 +1,4 @@
-// Pins of the Blue Pill: Arduino's numbers 0 to 19 with the functions they have on an Uno, then the rest.
+// Pins of the Blue Pill: Arduino's numbers 0 to 19 with their functions on an Uno, then the rest.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
@@ -37,7 +37,8 @@ static const uint8_t A7 = PIN_A7;
 #define digitalPinHasPWM(p)                                                                            \
   ((p) == 0 || (p) == 1 || (p) == 3 || (p) == 5 || (p) == 6 || ((p) >= 9 && (p) <= 12) || (p) == 20 || \
    (p) == 21 || (p) == 28)
-/// Every pin interrupts; two of the same number in different ports (PB8 and PA8) cannot at the same time.
+/// Every pin can interrupt, but two pins of the same number in different ports (PB8 and PA8) not at the same
+/// time.
 #define digitalPinToInterrupt(p) ((p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)
 
 #endif  // Pins_Arduino_h

@@ -1,5 +1,5 @@
-// How firmware accesses a register, and the few instructions that C++ cannot express. In tests on a PC, both
-// go to a model of the chip instead.
+// Register access for firmware, and the few instructions that C++ cannot express. In tests on a PC, both use
+// a model of the chip instead.
 //
 //   at(kRccCr) |= kHseOn;
 #pragma once
@@ -21,12 +21,12 @@ void wait_for_interrupt();
 #else
 inline uint32_t load(Address address) { return *reinterpret_cast<volatile uint32_t*>(address); }
 inline void store(Address address, uint32_t value) { *reinterpret_cast<volatile uint32_t*>(address) = value; }
-/// Flash is programmed by halves of a word.
+/// Access half words, the unit in which flash is programmed.
 inline uint16_t load_half(Address address) { return *reinterpret_cast<volatile uint16_t*>(address); }
 inline void store_half(Address address, uint16_t value) {
   *reinterpret_cast<volatile uint16_t*>(address) = value;
 }
-/// Whether they were on.
+/// Disables interrupts, and returns whether they were on.
 inline bool disable_interrupts() {
   uint32_t masked;
   __asm__ volatile("mrs %0, primask\n\tcpsid i" : "=r"(masked)::"memory");
@@ -35,13 +35,14 @@ inline bool disable_interrupts() {
 inline void restore_interrupts(bool enabled) {
   if (enabled) __asm__ volatile("cpsie i" ::: "memory");
 }
-/// Whether they are on and no handler runs: else a sleep may have no end.
+/// Returns whether interrupts are on and no handler runs. Otherwise a sleep may not end.
 inline bool takes_interrupts() {
   uint32_t masked, handler;
   __asm__ volatile("mrs %0, primask\n\tmrs %1, ipsr" : "=r"(masked), "=r"(handler));
   return masked == 0 && handler == 0;
 }
-/// Also wakes, without calling its handler, at an interrupt that is masked by PRIMASK (PM0056 2.5.2).
+/// Sleeps until an interrupt. One that PRIMASK masks wakes it, too, without calling its handler (PM0056
+/// 2.5.2).
 inline void wait_for_interrupt() { __asm__ volatile("wfi" ::: "memory"); }
 #endif
 
@@ -65,7 +66,7 @@ class Register {
 
 constexpr Register at(Address address) { return Register(address); }
 
-/// Interrupts are off while it lives.
+/// Keeps interrupts off during its lifetime.
 class Quiet {
  public:
   Quiet() : were_on_(disable_interrupts()) {}
@@ -77,7 +78,7 @@ class Quiet {
   bool were_on_;
 };
 
-/// Lets the interrupt through to the processor.
+/// Enables the interrupt in the processor.
 inline void enable_irq(Irq irq) { at(kNvicIser + 4u * (irq / 32u)) = 1u << (irq % 32u); }
 
 }  // namespace stm32

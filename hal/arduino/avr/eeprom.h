@@ -1,5 +1,5 @@
-// EEPROM by address, as avr-libc has it. An EEMEM variable stands at its place in the section, from 0 on; its
-// initial value is not loaded (Arduino's upload does not load it either).
+// EEPROM by address, with avr-libc's interface. An EEMEM variable has its place in the section, from 0 on.
+// Its initial value is not loaded, as Arduino's upload does not load it either.
 #pragma once
 
 #include <avr/io.h>
@@ -25,7 +25,7 @@ void eeprom_write_dword(uint32_t* address, uint32_t value);
 void eeprom_write_float(float* address, float value);
 void eeprom_write_block(const void* from, void* address, size_t size);
 
-/// Writes only what differs: an EEPROM cell lasts 100,000 writes.
+/// Writes only bytes that differ, since an EEPROM cell lasts 100,000 writes.
 void eeprom_update_byte(uint8_t* address, uint8_t value);
 void eeprom_update_word(uint16_t* address, uint16_t value);
 void eeprom_update_dword(uint32_t* address, uint32_t value);

@@ -1,4 +1,4 @@
-// Interrupts: ISR(TIMER1_COMPA_vect) { ... } defines the handler __vector_11, which the simulated chip calls.
+// Interrupts. ISR(TIMER1_COMPA_vect) { ... } defines the handler __vector_11, which the simulated chip calls.
 #pragma once
 
 #include <avr/io.h>

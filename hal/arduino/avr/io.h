@@ -1,11 +1,12 @@
-// Registers of the chip as a sketch names them: PORTB, TCCR1A, ADC, ...
+// Registers of the chip by the names that sketches use: PORTB, TCCR1A, ADC, ...
 //
-// Names, addresses and bits come from avr-libc's own header, as iom328p.h, which is staged beside this
-// header. What is ours is what an access does: it asks the simulated chip (hal/host). A register is therefore
-// an object, which can be read, assigned and changed by every operator. Where a program wants more, its
-// address as a `volatile uint8_t*` or a register in a .c file, all of it is compiled again with
-// ROBOSIM_REGISTER_MEMORY: then registers are memory, and accesses to memory are watched
-// (hal/host/register_memory.h).
+// Names, addresses and bits come from avr-libc's own header, staged as iom328p.h next to this one. Only
+// accesses are ours: each calls the simulated chip (hal/host). So a register is an object that can be read,
+// assigned and changed by every operator.
+//
+// Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. They
+// are compiled a second time with ROBOSIM_REGISTER_MEMORY, where registers are memory and accesses to memory
+// are observed (hal/host/register_memory.h).
 #pragma once
 #define _AVR_IO_H_
 
@@ -82,8 +83,8 @@ class Register8 {
   robosim_register address_;
 };
 
-/// What `&PORTB` and portOutputRegister() give. `*p |= mask` works. A program that makes a `volatile
-/// uint8_t*` of it names robosim_register_memory, and is compiled again.
+/// The type of `&PORTB` and portOutputRegister(). `*p |= mask` works. A program that converts it to a
+/// `volatile uint8_t*` references robosim_register_memory, and is compiled again.
 class RegisterPointer {
  public:
   constexpr RegisterPointer() : address_(0) {}
@@ -101,8 +102,8 @@ constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(
 
 #define ROBOSIM_INLINE __attribute__((always_inline)) inline
 
-/// A register that does something when it is read, which programs make it do by a statement of its own:
-/// `(void)UDR0;`, `SPSR;`. One that nothing else has been done with is read when the statement ends.
+/// A register with side effects on reading, which programs trigger by a bare statement: `(void)UDR0;`,
+/// `SPSR;`. If nothing else was done with it, it is read when the statement ends.
 class ReadRegister8 {
  public:
   ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}
@@ -155,7 +156,7 @@ class ReadRegister8 {
   mutable bool used_ = false;
 };
 
-/// A register pair of 16 bits, read and written at once (the chip's TEMP register sees to that).
+/// A pair of registers of 16 bits, read and written at once, as the chip's TEMP register allows.
 class Register16 {
  public:
   explicit constexpr Register16(robosim_register address) : address_(address) {}

@@ -1,4 +1,4 @@
-// Program memory. Here it is ordinary constant memory, and each *_P function is the same as the one without
+// Program memory. On the host it is ordinary constant memory, and each *_P function equals the one without
 // _P.
 #pragma once
 
@@ -34,8 +34,8 @@ inline T program_memory(P address) {
   __builtin_memcpy(&value, (const void*)address, sizeof value);
   return value;
 }
-/// pgm_read_word is also used on tables of `int` and of pointers, which are 16 bits wide on the chip and
-/// wider here: a typed address is read at its own width.
+/// Reads a typed address at its own width. pgm_read_word is also used on tables of `int` and of pointers,
+/// which are 16 bits wide on the chip and wider here.
 template <typename T>
 inline T program_word(const T* address) {
   return *address;

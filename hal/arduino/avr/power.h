@@ -1,5 +1,5 @@
-// Power reduction: bits of PRR; and the clock's divisor, CLKPR. Here a module that is switched off goes on
-// working, and the clock stays as it is: `robosim compare` says so.
+// Power reduction (bits of PRR) and the clock's divisor (CLKPR). On the host a module that is switched off
+// keeps working, and the clock stays the same; `robosim compare` reports that.
 #pragma once
 
 #include <avr/io.h>

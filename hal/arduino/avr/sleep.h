@@ -1,4 +1,4 @@
-// Sleep modes. The simulated chip wakes at the next interrupt, whatever the mode; timers run on.
+// Sleep modes. The simulated chip wakes at the next interrupt in every mode, and timers keep running.
 #pragma once
 
 #include <avr/io.h>

@@ -1,4 +1,4 @@
-// The watchdog timer: its register, and the WDR instruction.
+// The watchdog timer: its register and the WDR instruction.
 #pragma once
 
 #include <avr/io.h>

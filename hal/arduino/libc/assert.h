@@ -1,4 +1,4 @@
-// A failed assertion ends the sketch as abort() does.
+// assert(). A failed assertion ends the sketch like abort().
 #undef assert
 #ifdef NDEBUG
 #define assert(condition) ((void)0)

@@ -1,4 +1,4 @@
-// avr-libc has two error numbers. On this machine nothing sets errno.
+// avr-libc's two error numbers. On the host nothing sets errno.
 #pragma once
 
 #define EDOM 33

@@ -1,4 +1,4 @@
-// Format macros for fixed-width integers, as far as avr-libc has them (up to 32 bits).
+// Format macros for fixed-width integers, limited to those of avr-libc (up to 32 bits).
 #pragma once
 #include <stdint.h>
 

@@ -1,4 +1,4 @@
-// Ranges of the built-in types on this machine (int has 32 bits here, 16 on the chip).
+// Ranges of the built-in types on the host (int has 32 bits here, 16 on the chip).
 #pragma once
 
 #define CHAR_BIT __CHAR_BIT__

@@ -1,4 +1,4 @@
-// Fixed-width integers, as gcc itself defines them for the target.
+// Fixed-width integers, as gcc defines them for the target.
 #pragma once
 #if __has_include(<stdint-gcc.h>)
 #include <stdint-gcc.h>

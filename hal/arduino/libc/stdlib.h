@@ -47,17 +47,17 @@ void* calloc(size_t count, size_t size);
 void* realloc(void* memory, size_t size);
 void free(void* memory);
 
-/// Numbers to text; `radix` is 2..36. Each gives `text` back.
+/// Converts a number to text and returns `text`; `radix` is 2..36.
 char* itoa(int value, char* text, int radix);
 char* ltoa(long value, char* text, int radix);
 char* utoa(unsigned int value, char* text, int radix);
 char* ultoa(unsigned long value, char* text, int radix);
-/// Fixed-point text, at least `width` wide; left-aligned where `width` is negative.
+/// Formats in fixed point, at least `width` wide; a negative `width` aligns to the left.
 char* dtostrf(double value, signed char width, unsigned char decimals, char* text);
-/// The form 1.23e+04; `flags` are the DTOSTR_ bits.
+/// Formats as 1.23e+04; `flags` are the DTOSTR_ bits.
 char* dtostre(double value, char* text, unsigned char decimals, unsigned char flags);
 
-/// avr-libc's generators: the same numbers as on the chip.
+/// avr-libc's generators, with the same numbers as on the chip.
 int rand(void);
 void srand(unsigned int seed);
 int rand_r(unsigned long* state);

@@ -1,5 +1,5 @@
-// Strings and memory: avr-libc's names and no others (a sketch may have its own `index` and `rindex`, for
-// example).
+// Strings and memory: exactly avr-libc's names, since a sketch may define its own `index` or `rindex`, for
+// example.
 #pragma once
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-// A clock as avr-libc 2.0 has it: seconds since 2000, which stand still unless the sketch ticks them. Of its
-// calendar there is nothing here.
+// avr-libc 2.0's clock: seconds since 2000, which only the sketch advances. Its calendar functions are
+// missing.
 #pragma once
 
 #include <stdint.h>
@@ -10,11 +10,12 @@ extern "C" {
 
 typedef uint32_t time_t;
 
-/// Seconds since 1 January 2000, 0:00, as they were set and ticked; into *seconds, too, unless that is null.
+/// Returns the seconds since 1 January 2000, 0:00, as they were set and advanced; stores them in *seconds
+/// unless it is null.
 time_t time(time_t* seconds);
 int32_t difftime(time_t later, time_t earlier);
 void set_system_time(time_t seconds);
-/// To be called once a second.
+/// Advances the clock by a second. The sketch calls it once a second.
 void system_tick(void);
 
 #ifdef __cplusplus

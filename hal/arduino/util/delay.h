@@ -5,7 +5,7 @@
 
 #include "hal/host/registers.h"
 
-/// The number of cycles is rounded up, as avr-libc does.
+/// Waits for `us` microseconds; rounds the number of cycles up, as avr-libc does.
 static inline void _delay_us(double us) {
   const double cycles = us * (F_CPU / 1e6);
   const uint64_t whole = (uint64_t)cycles;

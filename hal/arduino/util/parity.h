@@ -2,5 +2,5 @@
 
 #include <stdint.h>
 
-/// 1 if an odd number of bits is set.
+/// Returns 1 if an odd number of bits is set, else 0.
 static inline uint8_t parity_even_bit(uint8_t value) { return (uint8_t)(__builtin_popcount(value) & 1); }

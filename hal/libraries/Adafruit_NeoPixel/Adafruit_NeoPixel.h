@@ -1,5 +1,5 @@
-// Strips of WS2812 LEDs. The bytes lie in memory as the strip takes them; brightness is applied to them when
-// a colour is set, and to all when it changes.
+// Strips of WS2812 LEDs. Bytes in memory have the strip's format. Brightness is applied when a colour is set,
+// and to all colours when it changes.
 #pragma once
 
 #include <Arduino.h>

@@ -1,7 +1,7 @@
-// Quadrature encoders: four counts a period, up while the second pin leads.
+// Quadrature encoders: four counts per period, up while the second pin leads.
 //
-// Pins that interrupt are followed by their interrupts; of the others read() looks at the level, as the
-// genuine library does it.
+// Pins with interrupts are followed by them; for the others read() polls the level, as in the genuine
+// library.
 #pragma once
 
 #include <Arduino.h>

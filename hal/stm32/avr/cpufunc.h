@@ -1,4 +1,4 @@
-// Instructions by name.
+// Functions that stand for single instructions.
 #pragma once
 
 #include <avr/io.h>

@@ -1,4 +1,4 @@
-// All interrupts on and off, by PRIMASK. Handlers have names of their own here: void TIM3_IRQHandler().
+// Switches all interrupts on and off, by PRIMASK. Handlers have other names here: void TIM3_IRQHandler().
 #pragma once
 
 #include <avr/io.h>

@@ -1,4 +1,4 @@
-// The part of avr-libc's <avr/io.h> that does not depend on an AVR's registers.
+// The part of avr-libc's <avr/io.h> that is independent of an AVR's registers.
 #pragma once
 
 #include <stdint.h>
@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/// The emulated EEPROM (hal/stm32/eeprom.h).
+/// Access the emulated EEPROM (hal/stm32/eeprom.h).
 uint8_t robosim_eeprom_read(uint16_t address);
 void robosim_eeprom_write(uint16_t address, uint8_t value);
 
@@ -18,7 +18,7 @@ void robosim_eeprom_write(uint16_t address, uint8_t value);
 }
 #endif
 
-/// Spends at least so many cycles.
+/// Spends at least `count` cycles.
 static inline void robosim_spend_cycles(uint32_t count) {
   while (count--) __asm__ volatile("nop");
 }
