@@ -1,4 +1,4 @@
-// Bytes as text: RFC 4648, chapter 4.
+// Encodes bytes as text: RFC 4648, chapter 4.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace robosim {
 
 std::string base64(std::string_view bytes);
 
-/// The same of bytes that come piece by piece.
+/// Encodes bytes that arrive in pieces.
 class Base64 {
  public:
   /// No more characters are written for so many bytes.
@@ -22,7 +22,7 @@ class Base64 {
   char left_[3] = {};  ///< bytes that are no whole group
   std::size_t left_size_ = 0;
 };
-/// Throws InputError for any character that is not base64's.
+/// Decodes base64. Throws InputError at any other character.
 std::string from_base64(std::string_view text);
 
 }  // namespace robosim

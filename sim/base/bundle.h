@@ -1,4 +1,4 @@
-// Several small files in one: name and size of each on a line, then its bytes.
+// Packs several small files into one: name and size of each on a line, followed by its bytes.
 //
 //   Blink.ino.gcda 132\n<132 bytes>helper.cpp.gcda 88\n<88 bytes>
 #pragma once
@@ -15,7 +15,7 @@ struct BundledFile {
 };
 
 std::string pack(const std::vector<BundledFile>& files);
-/// Throws InputError if the bytes are not a bundle.
+/// Unpacks a bundle. Throws InputError if the bytes are not a bundle.
 std::vector<BundledFile> unpack(std::string_view bundle);
 
 }  // namespace robosim

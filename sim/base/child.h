@@ -1,4 +1,4 @@
-// Child processes: how one is started, and how it ended.
+// Child processes: how they start, and how they end.
 #pragma once
 
 #include <sys/types.h>
@@ -13,7 +13,7 @@
 
 namespace robosim {
 
-/// A pipe that no child inherits by itself.
+/// A pipe that child processes do not inherit by default.
 struct Pipe {
   Descriptor read, write;
   /// Throws std::system_error.
@@ -42,8 +42,8 @@ struct ChildStart {
   bool own_group = false;  ///< a process group of its own: Ctrl-C in a terminal does not reach it
 };
 
-/// A program, or a copy of this process. A program inherits what its start names, and descriptors without
-/// FD_CLOEXEC. The destructor kills what still runs, and leaves no zombie.
+/// A child process: a program, or a copy of this process. A program inherits the descriptors that its start
+/// names, and those without FD_CLOEXEC. The destructor kills a running child, and leaves no zombie.
 class Child {
  public:
   /// Throws std::system_error if the program cannot be started.
@@ -68,7 +68,7 @@ class Child {
   Ending ending_;
 };
 
-/// What a program writes to its standard output; empty if it cannot be started.
+/// Returns what a program writes to its standard output; empty if it cannot be started.
 std::string output_of(const std::vector<std::string>& words);
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
-// TOML as our own small tree, every value with its place, so that messages can point to it. Only config.cpp
-// includes the TOML library, which takes 450 MB to compile.
+// Parses TOML to a small tree, in which every value has its place for messages. Only config.cpp includes the
+// TOML library, which takes 450 MB to compile.
 #pragma once
 
 #include <cstdint>
@@ -31,14 +31,14 @@ struct ConfigValue {
   const ConfigValue* find(std::string_view key) const;
 };
 
-/// What a kind is called in messages: "a string".
+/// Returns the name of a kind for messages: "a string".
 const char* to_string(ConfigValue::Kind kind);
 
-/// Throws InputError, too for more than 256 KiB, 1000 keys in a table, 8 parts in a key (a.b.c has 3) or 16
-/// brackets in one another. `first_line` is the line of the file on which `text` begins (front matter).
+/// Parses TOML. Throws InputError, also for more than 256 KiB, 1000 keys in a table, 8 parts in a key (a.b.c
+/// has 3) or 16 nested brackets. `first_line` is the line of the file on which `text` begins (front matter).
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
 
-/// Reads one table key by key, and refuses keys that were not asked for.
+/// Reads one table key by key, and rejects keys that the caller has not read.
 ///
 ///   TableReader reader(table, "[motors]");
 ///   const double gear = reader.quantity("gear", Dimension::ratio, 48.0);
@@ -78,12 +78,12 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-/// The string in `value`; throws InputError naming `key`.
+/// Returns the string in `value`; throws InputError naming `key`.
 const std::string& as_string(const ConfigValue& value, const char* key);
-/// The SI value of a quantity string (or a bare number for ratios), inside the inclusive bounds.
+/// Returns the SI value of a quantity string (or a bare number for ratios), inside the inclusive bounds.
 double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
 
-/// In which unit a quantity is written; a bare number has none.
+/// The unit in which a quantity is written; a bare number has none.
 struct WrittenUnit {
   double si = 1.0;   ///< one of it
   std::string name;  ///< "mm"; empty = none

@@ -1,4 +1,4 @@
-// Numbers of things in sentences: "1 link", "2 links".
+// Counts things in sentences: "1 link", "2 links".
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace robosim {
 
-/// The number and the noun, with an s unless there is one of it.
+/// Returns the number and the noun, with an s unless the number is 1.
 std::string counted(std::size_t n, std::string_view noun);
 
 }  // namespace robosim

@@ -1,4 +1,4 @@
-// Tables of text as RFC 4180 has them.
+// Tables of text in RFC 4180's format.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace robosim {
 
-/// A text as one field of a row; in quotes only where it must be.
+/// Returns a text as one field of a row, quoted only where necessary.
 std::string csv_field(std::string_view text);
 
-/// The fields of a row that is one line; nothing if its quotes do not match.
+/// Splits a row that is one line into its fields; returns nothing if its quotes do not match.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 }  // namespace robosim

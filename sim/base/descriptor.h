@@ -11,7 +11,7 @@
 
 namespace robosim {
 
-/// Closed at the end.
+/// Owns a file descriptor, and closes it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -34,7 +34,7 @@ class Descriptor {
   int fd_ = -1;
 };
 
-/// The file that `fd` has open, by a descriptor of at least `least`. Throws std::system_error.
+/// Returns a descriptor of at least `least` for the file that `fd` has open. Throws std::system_error.
 inline Descriptor at_least(int least, Descriptor fd) {
   if (fd.get() >= least) return fd;
   Descriptor moved(::fcntl(fd.get(), F_DUPFD_CLOEXEC, least));
@@ -44,8 +44,8 @@ inline Descriptor at_least(int least, Descriptor fd) {
   return moved;
 }
 
-/// Writes all of it, and goes on when a signal interrupts it. 0, or the errno of what went wrong: some may
-/// have been written then. A signal handler may call it.
+/// Writes all bytes, continuing after signals. Returns 0, or the errno of the failure; some bytes may have
+/// been written then. Safe in a signal handler.
 inline int write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd, bytes.data(), bytes.size());

@@ -1,4 +1,4 @@
-// Bad input, reported in one sentence: where, what was found, what is allowed.
+// Reports invalid input in one sentence: where, what was found, what is allowed.
 #pragma once
 
 #include <stdexcept>
@@ -7,14 +7,14 @@
 
 namespace robosim {
 
-/// A place in something the user wrote. Line and column count from 1; 0 = not known.
+/// A place in a file that the user wrote. Line and column count from 1; 0 = unknown.
 struct Place {
   std::string file;
   int line = 0;
   int column = 0;
 };
 
-/// "robot.toml:12:3", as compilers write it; the known parts only.
+/// Returns "robot.toml:12:3", as compilers write it, without unknown parts.
 std::string to_string(const Place& place);
 
 /// The process's exit statuses, the same for every command.
@@ -28,7 +28,7 @@ enum class ExitStatus : int {
   interrupted = 130,
 };
 
-/// Something the user gave is wrong. what() reads "PLACE: MESSAGE".
+/// Reports invalid input of the user. what() reads "PLACE: MESSAGE".
 class InputError : public std::runtime_error {
  public:
   InputError(Place place, const std::string& message);
@@ -42,14 +42,14 @@ class InputError : public std::runtime_error {
   std::string message_;
 };
 
-/// A program that Robosim needs is not there: the message names the Debian package that brings it. Or the
-/// machine lacks something else, such as room on a disk.
+/// Reports a missing program; the message names its Debian package. Also thrown if the machine lacks
+/// something else, such as disk space.
 class ToolMissing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// "one, two or three": how messages list what is allowed.
+/// Lists what is allowed, for messages: "one, two or three".
 template <typename Names>
 std::string one_of(const Names& names) {
   std::string text;

@@ -1,4 +1,4 @@
-// Texts as scripts write them between double quotes.
+// Escapes text for the double quotes of scripts.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace robosim {
 
-/// With \n, \r, \t, \" and \\ for what they stand for.
+/// Returns the text with \n, \r, \t, \" and \\ escaped.
 std::string escaped(std::string_view text);
 
 }  // namespace robosim

@@ -1,4 +1,4 @@
-// Figures that differ from one robot to the next, and from one run to the next.
+// Parameters that differ from one robot to the next, and from one run to the next.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace robosim {
 
-/// A value, and how far that of a robot may be from it.
+/// A value, and the distance within which a robot's own value lies.
 struct Spread {
   double value = 0.0;   ///< SI
   double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
 };
 
 /// A parameter of a robot file or a map: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. A corrected
-/// parameter keeps its former value for `ideal` and older profiles, so that their runs stay the same: `{
-/// value = "15 oz in", "typical@2" = "0.74 kg cm" }`.
+/// parameter keeps its former value for `ideal` and older profiles, so that their runs stay the same:
+///   { value = "15 oz in", "typical@2" = "0.74 kg cm" }
 struct Number {
   double value = 0.0;                              ///< SI
   double spread = 0.0;                             ///< SI
@@ -48,7 +48,7 @@ struct Number {
   }
 };
 
-/// `value` as a figure: its whole range must lie within the inclusive bounds. Throws InputError.
+/// Returns `value` as a parameter whose whole range lies within the inclusive bounds. Throws InputError.
 Number as_figure(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
 Number read_figure(TableReader& reader, const char* key, Dimension dimension, Number fallback, double least,
                    double most);

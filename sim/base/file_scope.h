@@ -1,5 +1,5 @@
-// Restricts the files that a process opens by name to a few folders. `robosim serve` does so for the runs of
-// its clients: robots, maps and scripts from the network name files, and none of them may lie elsewhere.
+// Restricts the files that a process opens by name to a few folders. `robosim serve` does so for its clients'
+// runs: robots, maps and scripts from the network name files, and none of them may lie elsewhere.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace robosim {
 
-/// A folder, held open, so that nothing that takes its place later is read or written.
+/// An open folder. A replacement under the same path is neither read nor written.
 class HeldFolder {
  public:
   /// Throws InputError if it cannot be opened.
@@ -35,31 +35,32 @@ class HeldFolder {
   Descriptor handle_;
 };
 
-/// Names the folders for a process and all that it starts, one a line. The first is the served one: names in
-/// files may lead only there. Not set: no restriction.
+/// Names the folders for a process and its children, one per line. The first is the served one; names in
+/// files may lead only there. Unset: no restriction.
 inline constexpr const char* kFileScope = "ROBOSIM_FILE_SCOPE";
 
 /// Returns the variable's value, "NAME=…", for the environment of a new process.
 std::string file_scope_variable(const std::vector<std::filesystem::path>& folders);
 
 /// Opens a file as ::open() does. With a scope, only below its folders, Robosim's own and those of the
-/// system's programs; else errno is EXDEV. Links that lead out are followed except from the served folder.
+/// system's programs; else errno is EXDEV. Follows links that lead out, except from the served folder.
 Descriptor open_in_scope(const std::filesystem::path& path, int flags);
 
-/// Opens what a compiler may see (O_PATH): below the served folder as HeldFolder does, else as ::open() does.
+/// Opens a path that a compiler may see (O_PATH): below the served folder as HeldFolder does, else as
+/// ::open().
 Descriptor open_to_show(const std::filesystem::path& path);
 
-/// Adds a folder that no file has named, such as that of the user's libraries. Does nothing without a scope.
+/// Adds a folder that no file has named, such as that of the user's libraries. Has no effect without a scope.
 void extend_file_scope(const std::filesystem::path& folder);
 
-/// The sentence for a path that leads out.
+/// Returns the error for a path that leads out.
 InputError out_of_scope(const std::filesystem::path& path, const Place& place = {});
 
-/// Throws InputError if there is a scope and `path`, which something at `place` names, leads out of the
-/// served folder and is not below Robosim's own. Whether it exists does not matter.
+/// Throws InputError if there is a scope and `path`, named at `place`, leads out of the served folder and is
+/// not below Robosim's own. The path need not exist.
 void check_in_scope(const std::filesystem::path& path, const Place& place = {});
 
-/// Tells whether there is no scope, or `folder` is the served one or below it.
+/// Returns whether there is no scope, or `folder` is the served one or below it.
 bool is_in_scope(const std::filesystem::path& folder);
 
 }  // namespace robosim

@@ -1,10 +1,10 @@
-// What changes while something runs: its owners name it piece by piece, once; from then on all of it can be
-// copied and put back.
+// Snapshots of running state. Its owners register it piece by piece, once. Then all of it can be copied and
+// restored.
 //
 //   ButtonPart::ButtonPart(PartContext& context) { context.kept.add(state_); }
 //   const Kept::Copy before = kept.copy();   …   kept.put_back(before);
 //
-// The pieces stay where they are, so that what points at them stays good. A copy is a value.
+// The pieces keep their addresses, so pointers to them stay valid. A copy is a value.
 #pragma once
 
 #include <any>

@@ -1,4 +1,4 @@
-// The number that a text begins with.
+// Parses the number at the beginning of a text.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ struct LeadingNumber {
   std::size_t length = 0;  ///< of what was read
 };
 
-/// Decimal, with or without fraction and exponent: "-1.5e3 mm" begins with one. Nothing where there is none,
-/// or none that a double holds. The same on every machine, whatever its locale.
+/// Parses a decimal number, with or without fraction and exponent: "-1.5e3 mm" begins with one. Returns
+/// nothing if there is none, or a double cannot hold it. The locale has no influence.
 std::optional<LeadingNumber> leading_number(std::string_view text);
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
-// Whether it pays to look at a loop: what was saved by that, against what it has cost, in cycles of the
-// firmware. A loop that does not pay is left alone for a while, each time for twice as long.
+// Decides whether examining a loop pays off: its savings against its cost, in cycles of the firmware. A loop
+// that does not pay is ignored for a while, each time twice as long.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is the machine's fault, told from faults of Robosim and of what the user gave.
+// Tells faults of the machine from faults of Robosim and invalid input.
 #pragma once
 
 #include <exception>
@@ -6,11 +6,11 @@
 
 namespace robosim {
 
-/// A sentence on what the machine lacks, if that is why this was thrown: memory, room on a disk, open files,
-/// processes. Else empty.
+/// Returns a sentence on what the machine lacks, if that is why this was thrown: memory, disk space, open
+/// files, processes. Else returns an empty string.
 std::string fault_of_machine(const std::exception& thrown);
 
-/// The same of what a compiler, linker or other tool has written; `tool` is its name.
+/// Does so for the output of a compiler, linker or other tool of that name.
 std::string fault_of_machine(const std::string& tool, const std::string& output);
 
 }  // namespace robosim

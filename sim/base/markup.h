@@ -1,4 +1,4 @@
-// Text inside of XML and HTML.
+// Escapes text for XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace robosim {
 
-/// Text as it may stand between tags and in attributes in double quotes: &, <, >, " and line ends as
-/// references; what XML 1.0 cannot hold (control characters but the tab) becomes U+FFFD.
+/// Returns a text for use between tags and in attributes in double quotes: &, <, >, " and line ends as
+/// references. Characters that XML 1.0 cannot hold (control characters except the tab) become U+FFFD.
 std::string markup_text(std::string_view text);
 
 }  // namespace robosim

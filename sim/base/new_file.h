@@ -1,4 +1,4 @@
-// A file that is written while its content comes to be, and is there only once all of it is.
+// A file that appears only once its content is complete.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace robosim {
 
-/// Longer content goes to the disk as it comes, into a file without a name, which is gone if nobody finishes
-/// it, however this process ends. Where that cannot be (a device, a pipe, a file system that has no such
-/// files), content waits in memory, as what is short does.
+/// Large content goes to the disk as it arrives, into an unnamed file, which vanishes unless it is finished,
+/// however this process ends. Small content stays in memory. So does all content where unnamed files are
+/// impossible (a device, a pipe, some file systems).
 class NewFile {
  public:
   explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}

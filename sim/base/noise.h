@@ -1,5 +1,5 @@
-// Noise without state: the n-th sample of a stream is a pure function of the stream's name and n, so that
-// adding a part, a recorder or a robot changes no other part's noise.
+// Stateless noise: the n-th sample of a stream is a pure function of the stream's name and n. So adding a
+// part, a recorder or a robot does not change another part's noise.
 #pragma once
 
 #include <cstdint>

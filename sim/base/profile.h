@@ -1,6 +1,6 @@
-// How real a run is: its profile. `ideal` has no noise and no spread, and never changes. `typical` has both,
-// with sources (docs/fidelity.md); when its models or figures change it gets a new version, and the older
-// ones can still be named.
+// The profile of a run: how realistic it is. `ideal` has no noise and no spread, and never changes. `typical`
+// has both, with sources (docs/fidelity.md). When its models or parameters change it gets a new version, and
+// older versions stay available.
 #pragma once
 
 #include <initializer_list>
@@ -20,10 +20,10 @@ enum class Profile {
 inline constexpr std::initializer_list<const char*> kProfileNames = {"ideal", "typical", "typical@1",
                                                                      "typical@2"};
 
-/// The profile of one of kProfileNames.
+/// Returns the profile of one of kProfileNames.
 Profile profile_of(std::string_view name);
 
-/// Its name, with the version: "typical@2".
+/// Returns its name, with the version: "typical@2".
 std::string to_string(Profile profile);
 
 }  // namespace robosim

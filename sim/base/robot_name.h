@@ -1,5 +1,5 @@
-// How people and programs name a robot: a stock robot's name or the path of a robot file, and after an @ the
-// board that replaces its own, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/robots.md).
+// Names of robots: a stock robot's name or the path of a robot file, optionally followed by @ and the board
+// that replaces its own, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/robots.md).
 #pragma once
 
 #include <string>
@@ -11,9 +11,10 @@ struct RobotName {
   std::string board;  ///< empty = the robot's own
 };
 
-/// An @ introduces a board only if no '/' or '.' follows it, so that names of folders may contain one.
+/// Parses a name. An @ introduces a board only if no '/' or '.' follows it, so that folder names may contain
+/// one.
 RobotName parse_robot_name(const std::string& text);
-/// The same robot with that board.
+/// Returns the name of the same robot with that board.
 std::string robot_with_board(const std::string& text, const std::string& board);
 
 }  // namespace robosim

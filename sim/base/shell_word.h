@@ -1,4 +1,4 @@
-// Commands that users copy into a shell.
+// Quotes commands that users copy into a shell.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace robosim {
 
-/// The text as one word for a shell, quoted only where necessary.
+/// Returns the text as one shell word, quoted only where necessary.
 std::string shell_word(const std::string& text);
 
-/// The words of a command that was made of shell_word()s; nothing if a quote in it is not closed.
+/// Splits a command that was made of shell_word()s; returns nothing if a quote in it is not closed.
 std::optional<std::vector<std::string>> shell_words(const std::string& command);
 
 }  // namespace robosim

@@ -1,4 +1,4 @@
-// Text that others wrote (sketches, file names, compiler messages) as it may be shown on a terminal.
+// Makes text of others (sketches, file names, compiler messages) safe to show on a terminal.
 #pragma once
 
 #include <string>
@@ -6,15 +6,14 @@
 
 namespace robosim {
 
-/// Writes control characters, bytes that are not UTF-8 and characters that turn the direction of writing as
-/// `\x1b` or `\u202e`, so that a terminal carries out none of them. Keeps line feeds and tabs, and writes CR
-/// LF as LF.
+/// Writes control characters, invalid UTF-8 and characters that change the writing direction as `\x1b` or
+/// `\u202e`, so that a terminal executes none of them. Keeps line feeds and tabs, and writes CR LF as LF.
 std::string for_terminal(std::string_view text);
 
-/// As for_terminal(), but in one line: a line feed in a file's name must not begin a line of its own.
+/// Does the same, in one line: a line feed in a file's name must not start a new line.
 std::string in_one_line(std::string_view text);
 
-/// Does so for a text that arrives in pieces, which may cut a character, or CR LF, in two.
+/// Does so for a text that arrives in pieces, which may split a character or CR LF.
 class TerminalText {
  public:
   /// Returns what can be shown so far.

@@ -1,4 +1,4 @@
-// Directions from angles, the same to the last bit on every machine: libm's sine and cosine are not.
+// Converts angles to directions with the same bits on every machine, unlike libm's sine and cosine.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace robosim {
 
-/// (cos a, sin a), by their series about the nearest quarter turn; error below 1e-13. For angles of some
-/// turns.
+/// Returns (cos a, sin a), by their series about the nearest quarter turn; error below 1e-13, for angles of a
+/// few turns.
 inline Vec2 direction_of(double radians) {
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   const double quarters = std::floor(radians / kQuarter + 0.5);

@@ -1,4 +1,4 @@
-// Quantities as people write them: "150 mm", "7.4 V", "60s". Internally everything is SI.
+// Parses quantities as people write them: "150 mm", "7.4 V", "60s". Internally everything is SI.
 #pragma once
 
 #include <optional>
@@ -27,17 +27,17 @@ enum class Dimension {
   ratio,          ///< 1        a bare number, or "%"
 };
 
-/// The unit names of a dimension, as messages list them: "mm, cm, m or in".
+/// Returns the unit names of a dimension, for messages: "mm, cm, m or in".
 std::string unit_names(Dimension dimension);
 
-/// Of the SI unit itself: "m"; empty for a ratio.
+/// Returns the name of the SI unit, "m"; empty for a ratio.
 std::string si_unit(Dimension dimension);
 
-/// The SI value of `text`; nothing if it is not a finite number followed by a unit of `dimension` (white
-/// space between them does not matter). A bare number is taken for `ratio` only.
+/// Returns the SI value of `text`; nothing unless it is a finite number followed by a unit of `dimension`
+/// (white space between them is optional). A bare number is accepted for `ratio` only.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
 
-/// As parse_quantity in exact nanoseconds, for command lines and scripts; rejects negative times.
+/// Parses a duration in exact nanoseconds, for command lines and scripts; rejects negative times.
 std::optional<long long> parse_duration_ns(std::string_view text);
 
 }  // namespace robosim

@@ -16,14 +16,14 @@ constexpr Vec2 operator*(Vec2 a, double k) { return {a.x * k, a.y * k}; }
 constexpr Vec2 operator*(double k, Vec2 a) { return a * k; }
 constexpr bool operator==(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
 constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-/// Positive when b is to the left of a.
+/// Returns the cross product, positive if b is to the left of a.
 constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-/// A quarter turn counter-clockwise.
+/// Returns `a` rotated by a quarter turn counter-clockwise.
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// Where a body is. The heading is kept as a unit vector: it is rotated without trigonometry, which makes a
-/// tick bit-identical on every machine (libm's sine and cosine are not).
+/// A body's position and heading. The heading is a unit vector, since rotating it without trigonometry makes
+/// a tick bit-identical on every machine (libm's sine and cosine are not).
 struct Pose {
   Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector

@@ -1,4 +1,4 @@
-// Whole numbers as people write them.
+// Parses whole numbers as people write them.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace robosim {
 
-/// The number that "12" or "0x0C" says.
+/// Returns the number in "12" or "0x0C"; nothing for anything else.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 }  // namespace robosim

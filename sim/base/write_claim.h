@@ -1,4 +1,4 @@
-// One writer for a file: whoever is going to write one says so first.
+// Ensures that a file has one writer at a time. A writer claims the file first.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace robosim {
 
-/// From here to its end nobody else on this machine can claim the file, under whatever name. It ends with its
-/// process, too, however that ends, and leaves nothing behind: the claim is a name of Linux's abstract
-/// sockets. Devices and pipes, which any number may write, are not claimed.
+/// Holds a claim, during which no other process on this machine can claim the file, under whatever name. The
+/// claim is a name of Linux's abstract sockets. So it ends with its process, however that ends, and leaves
+/// nothing behind. Devices and pipes, which may have several writers, are not claimed.
 class WriteClaim {
  public:
   /// Throws InputError if somebody else is writing the file. It need not be there yet.
