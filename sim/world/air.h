@@ -1,5 +1,5 @@
-// What radios send to each other, byte by byte: all on a channel hear all that others there send. Neither
-// range nor bytes that meet on the air are modelled.
+// Radio transmission between robots, byte by byte. All receivers on a channel hear all other senders there.
+// Not modelled: range, and collisions of bytes.
 #pragma once
 
 #include <cstddef>

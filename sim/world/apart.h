@@ -1,5 +1,5 @@
-// Which bodies are so far from all others that for a while nothing of one can show in another. What each of
-// them does meanwhile may then be worked out at a stretch.
+// Finds bodies that are so far from all others that for a while none can affect another. The simulation may
+// then compute several ticks of each body at a stretch.
 #pragma once
 
 #include <cstddef>

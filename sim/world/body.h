@@ -1,33 +1,36 @@
-// One robot's body: two driven wheels, a caster, an outline. Differential drive with motors, friction and
-// grip.
+// One robot's body: two driven wheels, a caster, an outline. It has a differential drive with motors,
+// friction and grip.
 //
 // A tick of dt = 1 ms from the state at its start (v forward, u to the left, omega counter-clockwise, wheel
 // rates w):
-//   1. the pose moves on with these velocities, along their arc (exactly what pose_after(1 ms) says);
-//   2. motors, friction and grip change the velocities;
-//   3. walls, obstacles and other bodies push the outline out and take its velocity against them.
-// Velocities are therefore constant inside a tick: what sensors extrapolate from its start is exactly what
-// happens.
+//   1. The pose moves with these velocities, along their arc, exactly as pose_after(1 ms) returns it.
+//   2. Motors, friction and grip change the velocities.
+//   3. Walls, obstacles and other bodies push the outline out, and stop its velocity towards them.
+// Velocities are therefore constant inside a tick, and what sensors extrapolate from its start is exact.
 //
-// Each wheel, with all torques at the wheel's axle (from a motor's data sheet to these five figures):
+// Each wheel, with all torques at the wheel's axle (a motor's data sheet gives these five parameters):
 //   R    = nominal_volts / stall_current                                   terminal resistance
-//   k_t  = stall_torque / (stall_current - no_load_current)                torque for each ampere
-//   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts for each rad/s
+//   k_t  = stall_torque / (stall_current - no_load_current)                torque per ampere
+//   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts per rad/s
 //   T_c  = k_t no_load_current + T_r, T_r = rolling_resistance m g r / 2   friction while it turns
 //   T_s  = static_friction k_t no_load_current + T_r                       friction that holds it at rest
-// so that at nominal_volts, off the ground, it turns at no_load_rate, and stalls at stall_torque.
+// At nominal_volts it turns at no_load_rate off the ground, and stalls at stall_torque.
+//
+// The current depends on the driver's state:
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
 //   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
 //   open (the rest):                     i = 0
-// or, where the winding's inductance is given, as winding.h has it (body_winding.cpp);
+// If the winding's inductance is given, winding.h applies instead (body_winding.cpp). Then
 //   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
-// F is what the wheel exerts on the ground:
+// where F is the force of the wheel on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
 //   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2, S the sideways force, halved between the wheels
-// While F stays below that limit the wheel rolls (r w = ground speed); at the limit it slips, and wheel and
-// ground speed differ. Where S alone exceeds its part, the body skids sideways. Time is implicit in the
-// velocities, so that no parameter makes a step unstable. Hills, surfaces and loads that shift:
-// body_ground.cpp. Bodies that turn by skidding: body_skid.cpp. Steered wheels: body_steer.cpp.
+// While F stays below that limit the wheel rolls (r w = ground speed). At the limit it slips, and wheel and
+// ground speed differ. If S alone exceeds its part, the body skids sideways. The step is implicit in the
+// velocities, so no parameter makes it unstable.
+//
+// Hills, surfaces and shifting loads: body_ground.cpp. Skid steering: body_skid.cpp. Steered wheels:
+// body_steer.cpp.
 #pragma once
 
 #include <cmath>
@@ -48,7 +51,7 @@ class Ground;
 class Walls;
 struct Contact;
 
-/// What a motor driver makes of its pins, averaged over one tick.
+/// A motor driver's output, averaged over one tick.
 struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
@@ -62,7 +65,7 @@ struct WheelCommand {
 
 enum Side { left = 0, right = 1 };
 
-/// One wheel and its gear motor; rates and torques are the gear's output, as data sheets give them.
+/// One wheel and its gear motor. Rates and torques are those of the gear's output, as in data sheets.
 struct WheelParams {
   double nominal_volts = 0.0;       ///< V, at which the following four hold
   double no_load_rate = 0.0;        ///< rad/s
@@ -77,7 +80,7 @@ struct WheelParams {
   double inductance_h = 0.0;        ///< H of the winding; 0 = it does not matter
 };
 
-/// Everything about a body. Zero is not a value: start from default_body_params() or set every field.
+/// All parameters of a body. Zero is not a default: start from default_body_params(), or set every field.
 struct BodyParams {
   WheelParams wheel[2];            ///< left, right
   double supply_volts = 0.0;       ///< V at the driver's supply pin, until supply() says otherwise
@@ -108,21 +111,21 @@ struct BodyParams {
   bool differential = false;       ///< of a steered body: one motor drives both wheels; each has half of it
 };
 
-/// A small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
+/// Returns a small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
 /// docs/models.md.
 BodyParams default_body_params();
 
-/// m that treads so far apart seem to be apart, on wheels that skid when they turn: body_skid.cpp.
+/// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
 double effective_track(double track, double wheelbase);
 
-/// rad by which a steered body's middle is turned where its inner one of two steered wheels, `track` apart,
-/// is turned by `inner`: body_steer.cpp.
+/// Returns the steering angle at the body's middle, rad, for an angle `inner` of the inner one of two steered
+/// wheels, which are `track` apart: body_steer.cpp.
 double steered_middle(double inner, double track, double steer_base);
 
-/// How a body has come to lie on its side.
+/// How a body has fallen over.
 enum class Toppled { no, over, off_an_edge };
 
-/// How a body leans, and turns as it does so, in its own frame (x ahead, y to the left).
+/// A body's lean and its rate, in its own frame (x ahead, y to the left).
 struct Lean {
   Vec2 low;            ///< the sine of the angle, in the direction of the side that is lowest
   double level = 1.0;  ///< the cosine of the angle

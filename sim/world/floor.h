@@ -1,4 +1,4 @@
-// The floor a robot drives on: how dark it is, and how far away the line is.
+// The floor that a robot drives on: its darkness, and the distance to the line.
 #pragma once
 
 #include <algorithm>
@@ -25,14 +25,14 @@
 
 namespace robosim::world {
 
-/// The standard deviation of a floor's brightness, as a share of it, where a map does not say another. Of two
-/// floors that were measured one has 0.05, the other 0.15: docs/fidelity.md.
+/// Returns the default standard deviation of a floor's brightness, as a share of it. Of two measured floors
+/// one has 0.05, the other 0.15: docs/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
-/// Two kinds of floor. Stripes: lines of width `line` along the centre lines of grid::Stripes. Raster (the
-/// map says `floor = "raster"`): each painted line cell is dark as a whole.
+/// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of grid::Stripes.
+/// Raster (the map has `floor = "raster"`): each painted line cell is dark as a whole.
 ///
-/// One byte per cell says what a query inside it can meet, so that most queries are one load and one square
+/// One byte per cell describes what a query inside it can find. So most queries are one load and one square
 /// root:
 ///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
 ///                   and whether they are painted; no stripe of another cell is nearer than cell / 2

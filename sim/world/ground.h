@@ -27,7 +27,7 @@
 
 namespace robosim::world {
 
-/// What is under a wheel.
+/// The floor under a wheel.
 struct Footing {
   double height = 0.0;  ///< m, of its axle over where it is on a plane floor
   Vec2 rise;            ///< its gradient, in the world's frame

@@ -2,20 +2,22 @@
 //
 // A wheel of radius r that rolls slowly over a gap of width g turns about its first edge, and then about the
 // second. In the middle it has sunk by
-//   h = r - sqrt(r^2 - (g/2)^2)                           0.20 mm of 16 mm over 5 mm
-// and its slope changes at once from -tan(alpha) to tan(alpha), with sin(alpha) = g / 2r: it meets the second
-// edge with v sin(2 alpha) across it, and loses that, an impact without rebound. What is faster than sqrt(G
-// r), G = 9.8 m/s^2 (0.40 m/s of 16 mm), leaves the first edge and falls: with V = v / sqrt(G r) it meets the
-// second one g / (1 + V) before it, has sunk by 4 / (1 + V)^2 h at most, and where g is small against r meets
-// the edge with sqrt(G r) g / r. So of its kinetic energy each wheel loses, m being the mass that it carries,
-//   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              in all 4 m G h at most, whatever its speed
+//   h = r - sqrt(r^2 - (g/2)^2)                           for example 0.20 mm: r = 16 mm, g = 5 mm
+// Its slope changes at once from -tan(alpha) to tan(alpha), with sin(alpha) = g / 2r. It meets the second
+// edge with v sin(2 alpha) across it, and loses that in an impact without rebound.
 //
-// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width, and its tread, w wide,
-// bridges w |sin theta| of it. Robot files say no w: it is taken to be 6 mm, as narrow wheels have. A ball
-// has no tread; one that is hardly wider than the gap is caught in it.
+// Above a speed of sqrt(G r), G = 9.8 m/s^2 (0.40 m/s for r = 16 mm), the wheel leaves the first edge and
+// falls. With V = v / sqrt(G r) it meets the second edge g / (1 + V) before it, after sinking by 4 / (1 +
+// V)^2 h at most. If g is small against r it meets the edge with sqrt(G r) g / r. So each wheel, which
+// carries a mass m, loses of its kinetic energy
+//   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              in all 4 m G h at most, at any speed
 //
-// Not modelled: soft tyres, which sink less and lose less; boards of unlike heights (a [[hill]] is a step);
-// that a jolt lifts the other wheels.
+// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width, and its tread of width
+// w bridges w |sin theta| of it. Robot files do not have w, so 6 mm are assumed, as narrow wheels have. A
+// ball has no tread; one that is hardly wider than the gap is caught in it.
+//
+// Not modelled: soft tyres, which sink less and lose less; boards of different heights (a [[hill]] is a
+// step); a jolt that lifts the other wheels.
 #pragma once
 
 #include <vector>

@@ -53,7 +53,7 @@ class Lighting {
   std::vector<Lit> lights_;
 };
 
-/// x: what a sensor at this height sees of the room's light, against one that is 3 mm high.
+/// Returns x: a sensor's exposure to ambient light at this height, relative to a height of 3 mm.
 double exposure(double height_m);
 
 }  // namespace robosim::world

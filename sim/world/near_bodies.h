@@ -1,5 +1,5 @@
-// Which bodies are near enough to each other to meet, without a look at every pair: by a grid of squares,
-// each so wide that bodies which meet are in the same one or in neighbours.
+// Finds bodies that are near enough to meet, without testing every pair. It uses a grid of squares, so wide
+// that bodies which meet are in the same square or in neighbouring ones.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What somebody who looks at a floor again and again knows of the lines near by, where corners are round:
-// most looks are then one subtraction. Of lines as the map has them, which stay.
+// Caches the lines near a place, where corners are round. For repeated queries of a floor, most then cost one
+// subtraction. It covers the map's own lines, which do not change.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace robosim::world {
 
-/// Part of a floor, its sides parallel to the map's; m.
+/// An axis-parallel box on the floor, m.
 struct FloorBox {
   Vec2 low, high;
 
@@ -21,7 +21,7 @@ struct FloorBox {
   void keep(Vec2 p, double way);
 };
 
-/// Which stripe is nearest, as it was sought for one place, and in which box about that place the same holds.
+/// The nearest stripe of one place, and the box around that place in which it stays the nearest.
 class NearStripe {
  public:
   /// Whether it is known there. Nowhere, before anything was sought.

@@ -9,10 +9,10 @@
 
 namespace robosim::world {
 
-/// What a sensor looks for: the infra-red that comes back, or red, green or blue.
+/// The band of a sensor: reflected infra-red, red, green or blue.
 enum class Band { infrared, red, green, blue };
 
-/// What comes back of it from a colour, as a share of what white gives.
+/// Returns a colour's reflectance in that band, relative to white.
 inline double sent_back(const grid::Colour& colour, Band band) {
   return band == Band::infrared ? colour.infrared() : colour.light(static_cast<std::size_t>(band) - 1);
 }

@@ -1,4 +1,5 @@
-// Lines and marks that are not all alike: of other widths and colours, worn, or glossy (grid::Paint).
+// Lines and marks that differ from the map's usual ones: of other widths and colours, worn, or glossy
+// (grid::Paint).
 #pragma once
 
 #include <cstddef>

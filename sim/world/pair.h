@@ -1,8 +1,8 @@
-// Two numbers that are calculated at once: what a body's two wheels have in common. Compilers make one vector
-// instruction of each operation where the machine has it, which changes no bit.
+// Two numbers that are computed at once, for a body's two wheels. Compilers make one vector instruction of
+// each operation where the machine has it, which does not change a bit.
 //
-// What is written for both wheels is a template over `Both`: a Pair, for one body; or Two, whose members are
-// plain numbers, so that a loop over many bodies can be made vector instructions of (sim/batch).
+// Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
+// compilers can vectorise a loop over many bodies (sim/batch).
 #pragma once
 
 #include <cmath>
@@ -10,13 +10,13 @@
 
 namespace robosim::world {
 
-/// Two numbers in a vector register: +, - and * are the compiler's.
+/// Two numbers in a vector register; the compiler implements +, - and *.
 typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
 typedef std::int64_t PairBits __attribute__((vector_size(2 * sizeof(std::int64_t))));
 
 inline Pair pair_of(double l, double r) { return Pair{l, r}; }
 inline Pair swapped(Pair a) { return Pair{a[1], a[0]}; }
-/// Where a is below b, x; elsewhere y.
+/// Returns x where a is below b, else y.
 inline Pair where_less(Pair a, Pair b, Pair x, Pair y) {
   const auto less = reinterpret_cast<PairBits>(a < b);
   return reinterpret_cast<Pair>((less & reinterpret_cast<PairBits>(x)) |
@@ -25,7 +25,7 @@ inline Pair where_less(Pair a, Pair b, Pair x, Pair y) {
 inline Pair abs_of(Pair a) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairBits>(a) & PairBits{INT64_MAX, INT64_MAX});
 }
-/// The amount of a, which is not below 0, with b's sign.
+/// Returns a, which is not negative, with b's sign.
 inline Pair signed_as(Pair a, Pair b) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairBits>(a) |
                                 (reinterpret_cast<PairBits>(b) & PairBits{INT64_MIN, INT64_MIN}));
@@ -45,7 +45,7 @@ inline Two where_less(Two a, Two b, Two x, Two y) { return {a.l < b.l ? x.l : y.
 inline Two abs_of(Two a) { return {std::fabs(a.l), std::fabs(a.r)}; }
 inline Two signed_as(Two a, Two b) { return {std::copysign(a.l, b.l), std::copysign(a.r, b.r)}; }
 
-/// Whether all that was asked of both holds.
+/// Accumulates whether all conditions hold for both.
 template <class Both>
 class Sure;
 
@@ -63,7 +63,7 @@ class Sure<Pair> {
   PairBits both_ = {-1, -1};
 };
 
-/// Of plain numbers it is one, too: 1 or 0.
+/// For plain numbers the result is a number, too: 1 or 0.
 template <>
 class Sure<Two> {
  public:

@@ -1,5 +1,5 @@
-// What is painted on the floor during a run, or taken off it: rectangles parallel to its edges, of line or of
-// bare floor, each over those before it.
+// Changes of the paint during a run: rectangles parallel to the floor's edges, of line or of bare floor, each
+// over the earlier ones.
 #pragma once
 
 #include <vector>

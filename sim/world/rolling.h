@@ -1,6 +1,6 @@
-// A tick of a body that just rolls on: both tyres hold, both wheels turn the way they turned, nothing is
-// near. That is what bodies do nearly always, and takes no branch; what body.cpp says of such a tick comes to
-// the same bits. Written once, for one body and for many side by side (pair.h).
+// A tick of a body that simply rolls: both tyres hold, both wheels keep their direction, nothing is near.
+// Bodies do so almost always. The code takes no branch, and gives the same bits as body.cpp. It is written
+// once, for one body and for many side by side (pair.h).
 #pragma once
 
 #include "sim/world/pair.h"
@@ -11,7 +11,7 @@ namespace robosim::world {
 // Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
 constexpr double kStill = 1e-6;  ///< m/s, rad/s
 
-/// What a body that rolls is, and what its motors are told. By Body's names for it.
+/// A rolling body's parameters and motor commands, with Body's names.
 template <class Both>
 struct Roller {
   // Of the commands.
@@ -26,7 +26,7 @@ struct Roller {
   double mass, mass_own, mass_cross, half_track, per_track, bound_radius, way_per_travel;
 };
 
-/// What changes while it rolls.
+/// The state of a rolling body.
 template <class Both>
 struct Rolling {
   double x, y, heading_x, heading_y;
@@ -35,8 +35,8 @@ struct Rolling {
   double wheel_travel, distance, energy, free_way;
 };
 
-/// The next tick of it, where u is 0; `stride` as Walls has it. What this returns holds if it just rolls on;
-/// else that tick is another one.
+/// Computes the next tick, where u is 0; `stride` is Walls'. The result is valid only if the body simply
+/// rolls on.
 template <class Both>
 inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Both>& now,
                        Rolling<Both>& next) {

@@ -1,4 +1,4 @@
-// Shared by the parts of a body's step.
+// Constants and functions that the parts of a body's step share.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -13,10 +13,10 @@ constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond)
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s
 
-/// Of the grip that is left for each of both directions while a body skids: 1 / sqrt(2).
+/// The share of the remaining grip for each of both directions while a body skids: 1 / sqrt(2).
 constexpr double kSkidShare = 0.70710678118654752;
 
-/// x cut to ±bound; 0 for not-a-number.
+/// Returns x limited to ±bound; 0 for NaN.
 inline double bounded(double x, double bound) {
   if (x > bound) return bound;
   if (x < -bound) return -bound;

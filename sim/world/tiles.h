@@ -1,4 +1,4 @@
-// The floor in squares, and for each what may be seen from it.
+// Divides the floor into squares, and stores for each what may be visible from it.
 #pragma once
 
 #include <algorithm>

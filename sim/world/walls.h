@@ -1,4 +1,4 @@
-// What stops a body: wall and obstacle cells, everything beyond the map's edge, and round obstacles put down
+// Obstacles of a body: wall and obstacle cells, everything beyond the map's edge, and round obstacles placed
 // during a run.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace robosim::world {
 
-/// Where an outline meets something solid.
+/// A place where an outline meets something solid.
 struct Contact {
   Vec2 point;             ///< m, world
   Vec2 normal;            ///< unit, away from the solid
@@ -21,7 +21,7 @@ struct Contact {
   bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
 };
 
-/// The deepest contacts of an outline, deepest first: more than eight change nothing.
+/// The deepest contacts of an outline, deepest first. More than eight would change nothing.
 class Contacts {
  public:
   void add(const Contact&);
