@@ -18,13 +18,14 @@ struct Bend {
   double middle() const { return radius * 0.29289321881345243; }
 };
 
-/// Nullopt if the cell is not a bend. Takes time in proportion to the legs, up to twice the corner radius.
+/// Returns the bend at a cell, or nullopt. The time is proportional to the legs, up to twice the corner
+/// radius.
 std::optional<Bend> bend_at(const Map& map, CellAt cell);
 
-/// The bend whose arc replaces the centre of a line cell, if any.
+/// Returns the bend whose arc replaces the centre of a line cell, if any.
 std::optional<Bend> bend_over(const Map& map, CellAt cell);
 
-/// Whether the legs left less than the map's corner radius.
+/// Returns whether the legs have room for less than the map's corner radius.
 bool is_tight(const Map& map, const Bend& bend);
 
 }  // namespace robosim::grid

@@ -1,11 +1,12 @@
-// Colours of the floor, and what sensors see of them: the one table of it.
+// Colours of the floor, and their reflectance for sensors: the only such table.
 //
-// `infrared` is what a reflectance sensor (TCRT5000, QTR: 950 nm) gets back, as a share of what white paper
-// gives; `light` the same of red, green and blue. All are estimates. Pigments that look dark to the eye
-// hardly absorb infra-red: makers of reflex sensors give 40 to 80 % of a white card for coloured PVC, and
-// 110 to 160 % for bright metal, which reflects as a mirror does where emitter and receiver look straight
-// down. Green here is therefore much nearer to white than to black, and a single green square cannot be told
-// from a dirty floor by infra-red alone.
+// `infrared` is the reflectance for a sensor such as TCRT5000 or QTR (950 nm), relative to white paper;
+// `light` is that of red, green and blue. All are estimates. Pigments that look dark to the eye hardly absorb
+// infra-red. Makers of reflex sensors state 40 to 80 % of a white card for coloured PVC. For bright metal
+// they state 110 to 160 %, since it reflects like a mirror if emitter and receiver look straight down.
+//
+// So green is much nearer to white than to black here, and infra-red alone cannot tell a single green square
+// from a dirty floor.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ struct HueFigures {
   const char* drawn;            ///< for pictures: a colour of HTML
 };
 
-/// Of all but grey.
+/// All hues except grey.
 constexpr std::array<HueFigures, 6> kHues = {{{"black", 0.00, {0.00, 0.00, 0.00}, "#202020"},
                                               {"white", 1.00, {1.00, 1.00, 1.00}, "#ffffff"},
                                               {"grey", 0.50, {0.50, 0.50, 0.50}, "#909090"},
@@ -30,7 +31,7 @@ constexpr std::array<HueFigures, 6> kHues = {{{"black", 0.00, {0.00, 0.00, 0.00}
                                               {"silver", 1.25, {1.30, 1.30, 1.30}, "#b9c4ce"},
                                               {"red", 0.75, {0.70, 0.10, 0.10}, "#c8322b"}}};
 
-/// What something is painted with.
+/// The colour of something painted.
 struct Colour {
   Hue hue = Hue::black;
   double black = 0.5;  ///< of grey: the share of black in it, 0..1

@@ -1,4 +1,4 @@
-// What a map has besides its cells: paths, marks beside them, and painted areas.
+// The parts of a map other than cells: paths, marks next to them, and painted areas.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace robosim::grid {
 
-/// A painted bar, of the line's colour: Robotrace's corner, start and goal markers.
+/// A painted bar of the line's colour: Robotrace's corner, start and goal markers.
 struct Mark {
   int path = 0;              ///< that it stands beside, an index
   double along = 0.0;        ///< m from that path's beginning
@@ -23,7 +23,7 @@ struct Mark {
   int paint = 0;             ///< its number in paints_of; the width there is not the mark's
 };
 
-/// `length_m`: of its long side.
+/// Returns a mark next to a path; `length_m` is its long side.
 inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, double away, double length_m,
                         double width_m) {
   const Pose on = paths[static_cast<std::size_t>(path)].at(along, false);
@@ -39,8 +39,8 @@ struct Area : Patch {
   double gloss = 0.0;       ///< what it mirrors: Paint::gloss
 };
 
-/// Start and goal line of a path, m along it; a race goes from the one on to the other. The path is closed
-/// where there is no braking distance.
+/// Start and goal line of a path, m along it. A race goes from the start to the goal. The path is closed if
+/// there is no braking distance.
 struct RaceLines {
   int path = 0;  ///< an index
   double start = 0.0;
@@ -49,7 +49,7 @@ struct RaceLines {
   double signal = 0.0;   ///< s, when a drag race is started; 0 = when the robot leaves
 };
 
-/// A course of tiles, along the first path, from its beginning to its end: RoboCupJunior's Rescue Line.
+/// A course of tiles along the whole first path: RoboCupJunior's Rescue Line.
 struct RescueCourse {
   double tile = 0.3;                ///< m, side
   Vec2 origin;                      ///< m, a corner of a tile
@@ -72,7 +72,7 @@ struct Course {
   bool empty() const { return paths.empty() && marks.empty(); }
 };
 
-/// What sensors see: its areas, and over lines and all the dark of its joints.
+/// Returns what sensors see: the course's areas, and above lines and everything else the dark of its joints.
 std::vector<Area> visible_areas(const Course& course);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// [[path]] and [[mark]] as the front matter has them. An implementation detail of write_map.
+// Writes [[path]] and [[mark]] of the front matter. An implementation detail of write_map.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace robosim::grid {
 
-/// "250 mm", or in m where whole micrometres would round.
+/// Returns "250 mm", or metres if whole micrometres would round.
 std::string length_text(double m);
 
-/// Lengths, angles and places are read back within 1e-12 m.
-/// `usual`: what lines and marks are painted with where nothing else is said.
+/// Returns the tables. Lengths, angles and places are read back within 1e-12 m. `usual` is the default paint
+/// of lines and marks.
 std::string course_text(const Course& course, const Paint& usual);
 
 }  // namespace robosim::grid

@@ -1,5 +1,5 @@
-// Figures of a map with a spread, as in slope = { value = "15 deg", spread = "2 deg" }: each seed has its
-// own.
+// Parameters of a map with a spread, such as slope = { value = "15 deg", spread = "2 deg" }. Each seed draws
+// its own value.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace robosim::grid {
 
-/// Who draws them.
+/// The seed and profile for which values are drawn.
 struct Draw {
   std::uint64_t seed = 0;
   Profile profile = Profile::ideal;  ///< which draws nothing: the map is exactly its file
   bool* differs = nullptr;           ///< is set where another seed would draw another figure; may be null
 };
 
-/// The figures of one table, which `table` names: "[[hill]] 2".
+/// Reads the parameters of one table, which `table` names: "[[hill]] 2".
 class Figures {
  public:
   Figures(Draw draw, std::string table) : draw_(draw), table_(std::move(table)) {}

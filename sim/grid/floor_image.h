@@ -1,4 +1,4 @@
-// A picture that a floor is painted with: `floor = "floor.png"` of a map (docs/maps.md).
+// A picture that is painted on the floor: `floor = "floor.png"` of a map (docs/maps.md).
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace robosim::grid {
 
-/// The picture's lower left corner is the floor's; beyond it the floor is light.
+/// The picture's lower left corner is the floor's. Beyond the picture the floor is white.
 ///
-/// A pixel's darkness is 1 - value, of a value between 0 (black) and 1 (white) as the file has it: of grey as
-/// it is, of colours 0.2126 red + 0.7152 green + 0.0722 blue (ITU-R BT.709), of what is transparent as over
-/// white; in steps of 1/255.
+/// A pixel's darkness is 1 - value, in steps of 1/255, with a value between 0 (black) and 1 (white). The
+/// value of grey is the file's; that of a colour is 0.2126 red + 0.7152 green + 0.0722 blue (ITU-R BT.709).
+/// Transparent pixels count as above white.
 class FloorImage {
  public:
   /// A picture has at most so many pixels, which take 4 bytes each, and a file so many bytes.

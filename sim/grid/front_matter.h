@@ -13,7 +13,7 @@
 
 namespace robosim::grid {
 
-/// What the front matter says, with places, before it is checked against the cells.
+/// The content of the front matter, with places, before it is checked against the cells.
 struct FrontMatter {
   struct PlacedCell {
     CellAt cell;
@@ -42,15 +42,16 @@ struct FrontMatter {
   Legend legend;
 };
 
-/// Reads the text between the +++ lines; `first_line` is the file's line on which it begins. Throws
+/// Reads the text between the +++ lines; `first_line` is the line of the file on which it begins. Throws
 /// InputError.
 FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw = {});
 
-/// That the picture is as large as the line is wide, and not larger than the floor, and that there is nothing
-/// that would be painted beside it. Throws InputError at `place`.
+/// Checks that the picture is as large as the line is wide and at most as large as the floor, and that
+/// nothing else is painted. Throws InputError at `place`.
 void check_picture(const Map& map, const Place& place);
 
-/// "13, 2 is outside the map" and "13, 2 is floor, not line" are errors at `place`.
+/// Throws InputError at `place` unless the cell is line: "13, 2 is outside the map", "13, 2 is floor, not
+/// line".
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// What the readers of a front matter's tables have in common.
+// Functions that the readers of the front matter's tables share.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,21 @@
 
 namespace robosim::grid {
 
-/// The tables [[name]]. Throws InputError if `value` is a single one.
+/// Returns the tables [[name]]. Throws InputError if `value` is a single table.
 const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* name);
 
-/// ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
+/// Reads ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
 Vec2 read_point(const ConfigValue& value, const char* key);
-/// The same, where both may have a spread.
+/// Reads a point whose coordinates may have a spread.
 Vec2 read_point(const ConfigValue& value, const char* key, const Figures& figures);
 
-/// One of the colours, or "grey 40 %". Throws InputError.
+/// Reads one of the colours, or "grey 40 %". Throws InputError.
 Colour read_colour(const ConfigValue& value);
 
-/// What `worn` or `gloss` say, 0..1; `usual` where they say nothing. Throws InputError.
+/// Reads `worn` or `gloss`, 0..1; `usual` is the default. Throws InputError.
 double read_share(TableReader& table, const char* key, double usual);
 
-/// What is measured in two directions, such as ["2 mm/s", "0 mm/s"], within +-most. Throws InputError.
+/// Reads a value in two directions, such as ["2 mm/s", "0 mm/s"], within +-most. Throws InputError.
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
                  const Figures& figures);
 

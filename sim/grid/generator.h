@@ -1,11 +1,10 @@
 // Generates random maps: for tests over many maps, for benchmarks, and as courses of any size.
 //
 // Equal arguments give equal maps on every machine: the only source of randomness is the integer hash of
-// sim/base/noise.h. Any change that makes the same arguments give another map raises kGeneratorVersion.
+// sim/base/noise.h. A change that gives another map for the same arguments must raise kGeneratorVersion.
 //
 // All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart, with a margin of the same
-// width around it: robots have the room that they have on the sample maps. There are no walls and no
-// obstacles.
+// width around it. So robots have as much room as on the sample maps. There are no walls and no obstacles.
 #pragma once
 
 #include <cstdint>
@@ -29,17 +28,17 @@ constexpr int kGeneratorVersion = 1;
 constexpr int kMinStations = 2;
 constexpr int kMaxStations = 1'000'000;
 
-/// "tree", "cycles" or "grid".
+/// Returns "tree", "cycles" or "grid".
 const char* name_of(Family family);
-/// The inverse.
+/// Returns the family of that name, or nothing.
 std::optional<Family> family_of(std::string_view name);
 
-/// "tree-100-7" for 100 stations and seed 7: what the map is called.
+/// Returns the map's name, "tree-100-7" for 100 stations and seed 7.
 std::string generated_name(Family family, int stations, std::uint64_t seed);
 
-/// A connected map with exactly that many stations; std::invalid_argument beyond the limits. Its goal is
-/// `tour`, and `generator` says family, version, stations and seed. A million stations need some 55 (tree,
-/// cycles) or 70 (grid) cells each.
+/// Returns a connected map with exactly that number of stations; throws std::invalid_argument beyond the
+/// limits. Its goal is `tour`, and `generator` has family, version, stations and seed. For a million stations
+/// each takes about 55 (tree, cycles) or 70 (grid) cells.
 Map generate(Family family, int stations, std::uint64_t seed);
 
 }  // namespace robosim::grid

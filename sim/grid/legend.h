@@ -1,9 +1,9 @@
-// [legend] of a map: what the digits 3 to 9 mean.
+// [legend] of a map: the meaning of the digits 3 to 9.
 //
 //   3 = "gap"                                  # a cell
 //   4 = "wet"                                  # a surface: floor that is wet
 //   5 = "wet line"                             # both
-//   6 = { cell = "line", rolling = 0.03 }      # a surface by its figures
+//   6 = { cell = "line", rolling = 0.03 }      # a surface by its parameters
 #pragma once
 
 #include <array>
@@ -27,13 +27,13 @@ struct Legend {
   std::vector<SurfaceFigures> surfaces;           ///< as Map::legend_surfaces
 };
 
-/// What the front matter calls such a cell.
+/// Returns the front matter's name of such a cell.
 const char* cell_word(Cell cell);
 
-/// Throws InputError.
+/// Reads [legend]. Throws InputError.
 Legend read_legend(const ConfigValue& value, Draw draw = {});
 
-/// The digits of a map that is written: those cells that have no character of their own.
+/// Assigns digits to cells that have no character, for writing a map.
 class LegendWriter {
  public:
   /// Throws std::invalid_argument where seven digits are not enough.

@@ -1,4 +1,4 @@
-// [[light]] of a map: light in the room that infra-red sensors see beside their own.
+// [[light]] of a map: ambient light, which infra-red sensors see in addition to their own.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace robosim::grid {
 
-/// Daylight that is everywhere alike, a lamp, or a patch of sun.
+/// Uniform daylight, a lamp, or a patch of sun.
 struct Light {
   /// Where it is brightest, it makes everything look so much whiter, as a share of white to black, to a
   /// sensor that is 3 mm above the floor.
@@ -27,7 +27,7 @@ struct Light {
 /// Reads all [[light]] tables. Throws InputError.
 std::vector<Light> read_lights(const ConfigValue& value, Draw draw = {});
 
-/// [[light]] as read_lights reads it. An implementation detail of write_map.
+/// Writes [[light]] as read_lights reads it. An implementation detail of write_map.
 std::string lights_text(const std::vector<Light>& lights);
 
 }  // namespace robosim::grid

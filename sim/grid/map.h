@@ -1,4 +1,4 @@
-// A map: a grid of cells read from text, and what its front matter says. The format is in docs/maps.md.
+// A map: a grid of cells read from text, and the content of its front matter. The format is in docs/maps.md.
 #pragma once
 
 #include <bit>
@@ -36,7 +36,7 @@ struct CellAt {
   bool operator==(const CellAt&) const = default;
 };
 
-/// Clockwise, as they lie on the map (y grows southward).
+/// Directions, clockwise on the map (y grows southward).
 enum class Direction : std::uint8_t { east, south, west, north };
 
 constexpr Direction turned_right(Direction d) {
@@ -49,9 +49,9 @@ constexpr CellAt ahead(CellAt c, Direction d) {
   constexpr int dy[] = {0, 1, 0, -1};
   return {c.x + dx[static_cast<int>(d)], c.y + dy[static_cast<int>(d)]};
 }
-/// 'E', 'S', 'W' or 'N'.
+/// Returns 'E', 'S', 'W' or 'N'.
 constexpr char letter(Direction d) { return "ESWN"[static_cast<int>(d)]; }
-/// The direction as a unit vector of the world frame (y north).
+/// Returns the direction as a unit vector of the world frame (y north).
 constexpr Vec2 heading(Direction d) {
   constexpr Vec2 of[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}};
   return of[static_cast<int>(d)];
@@ -65,7 +65,7 @@ struct OnPath {
   bool operator==(const OnPath&) const = default;
 };
 
-/// Where a robot begins.
+/// Where a robot starts.
 struct Start {
   CellAt cell;
   Direction facing = Direction::east;
@@ -138,31 +138,31 @@ struct Map {
   Vec2 centre(CellAt c) const { return {(c.x + 0.5) * cell_m, (height - 1 - c.y + 0.5) * cell_m}; }
 };
 
-/// A map has at most this many columns and rows, and cells in all.
+/// Limits of a map's columns and rows, and of its cells.
 constexpr int kMaxSide = 100'000;
 constexpr std::size_t kMaxCells = 1'000'000'000;
-/// And so many where it is not written in rows, so that a short file cannot take much memory.
+/// The limit of cells for a map that is not written in rows, so that a short file cannot take much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 
-/// Reads a map file, in one pass and at one byte a cell. `draw`: whose are its figures with a spread. Throws
-/// InputError with file, line, column, what was found and what is allowed.
+/// Reads a map file, in one pass and at one byte per cell. `draw` selects the values of parameters with a
+/// spread. Throws InputError with file, line, column, what was found and what is allowed.
 Map read_map(const std::filesystem::path& path, Draw draw = {});
-/// The same from text; `file` is for messages, and a picture lies beside it, unless its bytes are given here.
+/// Parses a map from text. `file` is for messages; a picture is next to it, unless `picture` has its bytes.
 Map parse_map(std::string_view text, const std::string& file, const std::string& picture = "",
               Draw draw = {});
 
-/// SHA-256 of the map's text, and of its picture's file behind it. Hashing takes several times as long as
-/// reading, so read_map hashes small files only (up to 256 KB); for a larger one this reads the file again.
+/// Returns SHA-256 of the map's text, followed by its picture's file. Hashing takes several times as long as
+/// reading, so read_map hashes small files only (up to 256 KB). For a larger one this reads the file again.
 /// Throws InputError if it is gone.
 std::string sha256_of(const Map& map);
-/// The same of a map's file, of which no more than the front matter is understood. Throws InputError.
+/// Hashes a map's file and understands only its front matter. Throws InputError.
 std::string sha256_of_map(const std::filesystem::path& path);
 
-/// A map by what users type: a path if it holds '/' or '.', else the sample map of that name. Throws
-/// InputError naming the samples that exist.
+/// Finds a map by what users type: a path if it contains '/' or '.', else the sample map of that name. Throws
+/// InputError naming the available samples.
 std::filesystem::path find_map(const std::string& name);
 
-/// The directions in which a cell has a line cell beside it: bit 1 << Direction.
+/// Returns the directions in which a cell has a neighbouring line cell: bit 1 << Direction.
 inline unsigned line_neighbours(const Map& map, CellAt c) {
   unsigned mask = 0;
   for (int d = 0; d < 4; ++d)
@@ -172,9 +172,9 @@ inline unsigned line_neighbours(const Map& map, CellAt c) {
 
 constexpr bool has(unsigned mask, Direction d) { return (mask >> static_cast<int>(d) & 1u) != 0; }
 
-/// Whether an obstacle stands on the line right ahead of a robot on a line cell: an `x`, or a wall that was
-/// put on the line. Of the latter kind is a wall straight ahead of a line's end that has line right behind
-/// it; a wall beside a line that goes on is just a wall, and so is every wall around a single line cell.
+/// Returns whether an obstacle stands on the line right ahead of a robot on a line cell: an `x`, or a wall
+/// that was put on the line. Such a wall is straight ahead of a line's end and has line right after it. A
+/// wall next to a continuing line is just a wall, and so is every wall around a single line cell.
 inline bool blocks_line(const Map& map, CellAt c, Direction d) {
   const CellAt next = ahead(c, d);
   const Cell what = map.at(next);
@@ -182,8 +182,8 @@ inline bool blocks_line(const Map& map, CellAt c, Direction d) {
   return is_line(map.at(ahead(next, d))) && line_neighbours(map, c) == 1u << static_cast<int>(reversed(d));
 }
 
-/// Whether a line ends on this line cell, so that it is a station: no line beside it, or on one side only and
-/// no obstacle at the other.
+/// Returns whether a line ends on this line cell, so that it is a station: no neighbouring line, or on one
+/// side only and no obstacle on the opposite one.
 inline bool is_dead_end(const Map& map, CellAt c) {
   const unsigned lines = line_neighbours(map, c);
   if (lines == 0) return true;
@@ -191,21 +191,22 @@ inline bool is_dead_end(const Map& map, CellAt c) {
   return !blocks_line(map, c, reversed(static_cast<Direction>(std::countr_zero(lines))));
 }
 
-/// How a robot put on a line cell faces: towards its only line neighbour, or the first in the order E S W N.
+/// Returns how a robot faces on a line cell: towards its only line neighbour, or the first in the order E S W
+/// N.
 Direction default_facing(const Map& map, CellAt cell);
 
-/// "13,2,E" or "13,2" (then the facing rule applies); on a map with a path "1.2m", so far along the first
-/// one, or "1.2m,back". Throws InputError.
+/// Parses "13,2,E", or "13,2" with the default facing. On a map with a path, "1.2m" is a place along the
+/// first one; "1.2m,back" faces backward. Throws InputError.
 Start parse_start(const Map& map, std::string_view text);
-/// The start by DESIGN's rule: [start] or S, else the beginning of the first path, else the first dead end in
-/// row order, else the first line cell; facing its only line neighbour, or the first in the order E S W N.
+/// Returns the default start: [start] or S, else the beginning of the first path, else the first dead end in
+/// row order, else the first line cell. It faces its only line neighbour, or the first in the order E S W N.
 /// Throws InputError if the map has no line.
 Start default_start(const Map& map);
-/// Where that is, and which way a robot there faces.
+/// Returns the position on a path, and the heading of a robot there.
 Pose path_pose(const Map& map, const OnPath& on);
-/// A start on a path of the map.
+/// Returns a start on a path of the map.
 Start start_on(const Map& map, const OnPath& on);
-/// For what knows cells only. Throws InputError if the start is on a path.
+/// Throws InputError if the start is on a path, for `what`, which supports cells only.
 void require_cells(const Map& map, const Start& start, const char* what);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// Turns the text of a map file, fed in pieces of any size, into a Map. read_map and parse_map use it.
+// Parses the text of a map file, fed in pieces of any size, to a Map. read_map and parse_map use it.
 #pragma once
 
 #include <array>

@@ -8,7 +8,8 @@
 
 namespace robosim::grid {
 
-/// The text of a map file. Reading it gives an equal map, but for `file`, `sha256` and the place of the goal.
+/// Returns the text of a map file. Reading it gives an equal map, except for `file`, `sha256` and the goal's
+/// place.
 std::string write_map(const Map& map);
 
 }  // namespace robosim::grid

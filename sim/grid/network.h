@@ -1,4 +1,4 @@
-// The line network of a map: line cells are nodes, 4-adjacent ones are joined.
+// The line network of a map: line cells are nodes, and 4-adjacent ones are connected.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Station {
   CellAt cell;
 };
 
-/// What can be reached along the line from one start.
+/// The part of the network that is reachable along the line from one start.
 struct Network {
   std::vector<Station> stations;  ///< dead ends in numbering order, then named places that are not dead ends
   std::vector<CellAt> junctions;  ///< nodes of degree 3 or 4, in the order of the walk
@@ -30,7 +30,8 @@ struct Network {
 
 Network trace_network(const Map& map, const Start& start);
 
-/// The same without `unreachable`, for which the whole map is looked through: for many starts on one map.
+/// Returns the network without `unreachable`, which takes a scan of the whole map: for many starts on one
+/// map.
 Network trace_reachable(const Map& map, const Start& start);
 
 }  // namespace robosim::grid

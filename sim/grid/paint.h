@@ -1,5 +1,5 @@
-// What lines are painted with, where it is not as the map's lines are: [[path]], its segments and [[mark]]
-// may say another width, colour, wear and gloss (docs/maps.md).
+// The paint of lines, where it differs from the map's usual one. [[path]], its segments and [[mark]] may have
+// their own width, colour, wear and gloss (docs/maps.md).
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct Paint {
   static constexpr std::size_t kMost = 32;
 };
 
-/// What the map's lines are painted with where nothing else is said.
+/// Returns the default paint of the map's lines.
 Paint usual_paint(const Map& map);
 
-/// By the numbers that stripes and marks have: first the usual one, then those of the course. Each has a
-/// colour.
+/// Returns the paints by the numbers in stripes and marks: first the default, then those of the course. Each
+/// has a colour.
 std::vector<Paint> paints_of(const Map& map);
 
-/// Whether lines and marks are all alike, whole, and matt.
+/// Returns whether all lines and marks have the same paint, unworn and matt.
 bool is_plain(const Map& map);
 
 }  // namespace robosim::grid

@@ -1,5 +1,4 @@
-// A rectangle or a disc on the floor: what [[area]], [[hill]], [[surface]] and [[joint]] of a map have in
-// common.
+// A rectangle or a disc on the floor, as [[area]], [[hill]], [[surface]] and [[joint]] of a map have it.
 #pragma once
 
 #include <cmath>
@@ -33,17 +32,17 @@ struct Patch {
   }
 };
 
-/// Reads at, or along, path, away and side, and size and angle, or radius, of a table that messages call
-/// "[[NAME]]", and its thing "a NAME". `course`: paths that have been read. `length`, if asked for: what a
-/// rectangle's may be. Throws InputError.
+/// Reads at, or along, path, away and side, and size and angle, or radius, of a table. Messages call the
+/// table "[[NAME]]", and its object "a NAME". `course` has the paths read before. `length`, if given, limits
+/// a rectangle's length. Throws InputError.
 Patch read_patch(TableReader& table, const Course& course, const char* name, const Figures& figures,
                  Number* length = nullptr);
 
-/// That all middles of a map's areas, hills, surfaces and joints are on its floor, whatever is drawn. Throws
-/// InputError.
+/// Checks that the centres of a map's areas, hills, surfaces and joints are on its floor, for any draw.
+/// Throws InputError.
 void check_patches(const Map& map);
 
-/// at and size, angle, or radius as read_patch reads them.
+/// Writes at and size, angle, or radius as read_patch reads them.
 std::string patch_text(const Patch& patch);
 
 }  // namespace robosim::grid

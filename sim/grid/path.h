@@ -1,5 +1,5 @@
-// Lines that are no rows of cells: straights, arcs and corners, each beginning where the one before ends, in
-// its direction. The map's [[path]] (docs/maps.md); most competitions' courses are of this kind.
+// Lines that do not follow cells: straights, arcs and corners. Each begins where the previous one ends, in
+// its direction. A map's [[path]] (docs/maps.md) is such a line, as in most competitions' courses.
 #pragma once
 
 #include <vector>

@@ -7,8 +7,9 @@
 
 namespace robosim::grid {
 
-/// Appends them: straights whole, arcs in quarters at most, cut where gaps begin and end. A gap takes half
-/// their width from the stripes beside it, as among cells. `paints`: those of the map, paints_of.
+/// Appends the path's stripes: straights whole, arcs in quarters at most, cut at both ends of gaps. A gap
+/// takes half of their width from the neighbouring stripes, as between cells. `paints` is paints_of() the
+/// map.
 void add_stripes(const Path& path, const std::vector<Paint>& paints, std::vector<Stripe>& stripes);
 
 }  // namespace robosim::grid

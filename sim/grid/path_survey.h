@@ -1,4 +1,4 @@
-// What a path is like, for people and programs: its length, crossings, smallest radius.
+// Describes a path for people and programs: its length, crossings, smallest radius.
 #pragma once
 
 #include "sim/grid/path.h"
@@ -14,9 +14,9 @@ struct PathSurvey {
   double smallest_radius_m = 0.0;  ///< of its arcs; 0 = it has none
 };
 
-/// `closed_within`: m, between the end and the beginning of a path that is taken as closed. Crossings are
-/// found between chords of 5 mm: two that are nearer to each other, or touch without crossing, may not be
-/// counted.
+/// Surveys a path. `closed_within` is the distance of both ends, m, up to which it counts as closed.
+/// Crossings are found between chords of 5 mm. Two crossings that are closer, or a touch without crossing,
+/// may not count.
 PathSurvey survey_path(const Path& path, double closed_within);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// A map as text for a terminal.
+// Draws a map as text for a terminal.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct PictureOptions {
   bool ascii = false;  ///< no characters beyond ASCII
 };
 
-/// Lines as box drawing, station numbers, an arrow at the start, rulers with column and row numbers, and
-/// below it a line that explains the signs used. A cell takes two characters if that fits, else one. A map
-/// that is too large is clipped to a part around the start, and a sentence says so.
+/// Draws lines as box drawing, with station numbers, an arrow at the start, rulers with column and row
+/// numbers, and a legend below. A cell takes two characters if that fits, else one. A map that is too large
+/// is clipped to a part around the start, and a sentence reports that.
 std::string draw(const Map& map, const Network& network, const Start& start, const PictureOptions& options);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// Which landmark of a map a robot is at: the nearest station or junction, measured along the line.
+// Finds the landmark of a map that a robot is at: the nearest station or junction, measured along the line.
 //
 // A robot within 0.3 cells of the middle between two landmarks is at neither.
 #pragma once

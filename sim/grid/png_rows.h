@@ -1,4 +1,4 @@
-// A PNG, decoded row by row. An implementation detail of FloorImage.
+// Decodes a PNG row by row. An implementation detail of FloorImage.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 namespace robosim::grid {
 
 /// Calls begin(width, height) once, then row(pixels) for each row from the top: 0 black .. 255 white. Throws
-/// InputError, at `file`. The memory that it takes is that of a row, whatever the file says.
+/// InputError, at `file`. It needs memory for one row only, whatever the file contains.
 void read_png(std::string_view bytes, const std::string& file, const std::function<void(int, int)>& begin,
               const std::function<void(std::span<const unsigned char>)>& row);
 

@@ -1,8 +1,7 @@
-// [[hill]], [[surface]] and [[joint]] of a map: how high the floor is, what it is made of, and where there is
-// a gap in it. Where a map has neither, nor a surface in its [legend] (legend.h), the floor is a plane of one
-// kind.
+// [[hill]], [[surface]] and [[joint]] of a map: the floor's height, its surfaces, and the gaps in it. Without
+// them, and without surfaces in its [legend] (legend.h), the floor is a uniform plane.
 //
-// The map is the floor unrolled, as a course's tiles are before they are put on a ramp: its lengths run along
+// The map is the unrolled floor, like a course's tiles before they are put on a ramp. Its lengths run along
 // the slope, so that dh/ds of a height h is the sine of its angle.
 #pragma once
 
@@ -17,8 +16,8 @@ namespace robosim::grid {
 
 struct Course;
 
-/// A rectangle that is higher than the floor: its heights run along its length, and are the same across it.
-/// At its ends and sides, where it is higher than what lies there, it is a step.
+/// A raised rectangle. Its heights run along its length, and are the same across it. Ends and sides that are
+/// higher than the floor next to them are steps.
 struct Hill : Patch {
   std::vector<double> heights;  ///< m, at even distances from its beginning to its end, straight in between
   double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
@@ -28,7 +27,7 @@ struct Hill : Patch {
   double height_at(Vec2 p) const;
 };
 
-/// What the floor is made of, against the one that the robot file's figures are for.
+/// A kind of surface, relative to the one that the robot file's parameters are for.
 struct SurfaceKind {
   const char* name;
   double grip;     ///< times the robot's
@@ -46,23 +45,23 @@ struct SurfaceFigures {
 };
 struct Surface : Patch, SurfaceFigures {};
 
-/// Their names, for messages: "wet, dusty or carpet".
+/// Returns their names, for messages: "wet, dusty or carpet".
 std::string surface_names();
-/// kind, or grip and rolling, of a table that is a surface. Throws InputError.
+/// Reads kind, or grip and rolling, of a table that is a surface. Throws InputError.
 SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures);
 
-/// A gap between two boards: its length, along its heading, is how wide the gap is.
+/// A gap between two boards. Its length, along its heading, is the gap's width.
 struct Joint : Patch {
   static constexpr double kWidest = 0.006;  ///< m: a wheel's tread is wider
 };
 
-/// Reads all [[hill]], [[surface]] and [[joint]] tables; `course` has the paths that they may lie along.
-/// Throw InputError.
+/// Read all [[hill]], [[surface]] and [[joint]] tables; `course` has the paths that they may lie along. Throw
+/// InputError.
 void read_hills(const ConfigValue& value, Course& course, Draw draw = {});
 void read_surfaces(const ConfigValue& value, Course& course, Draw draw = {});
 void read_joints(const ConfigValue& value, Course& course, Draw draw = {});
 
-/// All as they are read. An implementation detail of write_map.
+/// Writes all of them as they are read. An implementation detail of write_map.
 std::string relief_text(const Course& course);
 
 }  // namespace robosim::grid

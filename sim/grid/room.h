@@ -1,4 +1,4 @@
-// How much room a robot has beside the paths of a map.
+// The room that a robot has next to the paths of a map.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace robosim::grid {
 
-/// Where a path comes nearest to a wall.
+/// The place where a path comes nearest to a wall.
 struct Narrowest {
   int path = 0;          ///< its number in the map, from 0
   double room_m = 0.0;   ///< from the path's middle to the wall; 0 = it runs into one
@@ -15,8 +15,8 @@ struct Narrowest {
   bool is_edge = false;  ///< the wall is the map's edge
 };
 
-/// Of all paths of a map, looked at every 5 mm; nothing where it has none. Walls farther off than `within`,
-/// m, are not looked for: then there is nothing either.
+/// Returns the narrowest place of all paths of a map, sampled every 5 mm; nothing if there is no path, or no
+/// wall within `within`, m.
 std::optional<Narrowest> narrowest(const Map& map, double within);
 
 }  // namespace robosim::grid

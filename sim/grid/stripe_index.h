@@ -1,4 +1,4 @@
-// For each cell of a map, which stripes are near it. Cells without any take almost no memory.
+// Stores the stripes near each cell of a map. Cells without any take almost no memory.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The painted lines of a map as geometry: segments between centres of line cells, and arcs where `corner`
-// rounds a bend. The floor's reflectance and the cross-track error are both measured against these.
+// rounds a bend. The floor's reflectance and the cross-track error are both measured against them.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace robosim::grid {
 
 /// A piece of centre line, in the world frame (m).
 ///
-/// A segment goes from its smaller to its larger x, or y where x is the same; a and b are equal where a line
-/// is a single cell. Those of cells are parallel to an axis. An arc is at most a quarter of a circle,
-/// counter-clockwise from a to b, and tangent to the segments it joins.
+/// A segment goes from its smaller to its larger x, or y if x is the same; a and b are equal if a line is a
+/// single cell. Segments of cells are parallel to an axis. An arc is at most a quarter of a circle,
+/// counter-clockwise from a to b, and tangent to the segments that it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
@@ -29,7 +29,7 @@ struct Stripe {
   std::uint8_t paint = 0;  ///< its number in paints_of
 };
 
-/// Distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
+/// Returns the distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
     if (s.a.x != s.b.x && s.a.y != s.b.y) {
@@ -49,17 +49,17 @@ inline double distance(const Stripe& s, Vec2 p) {
   return std::sqrt(std::min(dot(pa, pa), dot(pb, pb)));
 }
 
-/// A bend whose legs are too short for the map's corner radius; it was left with a smaller one.
+/// A bend whose legs are too short for the map's corner radius, and which has a smaller one.
 struct TightBend {
   CellAt cell;
   double radius_m;  ///< what fits: a leg between two bends is shared equally
 };
 
-/// The tight bends of a map in row order, without building its stripes.
+/// Returns the tight bends of a map in row order, without building its stripes.
 std::vector<TightBend> tight_bends(const Map& map);
 
-/// All stripes, and for each cell those that pass within reach of it. Takes time and memory in proportion to
-/// the length of line: built for driven robots only.
+/// All stripes, and for each cell those within reach of it. Time and memory are proportional to the length of
+/// line, so they are built for driven robots only.
 class Stripes {
  public:
   /// `reach_m`: a query point in a cell finds every stripe that is at most this far from the point. The map

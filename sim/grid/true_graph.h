@@ -1,10 +1,11 @@
-// The true graph of a map's line: what an explorer that starts at a given place must find. It is read off the
-// cells and shares no code with the navigator in firmware/src/nav, so that the two can check each other.
+// The true graph of a map's line, which an explorer that starts at a given place must find. It is derived
+// from the cells and shares no code with the navigator in firmware/src/nav, so that the two can check each
+// other.
 //
-// Nodes are stations (dead ends) and junctions (three or four arms). Line runs between them; its bends do not
-// matter. Stations and junctions are numbered from 1 as a right-hand walk from the start meets them first
-// (network.h): at each junction it takes the rightmost way not yet walked, at a dead end, before an obstacle
-// and at a junction that it knows it turns round.
+// Nodes are stations (dead ends) and junctions (three or four arms). Line runs between them; its bends are
+// irrelevant. Stations and junctions are numbered from 1 in the order in which a right-hand walk from the
+// start first meets them (network.h). At each junction the walk takes the rightmost way not yet walked. It
+// turns round at a dead end, before an obstacle and at a known junction.
 #pragma once
 
 #include <cstdint>
@@ -51,21 +52,22 @@ struct TrueGraph {
   bool operator==(const TrueGraph&) const = default;
 };
 
-/// Takes time in proportion to the map, memory in proportion to the graph. A line without any node (a ring,
+/// Builds the graph. Time is proportional to the map, memory to the graph. A line without any node (a ring,
 /// or a piece between two obstacles) gives an empty graph.
 TrueGraph true_graph(const Map& map, const Start& start);
 
-/// How many lines a graph has, blocked ones included; one blocked from both ends counts twice.
+/// Returns the number of lines, including blocked ones; a line blocked from both ends counts twice.
 std::size_t line_count(const TrueGraph& graph);
-/// How many lines are to be taken out for a tree: independent cycles. Blocked lines close none.
+/// Returns the number of independent cycles: the lines to remove for a tree. Blocked lines do not close
+/// cycles.
 std::size_t cycle_count(const TrueGraph& graph);
 
-/// The moves of a shortest way from a station (its number) to each station, by number from 1: result[0] is
-/// for number 1. -1 where there is none. Dijkstra's algorithm.
+/// Returns the moves of a shortest path from a station (its number) to each station: result[0] is for number
+/// 1. -1 if unreachable. Dijkstra's algorithm.
 std::vector<int> distances_from(const TrueGraph& graph, int station);
 
-/// Compares graphs up to numbering and order of slots: by cells and directions. "" if they are the same, else
-/// one sentence about the first difference.
+/// Compares graphs by cells and directions, ignoring numbering and order of slots. Returns "" if they are
+/// equal, else one sentence about the first difference.
 std::string difference(const TrueGraph& expected, const TrueGraph& found);
 
 }  // namespace robosim::grid
