@@ -1,23 +1,23 @@
-// [battery]: cells that sag under load, and run empty. Without it the motors have [motors] supply, whatever
-// they take.
+// [battery]: cells that sag under load, and discharge. Without it the motors have [motors] supply under any
+// load.
 //
 //   V = cells OCV(charge) - R I
-//   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (ohms of it)
+//   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (its ohms)
 //   d charge / dt = - I / capacity
 //
-// V is solved exactly in each tick, since I is made of straight pieces of V (world::Body::draw). So two
-// stalled motors, each of R_m with its driver, sag the rest voltage E to
+// V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). So two stalled
+// motors, each of R_m with its driver, lower the rest voltage E to
 //
 //   V = (E + R (2 drop / R_m - board)) / (1 + 2 R / R_m)
 //
-// Below a charge of 0 the cells collapse: to nothing at -2 %.
+// Below a charge of 0 the cells collapse, to no voltage at -2 %.
 //
 // Open-circuit volts of a cell (battery.cpp): li-ion as measured by github.com/little-porter,
-// battery_health_inference_RJ; nimh and alkaline are estimates by makers' discharge curves at 0.2 C.
-// Resistance of a cell where the file has none: a usual figure of its kind, not measured, the same at any
-// charge.
+// battery_health_inference_RJ; nimh and alkaline are estimates from makers' discharge curves at 0.2 C. If the
+// file has no resistance of a cell, it is a usual value of its kind, not measured, the same at any charge.
 //
-// Not modelled: recovery after load, temperature, a protection's cut-off; without inductance what flows back.
+// Not modelled: recovery after load, temperature, a protection's cut-off; without inductance, current that
+// flows back.
 #pragma once
 
 #include "sim/base/config.h"
@@ -44,7 +44,7 @@ struct Battery {
 /// Reads [battery]. Throws InputError.
 Battery read_battery(const ConfigValue& table);
 
-/// One robot's battery, as its figures were drawn.
+/// One robot's battery, with its drawn parameters.
 struct Cells {
   const BatteryKind* kind = nullptr;
   double cells = 0.0, ohms = 0.0, capacity_as = 0.0, board_amps = 0.0;

@@ -1,5 +1,4 @@
-// What clients are told about a robot (describe_robot in docs/runner-protocol.md), and what the world needs
-// to know.
+// A robot's description for clients (describe_robot in docs/runner-protocol.md) and for the world.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +20,7 @@ struct PartSummary {
   std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (netlist.h)
 };
 
-/// Wheels that a servo turns, for whoever draws them.
+/// Wheels that a servo steers, for drawing them.
 struct SteeredWheels {
   std::string servo;    ///< whose reading it is
   double base = 0.0;    ///< m, from the driven axle
@@ -49,7 +48,8 @@ struct Summary {
 
 Summary describe(const Description&);
 
-/// The body of one robot of this description: spread is drawn from (seed, number) in the profile `typical`.
+/// Returns the body of one robot of this description. In the profile `typical`, (seed, number) draws its
+/// parameters.
 world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 }  // namespace robosim::robot

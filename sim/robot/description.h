@@ -22,10 +22,10 @@ namespace robosim::robot {
 class Part;
 class PartContext;
 
-/// Which wheel a motor turns and an encoder counts.
+/// The wheel that a motor turns or an encoder counts.
 using world::Side;
 
-/// steering of [chassis]: wheels in front that a servo turns. sim/world/body_steer.cpp.
+/// steering of [chassis]: front wheels that a servo steers. sim/world/body_steer.cpp.
 struct Steering {
   std::string servo;       ///< its name
   Place place;             ///< where the file says so
@@ -37,7 +37,7 @@ struct Steering {
   bool exists() const { return base.value > 0.0; }
 };
 
-/// [chassis]: what is rigid.
+/// [chassis]: the rigid body.
 struct Chassis {
   Number mass;     ///< kg, of the whole robot
   Number inertia;  ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform plate
@@ -60,7 +60,7 @@ struct Chassis {
   std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex
 };
 
-/// [motors]: both motors with their gears. What they do with these figures: sim/world/body.h.
+/// [motors]: both motors with their gears. sim/world/body.h has the formulas for these parameters.
 struct Motors {
   Number voltage;          ///< V, at which the following four hold
   Number no_load;          ///< rad/s at the wheel, drawn for each motor
@@ -74,7 +74,7 @@ struct Motors {
   Number supply;           ///< V of the battery
 };
 
-/// What one combination of a driver's inputs does to the motor.
+/// The effect of one combination of a driver's inputs on the motor.
 enum class Bridge : unsigned char { open, shorted, forward, reverse };
 
 /// A motor driver chip, as data. `action[en][in1][in2]`.
@@ -104,14 +104,14 @@ struct Wire {
   bool shared = false;  ///< of a bus: others may be on it too
 };
 
-/// A sensor that looks at the floor, for people and pages.
+/// The place of a sensor that looks at the floor, for people and pages.
 struct SensorPlace {
   std::string name;
   Vec2 at;                 ///< m, in the body's frame
   double footprint = 0.0;  ///< m: side of the square of floor that it sees
 };
 
-/// A reading that is a number with a unit, for people and pages; others are levels, or on and off.
+/// A reading that is a number with a unit, for people and pages. Other readings are levels, or on and off.
 struct Gauge {
   std::string name;
   const char* unit;  ///< "deg", "cm", "V", "A", "Hz"; "" of a bare number
@@ -119,10 +119,10 @@ struct Gauge {
 
 struct MountSpec;
 
-/// Of a motor that drives the wheels through a differential.
+/// The wheel of a motor that drives both wheels through a differential.
 constexpr int kBothWheels = 2;
 
-/// One [[part]]: what its type's reader made of it. Immutable; shared by all robots of the description.
+/// One [[part]], as its type's reader returns it. Immutable; all robots of the description share it.
 class PartSpec {
  public:
   std::string name;
@@ -143,8 +143,8 @@ class PartSpec {
   virtual int driven_wheel() const { return -1; }
 };
 
-/// [budget]: what firmware may take of the board's chip. `robosim build` fails where a sketch takes more
-/// flash or RAM, a run on a chip ends as over_budget where it takes more stack or time.
+/// [budget]: limits of firmware on the board's chip. `robosim build` fails if a sketch takes more flash or
+/// RAM. A run on a chip ends as over_budget if it takes more stack or time.
 struct Budget {
   std::int64_t flash_bytes = 0;  ///< 0 = all there is
   std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = all there is
@@ -152,7 +152,7 @@ struct Budget {
   double loop_s = 0.0;           ///< the longest pass of loop(); 0 = any
 };
 
-/// A file that a robot was read from.
+/// A file from which a robot was read.
 struct SourceText {
   std::filesystem::path file;
   std::string text;
@@ -174,31 +174,31 @@ struct Description {
   std::vector<SourceText> texts;                       ///< the file, and those of its bases
 };
 
-/// The file of a robot by what users type: a path if it holds '/' or '.', else the stock robot of that name.
-/// Throws InputError naming the stock robots.
+/// Finds a robot's file by what users type: a path if it contains '/' or '.', else the stock robot of that
+/// name. Throws InputError naming the stock robots.
 std::filesystem::path find_robot(const std::string& name_or_path);
 
-/// The names of the stock robots, sorted.
+/// Returns the names of the stock robots, sorted.
 std::vector<std::string> stock_robots();
 
-/// Reads a robot file, or a stock robot by name, either with another board in its own's place
-/// (sim/base/robot_name.h). Throws InputError with file and line.
+/// Reads a robot file, or a stock robot by name, optionally with another board (sim/base/robot_name.h).
+/// Throws InputError with file and line.
 Description load_description(const std::string& robot_name);
 
-/// Its file with the robots that it is based on, as one file without a base: what is said there, without the
-/// defaults. Lines of the others have a comment with their place. Throws InputError.
+/// Returns a robot's file merged with those that it is based on, as one file without a base and without
+/// defaults. Lines from other files have a comment with their place. Throws InputError.
 std::string full_text(const std::string& robot_name);
 
-/// The same from text; `file` is for messages, and `base` is looked for beside it. The board `instead`, if
-/// there is one, takes the place of the file's own: pins keep their names (5, A0), the voltages of sensors
-/// their share of the supply. A budget is of the own board's chip, and then none holds.
+/// Parses a robot from text; `file` is for messages, and `base` is next to it. The board `instead`, if given,
+/// replaces the file's own: pins keep their names (5, A0), the voltages of sensors their share of the supply.
+/// A budget is for the file's own board, and does not apply then.
 Description parse_description(std::string_view text, const std::filesystem::path& file,
                               const BoardSpec* instead = nullptr);
 
-/// A wire's name as robot files write it: "5", "A0", "REG1.Q4".
+/// Returns a wire's name as robot files write it: "5", "A0", "REG1.Q4".
 std::string pin_text(const Description&, Pin);
 
-/// The driver chips that exist.
+/// Returns the driver chips that exist.
 const std::vector<DriverChip>& driver_chips();
 
 }  // namespace robosim::robot

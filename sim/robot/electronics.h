@@ -34,20 +34,20 @@ struct Electronics {
 /// Reads [electronics]. Throws InputError.
 Electronics read_electronics(const ConfigValue& table);
 
-/// A board's supply under way.
+/// The current state of a board's supply.
 struct Supply {
   double share = 1.0;  ///< of the nominal one
   double led = 1.0;    ///< brightness of an infra-red LED with its resistor, against that at the nominal one
 };
 Supply supply_at(double battery_volts, const BoardSpec& board);
 
-/// What a sensor's volts hang on.
+/// The reference of a sensor's volts.
 enum class Scale {
   volts,            ///< nothing: it gives volts
   share_of_supply,  ///< the board's supply: as it sinks, so do they
 };
 
-/// The ADC's inputs of a robot whose [electronics] has something to say.
+/// The ADC's inputs of a robot with [electronics].
 class AnalogInputs {
  public:
   /// `noise_volts`: standard deviation of a conversion. `supply` and `kept` outlive this.

@@ -1,4 +1,4 @@
-// What can be wrong with a robot's parts.
+// Faults of a robot's parts.
 #pragma once
 
 namespace robosim::robot {
@@ -6,7 +6,7 @@ namespace robosim::robot {
 class Breakable;
 class Sensor;
 
-/// Each part knows some of these; scripts call them by the same names.
+/// All faults. Each part supports some of them; scripts use the same names.
 enum class Failure { ok, dead, weak, reversed, stuck, swapped, noisy, offset, pressed, released };
 const char* name_of(Failure failure);
 
@@ -21,14 +21,14 @@ struct FaultKind {
   double most = 0.0;
 };
 
-/// A fault that a script asks for, its argument read and checked.
+/// A fault that a script requests, with its checked argument.
 struct Fault {
   Failure failure = Failure::ok;
   double number = 0.0;
   Sensor* sensor = nullptr;
 };
 
-/// A fault and whose it is. Valid as long as the robot.
+/// A fault and its part. Valid as long as the robot.
 struct PartFault {
   Breakable* part = nullptr;
   Fault fault;

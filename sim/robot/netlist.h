@@ -29,14 +29,15 @@ struct Register {
   friend bool operator==(const Register&, const Register&) = default;
 };
 
-/// The wire at output `q` of register number `index`; `q` may go on into the next ones.
+/// Returns the wire at output `q` of register number `index`; `q` may exceed one register, and continue in
+/// the next.
 constexpr Pin output_pin(int index, int q) {
   return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
 }
 constexpr bool is_output(Pin pin) { return pin >= kMaxPins && pin != kNoPin; }
-/// Its name as robot files write it, "REG1.Q4"; `registers` are the robot's, in their order.
+/// Returns its name as robot files write it, "REG1.Q4"; `registers` are the robot's, in their order.
 std::string output_name(const std::vector<Register>& registers, Pin output);
-/// The number of the first register of that part; nothing if it has none.
+/// Returns the number of the part's first register; nothing if it has none.
 std::optional<int> register_of(const std::vector<Register>& registers, const std::string& part);
 static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 

@@ -1,4 +1,4 @@
-// One part of a robot: wired to pins, it drives them and watches them.
+// One part of a robot. It is wired to pins, drives them and observes them.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ class Sensor;
 class ServoPart;
 class WheelMotor;
 
-/// Something with a name that scripts can break: a sensor, a motor, …
+/// A named object that scripts can break: a sensor, a motor, …
 class Breakable {
  public:
   virtual const std::string& name() const = 0;
@@ -31,7 +31,7 @@ class Breakable {
   ~Breakable() = default;
 };
 
-/// What a finger presses: a button, a keypad's key.
+/// An object that a finger presses: a button, a keypad's key.
 class Pressable {
  public:
   virtual const std::string& name() const = 0;
@@ -44,7 +44,7 @@ class Pressable {
   ~Pressable() = default;
 };
 
-/// What a script sends to by radio, light or Bluetooth.
+/// An object that receives messages of scripts, by radio, light or Bluetooth.
 class Receiver {
  public:
   virtual const std::string& name() const = 0;
@@ -57,7 +57,7 @@ class Receiver {
   ~Receiver() = default;
 };
 
-/// What has a text to tell that people would see or hear.
+/// An object with text that people would see or hear.
 class Teller {
  public:
   virtual const std::string& name() const = 0;
@@ -70,13 +70,13 @@ class Teller {
 
 class Part;
 
-/// What notices other robots.
+/// A sensor that detects other robots.
 struct Lookout {
   const Mount* mount;
   double reach;  ///< m from there
 };
 
-/// What the robot's parts offer; each part registers itself.
+/// The interfaces of the robot's parts. Each part registers itself.
 struct Roster {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
   /// Want begin_tick only while the board wants edges, and in the first tick after: most firmware polls.

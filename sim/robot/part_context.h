@@ -1,5 +1,4 @@
-// What a robot's parts are made with: what they see of the world, and how this robot differs from its
-// description.
+// The context for making a robot's parts: their view of the world, and the individual values of this robot.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +17,8 @@
 
 namespace robosim::robot {
 
-/// One individual robot: draws its figures and its noise from (seed, number, part name). In the profile
-/// `ideal` every figure is the file's, and there is no noise.
+/// One individual robot. It draws its parameters and its noise from (seed, number, part name). In the profile
+/// `ideal` every parameter is the file's, and there is no noise.
 class Individual {
  public:
   Individual(std::uint64_t seed, Profile profile, std::uint32_t number)
@@ -59,7 +58,7 @@ struct View {
   }
 };
 
-/// What a part is made with. Outlives the part.
+/// Everything that a part needs when it is made. Outlives the part.
 class PartContext {
  public:
   PartContext(const Description& description_, RobotPort& board_, Netlist& netlist_, const View& view_,

@@ -16,27 +16,27 @@ namespace robosim::robot {
 
 constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
-/// What a wire needs of its pin.
+/// The function that a wire needs of its pin.
 enum class PinUse {
   digital,  ///< any pin but an analog input only
   driven,   ///< what the part follows: a digital pin, or an output of a shift register or PWM driver
   analog,   ///< a pin with an ADC channel
 };
 
-/// What wires may be connected to.
+/// The terminals that wires may be connected to.
 struct Terminals {
   const BoardSpec* board;
   const BoardSpec* written_for;     ///< the file's own board, which its pins and volts refer to
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the file's order
 };
 
-/// ["70 mm", "0 mm"]. Throws InputError.
+/// Reads ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
-/// A pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if there is no
-/// such pin or it is not fit for `use`.
+/// Reads a pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if there is
+/// no such pin, or it does not support `use`.
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals&, PinUse use);
 
-/// A table reader that knows board and motor driver, and notes the part's wires.
+/// A table reader that knows board and motor driver, and records the part's wires.
 class PartReader {
  public:
   PartReader(const ConfigValue& table, const Terminals&, const Driver&);
@@ -94,13 +94,13 @@ class PartReader {
   std::vector<Wire> wires_;
 };
 
-/// One part type: its name in robot files, and what reads its table.
+/// One part type: its name in robot files, and the function that reads its table.
 struct PartType {
   const char* name;
   std::shared_ptr<const PartSpec> (*read)(PartReader&);
 };
 
-/// All part types.
+/// Returns all part types.
 const std::vector<PartType>& part_types();
 
 }  // namespace robosim::robot

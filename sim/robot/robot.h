@@ -29,13 +29,13 @@ struct Description;
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& robot_name);
 
-/// A level for display: without noise, and consuming no sample of it.
+/// A level for display. It has no noise, and does not consume a sample of it.
 struct Reading {
   std::string_view part;  ///< "S1" … for elements of an array, else the part's name; the robot keeps it
   double value;           ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
-/// A pin of the board and what is wired to it, so that a verdict can name it ("pin 2, the button start").
+/// A pin of the board and the part wired to it, so that a verdict can name it ("pin 2, the button start").
 struct WiredPin {
   std::string part;  ///< "start"
   std::string type;  ///< "button", "motor", "reflectance-array" …
@@ -43,13 +43,13 @@ struct WiredPin {
   Pin pin = kNoPin;
 };
 
-/// What a script sends to a part: bits or a key's number to a remote control's receiver, text by Bluetooth.
+/// A message of a script to a part: bits or a key's number to a remote control's receiver, text by Bluetooth.
 struct Message {
   std::string text;
   SimTime held = 0;  ///< for which a remote control's key is held
 };
 
-/// What a part has told: a line that came by Bluetooth, what a display shows.
+/// The output of a part: a line received by Bluetooth, the text of a display.
 struct Told {
   std::string part;
   std::string text;

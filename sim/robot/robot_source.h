@@ -1,5 +1,5 @@
-// A robot file with the robots that it is based on, as one tree: what the derived file says goes before what
-// its base says, key by key in [chassis], [motors], [driver] and [budget], part by part by their names.
+// A robot file merged with those that it is based on, as one tree. The derived file takes precedence over its
+// base, key by key in [chassis], [motors], [driver] and [budget], and part by part by their names.
 #pragma once
 
 #include <filesystem>
@@ -20,17 +20,17 @@ struct RobotSource {
   std::map<std::string, Place> based_on;
 };
 
-/// All texts, one behind the other.
+/// Returns all texts, concatenated.
 std::string bytes_of(const RobotSource& source);
 
-/// "uno5.toml:12", and of a place in a base "uno5.toml:12, which my.toml:1 extends".
+/// Returns "uno5.toml:12"; for a place in a base "uno5.toml:12, which my.toml:1 extends".
 std::string place_text(const RobotSource& source, const Place& place);
 
-/// Throws InputError: no TOML; a base that is not there, or more than 8 of them; a part to remove that there
-/// is not.
+/// Reads a robot with its bases. Throws InputError if it is not TOML, a base is missing, there are more than
+/// 8 bases, or a part to remove does not exist.
 RobotSource read_source(std::string_view text, const std::filesystem::path& file);
 
-/// The text that a key of a table has; empty if it has none.
+/// Returns the text of a key in a table; empty if it has none.
 std::string text_of(const ConfigValue& table, const char* key);
 
 }  // namespace robosim::robot

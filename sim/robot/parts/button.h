@@ -1,10 +1,12 @@
 // type = "button": a push button between a pin and ground (active = "low") or the supply (active = "high").
 //
-// Pressed, it drives the pin. Released, a resistor of its own does (resistor = true), or the pin's pull-up,
-// or nothing: then the pin floats, and reads low in the profile `ideal`, and in `typical` a new random level
-// every millisecond. In `typical` a contact bounces: after each press and release it opens and closes up to 4
-// times more within `bounce` (drawn anew each time; 1.6 ms is the mean of 18 switches in J. Ganssle, "A Guide
-// to Debouncing").
+// Pressed, it drives the pin. Released, its own resistor does (resistor = true), or the pin's pull-up.
+// Without either the pin floats: it reads low in the profile `ideal`, and a new random level every
+// millisecond in `typical`.
+//
+// In `typical` a contact bounces: after each press and release it opens and closes up to 4 more times within
+// `bounce`, which is drawn each time. 1.6 ms is the mean of 18 switches in J. Ganssle, "A Guide to
+// Debouncing".
 #pragma once
 
 #include "sim/base/noise.h"

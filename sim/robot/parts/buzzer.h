@@ -1,6 +1,6 @@
-// type = "buzzer": what people hear. An active one sounds while its pin is high; a passive one follows its
-// pin, and has a pitch: that of tone(), or of the last two times its pin rose, until it has not risen for 50
-// ms. It affects nothing else. PWM by a timer counts as 490 Hz, whatever the timer's frequency.
+// type = "buzzer": a buzzer, which people hear; nothing else depends on it. An active one sounds while its
+// pin is high. A passive one follows its pin. Its pitch is that of tone(), or of the pin's last two rising
+// edges, and ends 50 ms after the last. PWM by a timer counts as 490 Hz, whatever the timer's frequency.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -1,10 +1,10 @@
-// type = "encoder": counts a wheel's turning, on one channel or on two in quadrature.
+// type = "encoder": counts a wheel's rotation, on one channel or on two in quadrature.
 //
-// In quarter periods, with the wheel's angle a (rad) and `periods` for each turn of the wheel:
+// In quarter periods, with the wheel's angle a (rad) and `periods` per turn of the wheel:
 //   q = 4 periods a / (2 pi) + 1.5
 //   channel A is high where floor(q) mod 4 is 0 or 1, channel B where it is 1 or 2
-// so that forward A leads B, and a wheel that has never turned has both high. A wheel's rate is constant
-// within a tick: every edge has its exact time, to the nanosecond.
+// So in forward motion A leads B, and a wheel that has never turned has both high. A wheel's rate is constant
+// within a tick, and every edge has its exact time, to the nanosecond.
 #pragma once
 
 #include "sim/robot/part.h"

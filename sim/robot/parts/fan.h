@@ -1,13 +1,14 @@
-// type = "fan": presses the robot down, as a ducted fan under a skirt does, or a propeller. A transistor on
-// its pin lets it run; firmware says how fast by PWM.
+// type = "fan": presses the robot down, as a ducted fan under a skirt or a propeller does. A transistor on
+// its pin switches it; firmware sets its speed by PWM.
 //
-//   du/dt = (s - u) / spin_up       s: the share of time that its pin is high; u: its speed, of the full one
+//   du/dt = (s - u) / spin_up       s: the duty cycle of its pin; u: its speed, relative to full speed
 //   F     = downforce g u^2         half on each wheel, added to [chassis] downforce
 //
-// u is followed tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). What the tyres then hold and what
-// rolling takes is in sim/world/body.h. Source: thrust and suction of a fan grow with the square of its
-// speed. Not modelled: what it takes from the battery, and that its motor slows down with it; a controller
-// (ESC) that wants servo pulses; leaks where the floor is uneven.
+// u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h has the effect
+// on grip and rolling resistance. Source: thrust and suction of a fan grow with the square of its speed.
+//
+// Not modelled: its current from the battery, and the slowdown by that; a controller (ESC) that needs servo
+// pulses; leaks on an uneven floor.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -27,7 +28,7 @@ class FanSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading is its speed, of the full one.
+/// Its reading is its speed, relative to full speed.
 class FanPart final : public Part {
  public:
   FanPart(const FanSpec&, PartContext&);

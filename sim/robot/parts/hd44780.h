@@ -19,7 +19,7 @@
 
 namespace robosim::robot {
 
-/// A value.
+/// A display controller, as a copyable value.
 class Hd44780 {
  public:
   /// E has fallen at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring has the upper four.

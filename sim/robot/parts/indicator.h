@@ -1,4 +1,4 @@
-// type = "led": what people see. It affects nothing else.
+// type = "led": a light, which people see; nothing else depends on it.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -1,10 +1,9 @@
-// type = "keypad": a matrix of keys, each of which joins the wire of its row with that of its column: `press
+// type = "keypad": a matrix of keys, each of which connects the wires of its row and its column: `press
 // keypad.5 100ms`.
 //
-// Nothing but keys is in it: a pin that is read has the level of whatever drives one of the wires that the
-// pressed keys join it to; else it is high by a pull-up of its own or of one of those; else it floats, and
-// reads low. So three keys on corners of a rectangle show a fourth, as in a matrix without diodes. Keys do
-// not bounce here.
+// It contains only keys. So a pin has the level of whatever drives one of the wires that the pressed keys
+// connect it to. Else it is high if it, or one of those, has a pull-up. Else it floats, and reads low. Three
+// keys on corners of a rectangle show a fourth, as in a matrix without diodes. Not modelled: bounce.
 #pragma once
 
 #include <array>

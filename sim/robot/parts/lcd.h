@@ -1,7 +1,8 @@
 // type = "lcd": a character display with an HD44780 (hd44780.h) on pins: 4 or 8 data lines, R/W to ground or
-// on a pin. When what it shows has stayed for 50 ms, it is told as an event, its lines joined by "|". E must
-// be high for 230 ns at least; a sketch that reads the busy flag (R/W high) finds it never busy. Contrast,
-// backlight, and the first 40 ms after power-on, in which a real one hears nothing, are not modelled.
+// on a pin. Its text is reported as an event once it has stayed for 50 ms, its lines joined by "|". E must be
+// high for at least 230 ns. A sketch that reads the busy flag (R/W high) always finds it ready.
+//
+// Not modelled: contrast, backlight, and the first 40 ms after power-on, in which a real one ignores input.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -1,11 +1,11 @@
-// type = "lcd-i2c": a character display with an HD44780 (hd44780.h) behind a PCF8574 port expander (Texas
-// Instruments, SCPS068): each byte that is written is the state of its eight pins, wired as the usual
-// backpacks are:
+// type = "lcd-i2c": a character display with an HD44780 (hd44780.h) on a PCF8574 port expander (Texas
+// Instruments, SCPS068). Each byte written is the state of its eight pins, wired as on common backpacks:
 //
 //   P0 RS    P1 R/W    P2 E    P3 backlight    P4 to P7 D4 to D7
 //
-// Data is taken where E falls. It is told as an `lcd` is. What is read is what was written: nobody on such a
-// backpack reads the busy flag, for at 100 kHz a byte takes longer than the display is busy.
+// Data is read on E's falling edge. Its text is reported like that of an `lcd`. Reading returns what was
+// written: libraries for such backpacks do not read the busy flag, since at 100 kHz a byte takes longer than
+// the display is busy.
 #pragma once
 
 #include "sim/robot/parts/hd44780.h"

@@ -1,4 +1,4 @@
-// Motor drivers: what the levels of their inputs make of a motor, averaged over a PWM period.
+// Motor drivers: the effect of their inputs on a motor, averaged over a PWM period.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace robosim::robot {
 
-/// The share of time for which a pin is high. The driver's own resistor pulls an undriven pin low.
+/// Returns the share of time for which a pin is high. The driver's own resistor pulls an undriven pin low.
 inline double high_share(const PinDrive& drive) {
   if (drive.mode != PinMode::output) return drive.mode == PinMode::input_pullup ? 1.0 : 0.0;
   if (drive.tone_hz) return 0.5;
   if (drive.pwm) return drive.duty;
   return drive.level ? 1.0 : 0.0;
 }
-/// s, of its PWM; 0 = it has none, or none that is known.
+/// Returns the period of its PWM, s; 0 if it has none, or it is unknown.
 double period_of(const PinDrive& drive);
 
 /// One half of a driver: shares of time for which its inputs are high.
@@ -28,14 +28,14 @@ struct BridgeInputs {
   double period_s = 0.0;  ///< of their PWM; 0 = none, or not known
 };
 
-/// The inputs' PWM is taken to be in phase: every input is high from the start of the period for its share of
-/// it (so it is for pins of one timer). With f, r, s the shares of forward, reverse, shorted by the chip's
-/// table:
+/// Returns the motor command for these inputs. Their PWM is assumed to be in phase: every input is high from
+/// the start of the period for its share of it, as for pins of one timer. With f, r, s the shares of forward,
+/// reverse, shorted by the chip's table:
 ///   drive = f - r,  brake = s + 2 min(f, r),  against = min(f, r)
 /// because equal forward and reverse shares hold the motor at 0 V, which brakes it.
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
 
-/// For how long each of the chip's actions holds, as a share of time.
+/// The durations of the chip's actions, as shares of time.
 class BridgeShares {
  public:
   BridgeShares(const DriverChip& chip, bool phase) : chip_(chip), phase_(phase) {}
@@ -56,7 +56,7 @@ class BridgeShares {
   double share_[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// bridge_command() where more inputs than the enable input divide the time.
+/// Returns bridge_command() if inputs other than the enable input divide the time, too.
 world::WheelCommand divided_command(const DriverChip& chip, BridgeInputs inputs);
 
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {

@@ -1,5 +1,4 @@
-// Where a sensor that looks along the floor sits, and where it looks to: fixed to the body, or on a servo's
-// horn.
+// The place and direction of a sensor that looks along the floor, fixed to the body or on a servo's horn.
 #pragma once
 
 #include <string>
@@ -10,8 +9,8 @@
 
 namespace robosim::robot {
 
-/// The keys `at`, `facing` and `on`. On a servo, place and direction are told as they are in its middle: `at`
-/// forward and left of its axis, `facing` from its own.
+/// The keys `at`, `facing` and `on`. On a servo, place and direction apply to its middle position: `at`
+/// forward and left of its axis, `facing` relative to its own.
 struct MountSpec {
   Vec2 at;              ///< m
   double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise

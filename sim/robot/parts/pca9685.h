@@ -3,11 +3,13 @@
 //   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, written while it sleeps
 //   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
 //
-// Other parts name its channels as pins: "pwm.12". They change with the STOP of a transfer, at once and not
-// with the next period. What they give is told, where it has changed and stayed for 50 ms, as times of those
-// that are not off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), and nothing comes out.
-// Registers follow each other only with the bit AI of MODE1. Not modelled: the addresses for several at once,
-// outputs that change at the acknowledge (OCH), inverted or open-drain ones (MODE2), an external clock.
+// Other parts name its channels as pins: "pwm.12". They change with the STOP of a transfer, immediately
+// rather than with the next period. Outputs that have changed and stayed for 50 ms are reported as the
+// on-times of all that are not off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), without output.
+// Registers are consecutive only with the bit AI of MODE1.
+//
+// Not modelled: addresses for several chips, outputs that change at the acknowledge (OCH), inverted or
+// open-drain outputs (MODE2), an external clock.
 #pragma once
 
 #include "sim/robot/parts/settled_text.h"

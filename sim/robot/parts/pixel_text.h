@@ -1,6 +1,6 @@
-// Text on a display of pixels: letters of 5 columns and 7 or 8 rows, each followed by an empty column, as
-// Adafruit's GFX and most small fonts draw them, once to four times as large. Other fonts, and dark letters
-// on a lit ground, are not read.
+// Reads text on a display of pixels: letters of 5 columns and 7 or 8 rows, each followed by an empty column,
+// as in Adafruit's GFX and most small fonts, at one to four times the size. Other fonts, and dark letters on
+// a lit ground, are not read.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct Pixels {
   }
 };
 
-/// Its lines from top to bottom, joined by '|'; "" if nothing can be read. What has fewer than two letters or
-/// digits in a row is taken for drawing.
+/// Returns its lines from top to bottom, joined by '|'; "" if nothing can be read. Fewer than two letters or
+/// digits in a row count as a drawing.
 std::string text_in(Pixels pixels);
 
 }  // namespace robosim::robot

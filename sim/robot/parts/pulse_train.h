@@ -1,4 +1,4 @@
-// A line that changes its level at known times: what remote controls and serial lines send.
+// A line that changes its level at known times, as remote controls and serial lines do.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace robosim::robot {
 
-/// A value: the changes that are to come, and the level before them.
+/// The future changes, and the level before them, as a copyable value.
 class PulseTrain {
  public:
   explicit PulseTrain(bool idle) : before_(idle) {}

@@ -1,25 +1,35 @@
 // type = "reflectance" and "reflectance-array": infra-red sensors that look at the floor.
 //
 // An element at `at` with footprint f sees c, the share of its footprint on the line
-// (world::Floor::coverage). Its blackness is what its phototransistor makes of it:
+// (world::Floor::coverage). Its phototransistor reports the blackness
 //   b = 1 - e s v (1 - c) - ambient - x L + noise n g
-// e: brightness of the emitter (1, or what its pin says); s: light lost by height; v: brightness of the floor
-// there (world::Floor::brightness); ambient: stray light; L: the light of the room there, and x what comes in
-// at this height (world/lighting.h); n: how much of the noise is left over black; g: standard normal, a new
-// sample for every read. A phototransistor is slow: with `rise`, its time from 10 to 90 %, it lags by
-//   tau = rise / ln 9
-// behind the floor (exactly, as long as what it sees changes evenly) and, exponentially, behind an emitter
-// that is switched. From the profile typical@2 on
+//
+//   e         brightness of the emitter (1, or as its pin is driven)
+//   s         the share of light that remains at this height
+//   v         brightness of the floor there (world::Floor::brightness)
+//   ambient   stray light
+//   x L       ambient light L, and the exposure x at this height (world/lighting.h)
+//   n         the share of the noise that remains over black
+//   g         standard normal, a new sample for every read
+//
+// From the profile typical@2 on
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
 // and before, and in `ideal`,
 //   s = min(1, (3 mm / height)^2)                                               n = 1
-// On hills the height is that of the chassis there over the floor there, and s, x and f, where the file does
-// not say it, follow. Then, by `read`:
+// On hills the height is that of the chassis above the floor at this place. s, x and, unless the file has it,
+// f follow.
+//
+// A phototransistor is slow. With `rise`, its time from 10 to 90 %, it lags by
+//   tau = rise / ln 9
+// after the floor (exactly, while what it sees changes linearly) and, exponentially, after an emitter that is
+// switched.
+//
+// The output depends on `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
-//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its
-//            state between reads. black = "high" or "low" says what it answers over black
+//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its state
+//            between reads. black = "high" or "low" is its output over black
 //   rc       a capacitor: see reflectance_rc.h
-// Nothing happens unless firmware reads.
+// Nothing is computed unless firmware reads.
 #pragma once
 
 #include <limits>
@@ -34,8 +44,8 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
 
-/// The light that comes back from white at that height (m), against the most; from typical@2 on that of a
-/// TCRT5000.
+/// Returns the light that returns from white at that height (m), relative to the maximum; from typical@2 on
+/// that of a TCRT5000.
 double light_from(double height, Profile profile);
 
 class ReflectanceSpec final : public PartSpec {
@@ -65,7 +75,7 @@ class ReflectanceSpec final : public PartSpec {
   std::vector<SensorPlace> sensors() const override;
 };
 
-/// What one element of one robot has been drawn as.
+/// The drawn parameters of one element of one robot.
 struct ElementFigures {
   ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Individual&);
 
@@ -77,11 +87,11 @@ struct ElementFigures {
   NoiseStream stream;        ///< of its readings
 };
 
-/// s, by which the phototransistors of a part lag: tau.
+/// Returns tau, the lag of a part's phototransistors, s.
 double lag_of(const ReflectanceSpec&, const Individual&);
 
-/// The emitter LEDs of a part: full brightness unless their pin drives them otherwise (their transistor's
-/// gate is pulled up on the board).
+/// The emitter LEDs of a part. They have full brightness unless their pin drives them otherwise (their
+/// transistor's gate is pulled up on the board).
 class Emitter final : public PinWatcher {
  public:
   /// `lag_s`: tau of the phototransistors.

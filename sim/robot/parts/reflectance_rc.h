@@ -6,8 +6,8 @@
 //                         until the voltage is at the input's threshold, half the supply. From full this
 //                         takes T = 1 / (b / black_time + (1 - b) / white_time)
 //
-// b, the blackness, is sampled once, when the pin becomes an input. The pin's own pull-up does not matter
-// beside the phototransistor's current. Times are exact in nanoseconds.
+// b, the blackness, is sampled once, when the pin becomes an input. The pin's own pull-up is negligible next
+// to the phototransistor's current. Times are exact to the nanosecond.
 #pragma once
 
 #include "sim/robot/parts/reflectance.h"

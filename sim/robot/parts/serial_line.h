@@ -1,9 +1,9 @@
-// A serial module's line to the board, on any two pins, which the sketch drives bit by bit (SoftwareSerial,
-// AltSoftSerial): 8 bits, no parity, one stop bit. On the pins of the board's Serial bytes go through the
-// chip's UART, and `baud` does not matter.
+// A serial module's line to the board: 8 bits, no parity, one stop bit. It may use any two pins, which the
+// sketch drives bit by bit (SoftwareSerial, AltSoftSerial). On the pins of the board's Serial, bytes go
+// through the chip's UART, and `baud` has no effect.
 //
 //   txd  ‾‾\_s_/b0 b1 … b7\‾‾   to the sketch, each bit 1/baud long
-//   rxd  the same from the sketch; a bit is looked at in its middle
+//   rxd  the same from the sketch; a bit is sampled in its middle
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@
 
 namespace robosim::robot {
 
-/// Its wiring, as a part's table says it.
+/// Its wiring, as in the part's table.
 struct SerialWiring {
   Pin txd = kNoPin;  ///< from the module to the board
   Pin rxd = kNoPin;  ///< from the board; kNoPin = not wired
   std::int64_t baud = 9600;
 };
-/// Keys `pins` and `baud`.
+/// Reads the keys `pins` and `baud`.
 SerialWiring read_serial_wiring(PartReader& reader);
 
 class SerialLine final : public PinSource, public PinWatcher, public SerialWatcher {

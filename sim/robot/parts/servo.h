@@ -1,11 +1,12 @@
-// type = "servo": turns its horn to an angle, as far as its speed allows: what a distance sensor can sit on.
+// type = "servo": turns its horn to an angle, at a limited speed. A distance sensor can be mounted on it.
 //
 //   target = range (pulse - shortest) / (longest - shortest), 0 to range; it gets there at `speed`
 //
-// Sources: pulses of 0.544 to 2.4 ms for 180 degrees are what Arduino's Servo library makes of write(0) and
-// write(180); 0.12 s for 60 degrees at 4.8 V and a dead band of 10 us are the SG90's (Tower Pro data sheet).
 // Longer pulses turn it to the left, seen from above (reversed = true: to the right). At power-on it is in
-// its middle. Without pulses it stays where it is.
+// its middle. Without pulses it stays in place.
+//
+// Sources: pulses of 0.544 to 2.4 ms for 180 degrees are those of Arduino's Servo library for write(0) and
+// write(180). 0.12 s for 60 degrees at 4.8 V and a dead band of 10 us are the SG90's (Tower Pro data sheet).
 #pragma once
 
 #include "sim/robot/part.h"

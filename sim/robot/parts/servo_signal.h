@@ -1,9 +1,9 @@
-// What a servo makes of its signal wire: the lengths of the pulses on it.
+// Measures the lengths of the pulses on a servo's signal wire.
 //
-// A hobby servo takes the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so; how often does not matter
-// to it. What is shorter than 0.3 ms or longer than 3 ms is no pulse. Pulses are told from changes of the
-// pin's level; where a timer or a PWM driver makes them, from duty and period: each is as long from the
-// change on, without waiting for the period that runs. PWM of which no period is known makes none.
+// A hobby servo uses the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so; the repetition rate is
+// irrelevant. Pulses shorter than 0.3 ms or longer than 3 ms are ignored. They are derived from changes of
+// the pin's level. If a timer or a PWM driver makes them, they are derived from duty cycle and period, and a
+// change applies at once, without waiting for the end of the period. PWM of unknown period makes no pulses.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace robosim::robot {
 
-/// A value: what is known of the wire.
+/// The state of the wire, as a copyable value.
 class ServoSignal {
  public:
   /// The wire is driven otherwise from `t` on: the length of the pulse that ends with that, or of those that

@@ -7,7 +7,7 @@
 
 namespace robosim::robot {
 
-/// A value. The text is told once it has stayed for 50 ms.
+/// Reports a text once it has stayed for 50 ms. A copyable value.
 class SettledText {
  public:
   /// Whether at `t` a text that changed last at `changed` is to be told, if it is another.

@@ -23,7 +23,7 @@ class SevenSegmentSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading: the figure 0 .. 9 that one reads, -1 if all is dark, -2 for any other pattern. The point does
+/// Its reading is the digit 0 .. 9 that it shows, -1 if all is dark, -2 for any other pattern. The point does
 /// not matter.
 class SevenSegmentPart final : public Part {
  public:

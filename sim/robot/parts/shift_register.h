@@ -1,16 +1,16 @@
 // type = "shift-register": a 74HC595 (TI SN74HC595, SCLS041): eight outputs for three of the board's pins.
 //
-//   rising edge of clock   every bit moves on by one, from Q0 towards Q7; the level of data comes in at Q0
-//   rising edge of latch   the outputs Q0 .. Q7 become what has been shifted in
+//   rising edge of clock   every bit moves by one, from Q0 towards Q7; the level of data enters at Q0
+//   rising edge of latch   the outputs Q0 .. Q7 take the shifted bits
 //   enable (OE) high       the outputs are switched off: they are not driven. Without that pin it is tied low
 //
-// A register with `after` stands behind another one in a chain: what leaves that one comes in here, with the
-// same clock, latch and enable. So of several bytes the first one shifted ends up in the last register.
-// Other parts name the outputs as pins: "REG1.Q4".
+// A register with `after` follows another one in a chain: its input is that one's output, with the same
+// clock, latch and enable. So of several bytes the first one shifted ends up in the last register. Other
+// parts name the outputs as pins: "REG1.Q4".
 //
 // At power-on its contents are undefined (`typical`: random; `ideal`: zeros) until the sketch has shifted and
-// latched. It shares the board's supply: while that is off, the outputs are not driven. Propagation (about 20
-// ns) and the reset input are not modelled.
+// latched. It shares the board's supply; while that is off, the outputs are not driven. Not modelled:
+// propagation (about 20 ns) and the reset input.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -23,7 +23,8 @@ constexpr std::size_t kMostChained = 8;  ///< registers of one chain
 
 std::shared_ptr<const PartSpec> read_shift_register(PartReader&);
 
-/// Throws InputError unless every `after` names a register, no two the same, and every chain begins at pins.
+/// Checks that every `after` names a register, no two the same, and that every chain begins at pins. Throws
+/// InputError.
 void check_chains(const Description&);
 
 class ShiftRegisterSpec final : public PartSpec {

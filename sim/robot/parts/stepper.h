@@ -1,16 +1,16 @@
 // type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board, which turns a
-// pointer, a turret, a gate. It drives no wheel.
+// pointer, a turret, a gate. It does not drive a wheel.
 //
-//   coils     a high pin has its coil on; the field points to where their sum does, in eighths of a period:
+//   coils     a high pin switches its coil on; the field points to the coils' sum, in eighths of a period:
 //             IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite coils cancel;
 //             without a field the rotor is held by its gear
-//   rotor     goes to the field by the shorter way, at `speed` at most; a field that leads by half a period
-//             or more pulls it back: steps are lost
-//   angle     360 degrees / `steps` for each eighth, a half step
+//   rotor     follows the field by the shorter way, at `speed` at most; a field that leads by half a period
+//             or more pulls it back, and steps are lost
+//   angle     360 degrees / `steps` per eighth, a half step; 0 at power-on
 //
-// Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, idle out-traction frequency above 1000 Hz;
-// its gear is 63.684 : 1 (25792 / 405), so that a turn has 4075.77 half steps, not 4096. Not modelled: load,
-// inertia, resonance, coils by PWM. At power-on it is at 0.
+// Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, idle out-traction frequency above 1000 Hz.
+// Its gear is 63.684 : 1 (25792 / 405), so a turn has 4075.77 half steps, not 4096. Not modelled: load,
+// inertia, resonance, PWM of coils.
 #pragma once
 
 #include <array>

@@ -1,7 +1,9 @@
-// What parts on the two-wire bus (I2C) have in common. They hang on the board's SDA and SCL, which the robot
-// file need not name; `address` is theirs, of seven bits. The bus is simulated by bytes: no pull-ups, no
-// stretched clock, no device that holds a line low. A sketch that makes the bus from pins by itself meets
-// nobody. Firmware for the target stm32 has no two-wire interface yet.
+// Common code of parts on the two-wire bus (I2C). They use the board's SDA and SCL, which the robot file need
+// not name; `address` is their address of seven bits.
+//
+// The bus is simulated by bytes: no pull-ups, no stretched clock, no device that holds a line low. A sketch
+// that implements the bus on pins by itself finds no device. Firmware for the target stm32 has no two-wire
+// interface yet.
 #pragma once
 
 #include <array>
@@ -16,8 +18,8 @@ namespace robosim::robot {
 /// Reads `address`, and wires the part to the bus.
 std::uint8_t read_two_wire(PartReader&, int usual_address);
 
-/// A device with registers: the first byte that is written is the number of one, those that follow go there
-/// and to the next ones; reading goes on where the number is.
+/// A device with registers. The first byte written is a register's number; further bytes go to that register
+/// and the following ones. Reading continues from the same number.
 class RegisterDevice : public TwoWireDevice {
  public:
   /// What all of them add to the state that a part keeps.

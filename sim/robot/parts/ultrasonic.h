@@ -1,17 +1,20 @@
-// type = "hc-sr04": tells a distance by the time that sound takes.
+// type = "hc-sr04": measures a distance by the travel time of sound.
 //
 //   trig  __/‾‾\_________________________________   10 us or longer
 //   burst      ||||||||                             8 periods of 40 kHz
-//   echo  ______________/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\______  as long as sound is under way, there and back
+//   echo  ______________/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\______  the travel time of sound, there and back
 //              |  450 us |      2 d / v      |
 //
-// d is the way to the nearest point of a wall, an obstacle, the map's edge or another robot within the beam,
-// sent from where the robot is when the trigger ends; v = 343 m/s (air at 20 degrees). 38 ms where nothing is
-// within 4 m; nearer than 20 mm it tells 20 mm. A trigger that comes before the echo has fallen is not heard.
-// With one wire, `pins = { sig }`, trigger and echo share it. Sources: Elecfreaks' data sheet (10 us, 8
-// periods, 2 cm to 4 m, 15 degrees, 3 mm); 38 ms and the time before the echo rises, which it leaves out, as
-// measured by users of modules (they vary: 0.25 to 0.5 ms, clones 2.3 ms; 38 to 200 ms). Not modelled: echoes
-// that walls at an angle turn away, soft things, and other robots' sound.
+// d is the distance to the nearest point of a wall, an obstacle, the map's edge or another robot within the
+// beam, from the robot's place when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms
+// if nothing is within 4 m; an object nearer than 20 mm counts as 20 mm. A trigger before the end of an echo
+// is ignored. With one wire, `pins = { sig }`, trigger and echo share it.
+//
+// Sources: Elecfreaks' data sheet (10 us, 8 periods, 2 cm to 4 m, 15 degrees, 3 mm). 38 ms and the time
+// before the echo rises are not in it; users of modules measured them (they vary: 0.25 to 0.5 ms, clones 2.3
+// ms; 38 to 200 ms).
+//
+// Not modelled: echoes that oblique walls deflect, soft objects, and other robots' sound.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -1,15 +1,15 @@
-// type = "vl53l0x": a time-of-flight distance sensor (ST data sheet DS11555), as far as its usual libraries
-// go: its registers are not documented, and what they are for is taken from ST's own driver.
+// type = "vl53l0x": a time-of-flight distance sensor (ST data sheet DS11555), to the extent that its usual
+// libraries need. Its registers are not documented; their meaning is derived from ST's own driver.
 //
 //   0xC0 to 0xC2   model and revision: 0xEE, 0xAA, 0x10
-//   0x00           bit 0 starts a measurement and reads 0 once it has begun; 0x02, 0x04 go on for ever
-//   0x13           bits 0 to 2: a measurement is there; 0x0B clears them
-//   0x1E, 0x1F     its result, mm; 8190 where nothing is near
-//   0x83           what start-up waits for: never 0
+//   0x00           bit 0 starts a measurement and reads 0 once it has begun; 0x02, 0x04 repeat measurements
+//   0x13           bits 0 to 2: a measurement is ready; 0x0B clears them
+//   0x1E, 0x1F     its result, mm; 8190 if nothing is near
+//   0x83           start-up waits for this register: never 0
 //
 // A measurement takes 33 ms (the default timing budget, 2.7.4), whatever budget is set. Its distance is along
 // one ray, up to `reach` (1.2 m; table 12: 80 cm on grey to 2 m on white), with a standard deviation of 4 %
-// in the profile `typical` (table 13). Other registers keep what is written, of all pages together.
+// in the profile `typical` (table 13). Other registers keep what is written, shared by all pages.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -1,4 +1,4 @@
-// What turns a wheel, however it is told to: a motor behind a driver, a servo that turns on and on.
+// A wheel's drive, whatever controls it: a motor on a driver, or a servo for continuous rotation.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace robosim::robot {
 
-/// What take() makes of a command that holds from the beginning of a tick to its end: a mean over time, which
-/// may differ from it by rounding.
+/// Returns what take() returns for a command that applies for a whole tick: a mean over time, which may
+/// differ from it by rounding.
 world::WheelCommand over_a_tick(const world::WheelCommand& command);
 
-/// The command of a tick is the time average of what set() said during it.
+/// Averages the commands of set() over a tick.
 class WheelMotor : public Part, public Breakable {
  public:
   /// The command of the tick that ends at `t`.
