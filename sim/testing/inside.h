@@ -1,4 +1,4 @@
-// What a Simulation and a Fleet are made of: a run, and what is known of each robot in it.
+// The implementation of Simulation and Fleet: a run, and the state of each robot in it.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@
 
 namespace robosim::testing {
 
-/// Where a test has the line that a failure is about.
+/// The test's line to which a failure belongs.
 struct Spot {
   const char* file = nullptr;
   int line = 0;
 };
 
-/// The run that a robot has alone, or shares with others.
+/// A run of one robot, or one that several share.
 struct SharedRun {
   explicit SharedRun(const std::string& target) : runner(target) {}
   /// Begins it; `robots` hear of it.

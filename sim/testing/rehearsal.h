@@ -8,14 +8,15 @@
 
 namespace robosim::testing {
 
-/// Whether a rehearsal is going on: its runs keep nothing and record no figures.
+/// Returns whether a rehearsal is in progress: its runs save no files and record no values.
 bool is_rehearsal();
 
-/// Whether the body fails, or throws, in such a run; nothing is reported. Throws InputError or ToolMissing
-/// where there was no run: the sketch does not compile, or the trial asks for what does not exist.
+/// Returns whether the body fails, or throws, in such a run; reports nothing. Throws InputError or
+/// ToolMissing if there was no run: the sketch does not compile, or the trial names something that does not
+/// exist.
 bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body);
 
-/// The same, reported: what fails, fails the test, with `why` below it.
+/// Runs the body with its failures reported: they fail the test, with `why` below them.
 void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&)>& body,
                         const std::string& why, const char* file, int line);
 

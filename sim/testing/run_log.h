@@ -1,4 +1,4 @@
-// All that is known of a run so far; drives are windows on it.
+// The record of a run so far. Drives are windows on it.
 #pragma once
 
 #include <optional>
@@ -49,16 +49,16 @@ struct RunLog {
   void add(Entry entry);
 };
 
-/// A sample as a test sees it.
+/// Converts a sample to a test's view of it.
 Moment moment_of(const RunLog& log, const wire::Sample& sample);
-/// "12.34 s"
+/// Returns "12.34 s".
 std::string seconds(std::int64_t ns);
 std::string seconds(Duration time);
-/// "at column 5, row 2 (x 512 mm, y 340 mm)"
+/// Returns "at column 5, row 2 (x 512 mm, y 340 mm)".
 std::string place_of(const Pose& pose);
-/// Line ends and the like as \n and \r.
+/// Returns the text with line ends and similar characters as \n and \r.
 std::string on_one_line(const std::string& text);
-/// `text` in double quotes, with line ends and the like escaped.
+/// Returns `text` in double quotes, with line ends and similar characters escaped.
 std::string in_quotes(const std::string& text);
 
 }  // namespace robosim::testing

@@ -1,4 +1,4 @@
-// From a Trial to a request for a runner.
+// Converts a Trial to a request for a runner.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace robosim::testing {
 
-/// A runner from a pool; runners are kept for the tests that follow.
+/// A runner from a pool, which keeps runners for later tests.
 class Borrowed {
  public:
   explicit Borrowed(const std::string& target);
@@ -33,13 +33,13 @@ class Borrowed {
   bool sound_ = true;
 };
 
-/// A sketch as it was compiled.
+/// A compiled sketch.
 struct Built {
   build::Request request;
   build::Image image;
 };
 
-/// What a Trial means.
+/// The resolved names of a Trial.
 struct Stage {
   wire::RunRequest request;
   wire::RobotInfo robot;
@@ -51,14 +51,14 @@ struct Stage {
   std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
 };
 
-/// The target of a finished .elf, else the Trial's.
+/// Returns the target of a finished .elf, else the Trial's.
 std::string target_of(const Trial& trial);
-/// The graph of a request's map, as it is reached from its start.
+/// Returns the graph of a request's map, as it is reachable from its start.
 Graph graph_of_floor(const wire::RunRequest& request);
-/// Throws as Simulation's constructor does.
+/// Resolves a Trial. Throws as Simulation's constructor does.
 Stage set_stage(const Trial& trial, client::Runner& runner);
 
-/// What a FleetTrial means.
+/// The resolved names of a FleetTrial.
 struct FleetStage {
   std::vector<Trial> trials;  ///< of each robot, as if it were alone
   launch::Fleet fleet;
@@ -66,9 +66,9 @@ struct FleetStage {
   bool map_is_text = false;
   std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
 };
-/// Throws as Fleet's constructor does.
+/// Resolves a FleetTrial. Throws as Fleet's constructor does.
 FleetStage choose_stage(const FleetTrial& trial);
-/// Each robot's stage; the request of the first one's is that of the whole run.
+/// Returns each robot's stage; the first one's request is that of the whole run.
 std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::Runner& runner);
 
 }  // namespace robosim::testing

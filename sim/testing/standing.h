@@ -1,4 +1,4 @@
-// Where robots are when an expectation fails that knows nothing of them: EXPECT_EQ(robot.station(), "3").
+// Reports the robots' state when an unrelated expectation fails, such as EXPECT_EQ(robot.station(), "3").
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 namespace robosim::testing {
 
-/// A run whose robot is in the test's hands. While it is, each failure that does not tell of a run is
-/// followed by what robots_then() says; once where nothing has changed since the last.
+/// A run that the test is driving. Meanwhile each failure that does not mention a run is followed by
+/// robots_then(), but only once until something changes.
 class Standing {
  public:
   explicit Standing(std::shared_ptr<const RunLog> log);
@@ -23,8 +23,8 @@ class Standing {
   std::shared_ptr<const RunLog> log_;
 };
 
-/// Of each standing run, as a failed matcher tells it: the robot, the last events, where it is, the command
-/// that replays it. "" if the failure tells of a run itself, or there is none.
+/// Describes each such run like a failed matcher: the robot, the last events, its place, the command that
+/// replays it. Returns "" if the failure mentions a run itself, or there is none.
 std::string robots_then(const ::testing::TestPartResult& failure);
 
 }  // namespace robosim::testing

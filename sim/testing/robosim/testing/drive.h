@@ -1,4 +1,4 @@
-// A stretch of a run: what happened between two moments. Matchers check it.
+// A stretch of a run, between two moments. Matchers check it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace robosim::testing {
 
-/// Where the robot is. World coordinates: x east, y north from the map's bottom-left corner, of the axle's
+/// The robot's pose. World coordinates: x east, y north from the map's bottom-left corner, of the axle's
 /// centre; yaw counter-clockwise from east. Columns and rows count from 0 at the map's top left.
 struct Pose {
   double x_mm = 0.0;
@@ -24,7 +24,7 @@ struct Pose {
   int row = 0;
 };
 
-/// The robot at a moment; one is taken every 10 ms.
+/// The robot at a moment; one is recorded every 10 ms.
 struct Moment {
   Duration t{};
   Pose pose;
@@ -37,7 +37,7 @@ struct Moment {
   std::vector<double> readings;
 };
 
-/// What firmware takes of its chip.
+/// The resources of the chip that firmware uses.
 struct Usage {
   std::int64_t flash_bytes = 0;
   std::int64_t ram_bytes = 0;    ///< variables
@@ -45,7 +45,7 @@ struct Usage {
   Duration longest_loop{};       ///< 0 = not known
 };
 
-/// What the rules of a goal such as "robotrace" give a run.
+/// A run's score by the rules of a goal such as "robotrace".
 struct Score {
   /// What it is made of: "gap", 3 times, 30 points in all.
   struct Part {

@@ -1,4 +1,4 @@
-// What a robot is run until: ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(5_s))).
+// Events that end a stretch of a run: ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(5_s))).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robosim::testing {
 
-/// Things that may happen; a || b is whichever comes first. Looked at every millisecond.
+/// An event; a || b is whichever comes first. Events are checked every millisecond.
 class Event {
  public:
   enum class Kind { serial, line, note, event, visited, at, reading, pin, motors, rest, end };
@@ -35,37 +35,36 @@ class Event {
   std::vector<One> any_;
 };
 
-/// The sketch has sent this text. It reads on from the last such event, or the last action (press, send, …):
-/// the answer to a question is looked for after the question.
+/// Occurs when the sketch has sent this text. It searches after the last such event, or the last action
+/// (press, send, …), so that the answer to a question is found after the question.
 Event serial_says(const std::string& text);
-/// A whole line that it has sent since then, without its end, matches this regular expression (ECMAScript's)
-/// somewhere.
+/// Occurs when part of a whole line sent since then, without its end, matches this regular expression
+/// (ECMAScript's).
 Event serial_matches(const std::string& regex);
-/// A display shows a text that begins so, its lines joined by "|"; a Bluetooth module has received such a
-/// line.
+/// Occurs when a display shows a text that begins so, its lines joined by "|", or a Bluetooth module has
+/// received such a line.
 Event tells(const std::string& part, const std::string& text);
-/// A station has been visited: the body has covered its centre, once at least since the start. By number or
-/// name.
+/// Occurs when the body has covered a station's centre at least once since the start. By number or name.
 Event visits(const std::string& station);
 Event visits(int station);
-/// The body covers a station's centre now.
+/// Occurs while the body covers a station's centre.
 Event is_at(const std::string& station);
 Event is_at(int station);
-/// An LED, or another part that people can see or touch, is on or off.
+/// Occur when an LED, or another part that people can see or touch, is on or off.
 Event turns_on(const std::string& part);
 Event turns_off(const std::string& part);
-/// The firmware drives a pin ("D13", "A5") high, or with PWM; or low. However briefly.
+/// Occur when the firmware drives a pin ("D13", "A5") high, or with PWM; or low. However briefly.
 Event pin_goes_high(const std::string& pin);
 Event pin_goes_low(const std::string& pin);
-/// A motor is commanded; none is.
+/// Occur when a motor is commanded, or none is.
 Event motors_start();
 Event motors_stop();
-/// No wheel has turned for so long.
+/// Occurs when no wheel has turned for that duration.
 Event stands_still(Duration time = 500_ms);
-/// It has met a wall, an obstacle or the map's edge.
+/// Occurs when the robot has hit a wall, an obstacle or the map's edge.
 Event collides();
-/// The run has ended with this verdict, such as "lost" or "crashed" (docs/verdicts.md). A test that waits for
-/// one does not fail because of it.
+/// Occurs when the run has ended with this verdict, such as "lost" or "crashed" (docs/verdicts.md). A test
+/// that waits for a verdict does not fail because of it.
 Event ends(const std::string& verdict);
 
 }  // namespace robosim::testing

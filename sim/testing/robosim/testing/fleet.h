@@ -19,7 +19,7 @@
 
 namespace robosim::testing {
 
-/// One of them. As in a Trial; only name and sketch have no default.
+/// One robot. As in a Trial; only name and sketch have no default.
 struct FleetMember {
   std::string name;  ///< letters, digits, _ and -
   std::string sketch;
@@ -32,7 +32,7 @@ struct FleetMember {
   std::vector<std::string> libraries;
 };
 
-/// What is to run: robots, or a file of them.
+/// The robots to run, or a file with them.
 struct FleetTrial {
   std::vector<FleetMember> robots;  ///< in the order of their numbers
   std::string file;                 ///< with [[agent]]s: docs/fleets.md

@@ -1,4 +1,4 @@
-// A floor's network of lines as a graph, to compare what firmware has explored with what is there.
+// A floor's network of lines as a graph, to compare what firmware has explored with the truth.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -27,11 +27,10 @@ struct Graph {
   int junctions() const;
 };
 
-/// "" if the graphs are the same but for the numbers of nodes and for which arm is the first; else a
-/// sentence.
+/// Returns "" if the graphs are equal except for the numbers of nodes and the order of arms; else a sentence.
 std::string difference(const Graph& truth, const Graph& found);
 
-/// EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph()))
+/// Matches an equal graph: EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph()))
 class IsTheSameGraphAs {
  public:
   explicit IsTheSameGraphAs(Graph truth) : truth_(std::move(truth)) {}
@@ -44,7 +43,7 @@ class IsTheSameGraphAs {
   Graph truth_;
 };
 
-/// "4 stations, 2 junctions"
+/// Prints "4 stations, 2 junctions".
 void PrintTo(const Graph& graph, std::ostream* out);
 
 }  // namespace robosim::testing

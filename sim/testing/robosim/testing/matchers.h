@@ -1,8 +1,8 @@
-// What a drive is expected to be: EXPECT_THAT(robot.run_for(20_s), Follows(line(), within(15_mm))).
+// Matchers for drives: EXPECT_THAT(robot.run_for(20_s), Follows(line(), within(15_mm))).
 //
-// Each takes a Drive or a whole Simulation (all that has happened so far), and combines with Not(), AllOf()
-// and AnyOf(). A failure says what happened, when and where, what happened before, and the command that
-// replays it.
+// Each accepts a Drive or a whole Simulation (everything so far), and combines with Not(), AllOf() and
+// AnyOf(). A failure prints what happened, when and where, what happened before, and the command that replays
+// it.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::Not;
 
-/// A requirement on a drive: a sentence, and what is wrong.
+/// A requirement on a drive: a sentence, and the check of what is wrong.
 class Requirement {
  public:
   /// What a drive has that it should not, or lacks.
@@ -52,26 +52,26 @@ class Requirement {
   Look look_;
 };
 
-/// What is followed; there is one line.
+/// The line to follow.
 struct Line {};
 inline Line line() { return {}; }
 
-/// It drove, and the midpoint of its line sensors was never farther from the nearest centre line. Every
-/// millisecond counts.
+/// Requires that it drove, and that the midpoint of its line sensors stayed within this distance of the
+/// nearest centre line, in every millisecond.
 Requirement Follows(Line, Within<Length> within);
 
-/// It came to all these stations, in any order.
+/// Requires that it came to all these stations, in any order.
 Requirement Visits(std::initializer_list<int> stations);
 Requirement Visits(std::vector<std::string> stations);
-/// It came to just these stations, in this order. Leaving one and coming back counts twice; the one at which
-/// the drive began does not count unless it comes back.
+/// Requires that it came to exactly these stations, in this order. Leaving one and returning counts twice.
+/// The station at which the drive began counts only if it returns.
 Requirement VisitsInOrder(std::initializer_list<int> stations);
 
-/// Counted from the drive's beginning: after this time, or this length of way, no wheel turns until its end.
+/// Requires that after this time, or this distance, from the drive's beginning, no wheel turns until its end.
 Requirement StopsWithin(Duration time);
 Requirement StopsWithin(Length way);
 
-/// What a robot may be doing at a moment.
+/// An activity of a robot at a moment.
 struct Doing {
   std::string clause;  ///< "backwards"
   std::function<bool(const Moment& before, const Moment& now)> is;
@@ -81,21 +81,22 @@ Doing backwards();     ///< faster than 5 mm/s
 Doing off_the_line();  ///< no line sensor sees it
 Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
-/// Looked at every 10 ms.
+/// Requires that it never drives while this holds, at samples every 10 ms.
 Requirement NeverDrives(Doing what);
-/// No contact with walls, obstacles or the map's edge.
+/// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();
 
-/// The sketch has sent this text, or a line in which this regular expression is found.
+/// Require that the sketch has sent this text, or a line that this regular expression matches in part.
 Requirement SerialSays(std::string text);
 Requirement SerialMatches(std::string regex);
 
-/// The run ended by itself, with the goal reached. `goal` as in Trial.
+/// Requires that the run ended by itself, with the goal reached. `goal` as in Trial.
 Requirement Reaches(std::string goal);
-/// The run ended with this verdict: "lost".
+/// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// The run ended, and a competition's rules gave it at least, or at most, so much: seconds or points.
+/// Require that the run ended with a competition score of at least, or at most, this value: seconds or
+/// points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 
@@ -108,7 +109,8 @@ constexpr Limit flash(std::int64_t bytes) { return {Limit::Of::flash, bytes}; }
 constexpr Limit ram(std::int64_t bytes) { return {Limit::Of::ram, bytes}; }  ///< variables
 constexpr Limit stack(std::int64_t bytes) { return {Limit::Of::stack, bytes}; }
 constexpr Limit loop_time(Duration most) { return {Limit::Of::loop_time, most.count()}; }
-/// From power-on to the drive's end. Chips only: on the host nothing of this is known, and it fails.
+/// Requires limits from power-on to the drive's end. On chips only: on the host these values are unknown, and
+/// it fails.
 Requirement UsesAtMost(std::initializer_list<Limit> limits);
 template <typename... Limits>
 Requirement UsesAtMost(Limit first, Limits... more) {

@@ -9,29 +9,29 @@
 
 namespace robosim::testing {
 
-/// The names of all targets, "host" first; ROBOSIM_TARGETS="host" leaves the others out.
+/// Returns the names of all targets, "host" first; ROBOSIM_TARGETS="host" selects some of them.
 std::vector<std::string> target_names();
 inline auto AllTargets() { return ::testing::ValuesIn(target_names()); }
 
-/// Seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N makes them N, from `first` on.
+/// Returns seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N sets their number, from `first` on.
 std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last);
-/// 1 to `count`, likewise.
+/// Returns seeds from 1 to `count`.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count) { return seeds(1, count); }
 inline auto Seeds(std::uint64_t first, std::uint64_t last) { return ::testing::ValuesIn(seeds(first, last)); }
 
-/// Some targets only.
+/// Returns values for these targets.
 template <typename... Names>
 auto Targets(Names... names) {
   return ::testing::ValuesIn(std::vector<std::string>{names...});
 }
 
-/// Maps by name or path.
+/// Returns values for maps by name or path.
 template <typename... Names>
 auto Maps(Names... names) {
   return ::testing::ValuesIn(std::vector<std::string>{names...});
 }
 
-/// A name for the test made of its parameter: letters, digits and _.
+/// Returns a name for the test, made of its parameter: letters, digits and _.
 std::string word_of(const std::string& value);
 inline std::string word_of(std::uint64_t value) { return std::to_string(value); }
 

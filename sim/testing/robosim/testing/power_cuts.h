@@ -1,4 +1,4 @@
-// Repeats a test with the power failing at every possible place.
+// Repeats a test with a power failure at every possible place.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,12 @@
 
 namespace robosim::testing {
 
-/// Runs `body`, which drives the robot and expects things as any test does: first as it is, then once more
-/// for each byte that the sketch wrote to its EEPROM in that run, with the power off for 20 ms in the middle
-/// of that write, and for each of three contents that its byte is left with: the old one, erased (0xFF), the
-/// new one. What `body` expects must hold with and without a cut. Ends after the first run that fails; the
+/// Runs `body`, which drives the robot and has expectations as any test, first without a power cut. Then it
+/// repeats the run for each byte that the sketch wrote to its EEPROM, with the power off for 20 ms in the
+/// middle of that write. Each repetition is made with three contents of the byte: the old one, erased (0xFF),
+/// and the new one.
+///
+/// The expectations of `body` must hold with and without a cut. Ends after the first run that fails. The
 /// message names the write, and the command that replays the run.
 ///
 ///   AtEveryPowerCut({.sketch = "MyDiary"}, [](Simulation& robot) {

@@ -6,7 +6,7 @@
 
 namespace robosim::testing {
 
-/// Simulated time. The literals of std::chrono (2s, 100ms) may be used as well as ours.
+/// Simulated time. The literals of std::chrono (2s, 100ms) work, too.
 using Duration = std::chrono::nanoseconds;
 
 struct Length {
@@ -19,7 +19,7 @@ struct Speed {
 
 constexpr Length mm(double value) { return {value}; }
 
-/// How long, or how far, something may take.
+/// A limit of a duration or a distance.
 template <typename Quantity>
 struct Within {
   Quantity most;

@@ -1,4 +1,4 @@
-// A fixture with a robot.
+// A test fixture with one robot.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,13 +9,13 @@
 
 namespace robosim::testing {
 
+/// Creates a robot for each test, and skips the test if the target's tools are missing.
+///
 ///   class Follower : public RobotTest {
 ///    protected:
 ///     Follower() : RobotTest({.sketch = "MyFollower", .map = "oval"}) {}
 ///   };
 ///   TEST_F(Follower, StartsAtOnce) { ASSERT_TRUE(robot().run_until(motors_start(), within(100_ms))); }
-///
-/// Where the target's tools are missing, the test is skipped.
 class RobotTest : public ::testing::Test {
  protected:
   explicit RobotTest(Trial trial) : trial_(std::move(trial)) {}

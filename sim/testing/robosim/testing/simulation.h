@@ -14,7 +14,7 @@
 
 namespace robosim::testing {
 
-/// What is to run. Only the sketch has no default. Paths are relative to the current folder.
+/// The run to simulate. Only the sketch has no default. Paths are relative to the current folder.
 struct Trial {
   std::string sketch;  ///< a folder, an .ino, one of Robosim's by name, or a finished .elf
   std::string map;     ///< name, path, or the map itself (several lines); "" = the only one beside the
@@ -105,15 +105,15 @@ class Simulation {
 
 void PrintTo(const Simulation& simulation, std::ostream* out);
 
-/// Why nothing can be run for a target: the tool that is missing and its remedy; "" if all is there.
+/// Returns why a target cannot run: the missing tool and its remedy; "" if nothing is missing.
 std::string what_lacks(const std::string& target);
-/// Whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+/// Returns whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
 bool is_required(const std::string& target);
 
 }  // namespace robosim::testing
 
-/// Ends the test, or SetUp, where a tool of the target is missing: skipped with the remedy; failed if
-/// ROBOSIM_REQUIRE names the target.
+/// Ends the test, or SetUp, if a tool of the target is missing. The test is skipped with the remedy, or fails
+/// if ROBOSIM_REQUIRE names the target.
 #define ROBOSIM_SKIP_WITHOUT(target)                                          \
   do {                                                                        \
     const std::string robosim_lacks = ::robosim::testing::what_lacks(target); \

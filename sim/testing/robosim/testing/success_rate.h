@@ -14,24 +14,25 @@
 
 namespace robosim::testing {
 
-/// The share of the runs that must succeed; a bare number is at_least().
+/// The share of the runs that must succeed; a bare number means at_least().
 struct MinimumRate {
   constexpr MinimumRate(double least, bool surely = false)  // NOLINT(google-explicit-constructor)
       : rate(least), sure(surely) {}
   double rate;
   bool sure;
 };
-/// Of exactly these seeds, at least this share must succeed.
+/// Requires this share of exactly these seeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
-/// These seeds must show, at 95 % confidence, that the rate of all seeds is not less: the lower end of
-/// Wilson's interval counts. It takes more runs: 381 without a failure for 0.99.
+/// Requires these seeds to show, at 95 % confidence, this rate for all seeds: the lower end of Wilson's
+/// interval counts. It takes more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
-/// Runs a trial with each of the seeds, to its verdict. A run succeeds if its goal is reached. Success means
-/// that at least this share of the runs did; no more are made than it takes to know that. A failure says
-/// which seeds failed and how, where the true rate lies (Wilson's interval, 95 %), and the command that
-/// replays the first. ROBOSIM_JOBS=N makes N at a time (else as many as there are processors): the result is
-/// the same. Throws as Simulation does, and for a rate that so few seeds cannot show.
+/// Runs a trial with each of the seeds, to its verdict, and passes if at least this share of the runs reaches
+/// its goal. Stops as soon as the result is certain. A failure prints which seeds failed and how, the
+/// interval of the true rate (Wilson's, 95 %), and the command that replays the first one.
+///
+/// ROBOSIM_JOBS=N runs N at a time (default: the number of processors); the result is the same. Throws as
+/// Simulation does, and for a rate that these seeds are too few to show.
 ::testing::AssertionResult success_rate(const Trial& trial, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds);
 
