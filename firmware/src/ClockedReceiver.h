@@ -2,9 +2,9 @@
 //
 //   ENABLE  high while a message lasts      DATA  a bit      CLOCK  rises in the middle of each bit
 //
-// Both ENABLE and CLOCK work by interrupts (pins 2 and 3 on an Uno), so no bit is missed whatever the sketch
-// does. A message counts once ENABLE has fallen; if the next one comes before anybody has asked, the older
-// one is lost. One receiver a sketch.
+// ENABLE and CLOCK use interrupts (pins 2 and 3 on an Uno), so no bit is missed, whatever the sketch does. A
+// message is complete once ENABLE has fallen. If the next one arrives before the sketch has read it, the
+// older one is lost. A sketch can have one receiver.
 //
 //   ClockedReceiver radio(5, 2, 3);   // data, clock, enable
 //   void setup() { radio.begin(); }

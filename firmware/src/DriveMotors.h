@@ -1,27 +1,27 @@
 // The two motors of a robot with a wheel on each side.
 //
-// A motor driver (H-bridge) takes two things for each motor: a direction and a duty, the share of time for
-// which the motor gets the battery. There are two common ways to wire it, told apart here by how many pins
-// you name:
+// A motor driver (H-bridge) needs two inputs for each motor: a direction and a duty cycle, the share of time
+// for which the motor gets the battery. There are two common ways to wire it. The number of pins that you
+// name selects one:
 //
 //   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
-//                              TB6612: the same, its PWM pin being `en`; its STBY pin must be HIGH
+//                              TB6612: likewise, with its PWM pin as `en`; its STBY pin must be HIGH
 //                              (see DriveMotors).
 //   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is
 //                              forward, on IN2 backward.
 //
-// Pins that get PWM must have it: 3, 5, 6, 9, 10, 11 on an Uno.
+// Pins for PWM must support it: 3, 5, 6, 9, 10, 11 on an Uno.
 //
-// Speeds are -255 (full backward) .. 255 (full forward); more is cut off, not wrapped round. They are duties,
-// not metres per second: a motor also needs a smallest duty to turn at all (an L298N about 30 to 60).
-// setSmallestDuty() tells it, and then speed 1 just turns and 255 is full speed:
+// Speeds are -255 (full backward) .. 255 (full forward); larger values are limited. They are duty cycles, not
+// metres per second. A motor also needs a smallest duty cycle to turn at all (an L298N about 30 to 60). After
+// setSmallestDuty(), speed 1 just turns it and 255 is full speed:
 //
 //   duty = smallest + (255 - smallest) * speed / 255
 //
-// Speed 0 shorts the motor, which brakes it (an L298N brakes only a fast motor: its own voltage drop is in
-// the way).
+// Speed 0 shorts the motor, which brakes it. (An L298N brakes only a fast motor, because of its own voltage
+// drop.)
 //
-// If a motor runs the wrong way, swap its two wires, its two pins here, or call setReversed(true).
+// If a motor runs the wrong way, swap its two wires, swap its two pins here, or call setReversed(true).
 //
 // Example:
 //

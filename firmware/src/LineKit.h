@@ -1,25 +1,25 @@
-// Everything of LineKit: the parts of a line follower, one header each.
+// Includes all of LineKit: the parts of a line follower, one header each.
 //
 //   LineSensors.h      where is the line?         analog, digital and RC sensors
 //   DriveMotors.h      two wheels                 L298N, TB6612, drivers with PWM on their IN pins
 //   PidController.h    how much to steer          output limits, no wind-up
 //   PushButton.h       start and stop             debounced, never waits
 //   PathFollower.h     lines with junctions       three digital sensors, left or right branch first
-//   WheelEncoders.h    how far have I come?       one channel a wheel, by interrupts
+//   WheelEncoders.h    how far have I come?       one channel per wheel, by interrupts
 //   LineWalker.h       from landmark to landmark  five analog sensors and encoders; drives nav/
 //   ShiftRegisters.h   more outputs               a chain of 74HC595
 //   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
-// And, to be included by name, what needs neither pins nor Arduino.h: networks of lines.
+// Networks of lines need neither pins nor Arduino.h. Include these headers by name:
 //
-//   nav/Explorer.h      scans a network           nav/Landmark.h says what a robot must be able to do
-//   nav/FixedNetwork.h  keeps it in a chip        200 nodes in 1 KB of RAM; in EEPROM, too
-//   nav/FixedTree.h     the same, of trees only   200 nodes in 436 bytes
+//   nav/Explorer.h      scans a network           nav/Landmark.h lists what a robot must be able to do
+//   nav/FixedNetwork.h  stores it in a chip       200 nodes in 1 KB of RAM; in EEPROM, too
+//   nav/FixedTree.h     stores a tree             200 nodes in 436 bytes
 //   nav/Navigator.h     drives to any node        round obstacles; nav/NextPlanners.h
 //   nav/Plan.h          seven planners            breadth-first search to Dijkstra's algorithm
 //
-// Nothing here waits, except LineWalker, which drives until it has arrived, and the sensors themselves (a few
-// hundred microseconds). Nothing allocates memory.
+// No function waits, except LineWalker, which drives until it has arrived, and the sensors themselves (a few
+// hundred microseconds). No function allocates memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 

@@ -1,6 +1,6 @@
 // Reflectance sensors that look for a line on the floor.
 //
-// Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. Three kinds are sold,
+// Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. There are three kinds,
 // which differ in how the chip reads them:
 //
 //   AnalogLineSensors    a voltage, by analogRead. Shades of grey, so the line's position is known
@@ -11,25 +11,27 @@
 //   DigitalLineSensors   a comparator's yes or no, by digitalRead. Robust, but the line is only "here"
 //                        or "not here".
 //
-// Pins are listed from the LEFT end of the robot to the RIGHT.
+// List the pins from the LEFT end of the robot to the RIGHT.
 //
-// Values. read() turns every raw reading into 0 (floor) .. 1000 (line), by the sensor's own two ends of the
-// scale, because no two sensors are alike and light and height above the floor differ:
+// Values. read() converts every raw reading to 0 (floor) .. 1000 (line), with each sensor's own range,
+// because sensors, light and height above the floor differ:
 //
-//   value = 1000 * (raw - floor) / (line - floor),   cut off at 0 and 1000
+//   value = 1000 * (raw - floor) / (line - floor),   limited to 0 .. 1000
 //
-// Tell the ends by setRange(), or let calibrate() find them while the robot is moved across the line for a
+// Set the range by setRange(), or let calibrate() find it while you move the robot across the line for a
 // second or two.
 //
-// Position. The mean place of the line, each sensor weighing as much as it sees:
+// Position. The mean place of the line, weighted by each sensor's value:
 //
 //   position = sum(value * place) / sum(value),   place of sensor i = 1000 * i - 500 * (count - 1)
 //
-// in thousandths of the distance between two sensors: 0 is the middle of the array, negative left, positive
-// right. With five sensors it goes from -2000 to 2000. If no sensor sees the line, position() is the end of
-// the array where the line was last, so that a robot that has run off turns back. But if the line was then
-// more than one sensor away from either end, it cannot have gone out there: this is a gap in the line, and
-// position() is 0, so that the robot crosses it without swerving.
+// in thousandths of the distance between two sensors. 0 is the middle of the array, negative left, positive
+// right. Five sensors return -2000 to 2000.
+//
+// If no sensor sees the line, position() is the end of the array where the line was last, so that a robot
+// that has run off turns back. But if the line was then more than one sensor away from either end, it cannot
+// have left there. Then this is a gap in the line, and position() is 0, so that the robot crosses it without
+// swerving.
 //
 // The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno ends at
 // 32,767.
@@ -108,7 +110,7 @@ class LineSensors {
   uint16_t value_[kMaxSensors];
 };
 
-/// Read by analogRead: 0..1023.
+/// Reads by analogRead: raw is 0..1023.
 class AnalogLineSensors : public LineSensors {
  public:
   template <uint8_t N>
@@ -121,7 +123,7 @@ class AnalogLineSensors : public LineSensors {
   void readRaw(uint16_t* raw) override;
 };
 
-/// Read by digitalRead: raw 0 or 1.
+/// Reads by digitalRead: raw is 0 or 1.
 class DigitalLineSensors : public LineSensors {
  public:
   /// `on_line`: the level that means "line", HIGH or LOW. Sold modules have either.
@@ -136,7 +138,7 @@ class DigitalLineSensors : public LineSensors {
   void readRaw(uint16_t* raw) override;
 };
 
-/// Read by timing the discharge: raw is microseconds, at most `timeout_us`.
+/// Reads by timing the discharge: raw is microseconds, at most `timeout_us`.
 class RcLineSensors : public LineSensors {
  public:
   /// `timeout_us`: what takes longer counts as black; 1000..3000 is useful, 2500 usual.

@@ -1,17 +1,17 @@
-// A robot that runs along lines from landmark to landmark, and knows where it is: the Walker that nav/ drives
-// (nav/Landmark.h says what its members mean), on five analog sensors, two motors, two encoders and a bumper.
+// A robot that runs along lines from landmark to landmark, and knows where it is. It is a Walker for nav/
+// (nav/Landmark.h describes its members), with five analog sensors, two motors, two encoders and a bumper.
 //
 //                        1 2 3 4 5      the sensors, in a row across the line, ahead of the axle
 //                            |
 //                    [L]-----+-----[R]  the axle
 //
-// Every 5 ms it reads its sensors, adds up what the wheels have turned, and drives on:
+// Every 5 ms it reads its sensors, adds up the rotation of its wheels, and drives on:
 //
-//   Steering. e is how far the line is to the right of the middle sensor (mm). It turns with w = steering * e
-//   (rad/s, clockwise), which brings the sensors back over the line with the time constant
-//   1 / (steering * sensors_ahead), and the axle behind them.
-//   Speed. Each wheel has a place where it should be by now, and its duty is
-//   duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
+//   - Steering. e is how far the line is to the right of the middle sensor (mm). The robot turns with
+//     w = steering * e (rad/s, clockwise). That brings the sensors back over the line with the time constant
+//     1 / (steering * sensors_ahead), and the axle after them.
+//   - Speed. Each wheel has a place where it should be by now, and its duty cycle is
+//     duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
 //
 // Landmarks.
 //   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
@@ -21,28 +21,28 @@
 //   junction  two or more ways. It rolls on until the axle stands over it.
 //   end       nothing dark, and the line was not lost to a side. It rolls on until the axle stands
 //             over the end. If there is a line again before that, this was a gap.
-//   blocked   the bumper is pressed. It stops and waits; if that lasts for patience_ms, it backs up
-//             a little; from near the last landmark or corner, onto that: turned on the spot between
-//             the two, its sensors would be beyond it and see no line.
+//   blocked   the bumper is pressed. It stops and waits. If that lasts for patience_ms, it backs up a little,
+//             or, near the last landmark or corner, onto that: after a turn between the two, its sensors
+//             would be beyond it and see no line.
 //
-// Smooth bends with a radius of 150 mm to 1 m are followed as they come; tighter ones are taken like
-// corners, or followed; about 130 mm it may take the one for the other, and lose the line.
+// It follows smooth bends with a radius of 150 mm to 1 m. Tighter ones it takes like corners, or follows. At
+// about 130 mm it may confuse the two, and lose the line.
 //
-// Where it is. Wheels tell how far it has run (ds) and turned: (left - right) / track. Its heading is kept as
-// quarter turns and the rest of it, the angle off. Lines run along quarters, so an angle off of less than
-// 0.15 rad fades away with ds / 150 mm: differences between the wheels do not add up. At a junction it is
-// known to stand on the line by which it leaves.
+// Where it is. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is
+// stored as quarter turns and the remaining angle. Lines run along quarters, so a remaining angle of less
+// than 0.15 rad decays with ds / 150 mm, and differences between the wheels do not accumulate. A junction is
+// on the line by which the robot leaves it.
 //
 // follow(), leave() and begin() return when they are done.
 //
-// Another robot has settings of its own, which replace some of those below. They are constants, so that they
+// Another robot has its own settings, which replace some of those below. They are constants, so that they
 // take no memory:
 //
 //   struct MySettings : LineWalkerSettings { static constexpr float wheel = 42; };
 //   LineWalkerOf<MySettings> walker(sensors, motors, encoders, BUMPER_PIN);
 //
-// The sensors' range must be set (LineSensors::setRange or calibrate) so that a line gives about 1000. A
-// sketch can have one LineWalker (WheelEncoders.h says why).
+// Set the sensors' range (LineSensors::setRange or calibrate) so that a line gives about 1000. A sketch can
+// have one LineWalker (WheelEncoders.h explains why).
 #ifndef LINEKIT_LINE_WALKER_H
 #define LINEKIT_LINE_WALKER_H
 
@@ -53,7 +53,7 @@
 #include "WheelEncoders.h"
 #include "nav/Landmark.h"
 
-/// Everything that is not the same for every robot. Lengths in mm, speeds in mm/s, angles in rad.
+/// Settings that depend on the robot. Lengths in mm, speeds in mm/s, angles in rad.
 struct LineWalkerSettings {
   // The robot.
   static constexpr float wheel = 32;             ///< diameter
@@ -157,7 +157,7 @@ class LineWalkerOf {
   uint8_t still_ = 0;      ///< steps without a count
 };
 
-/// With the settings above: the robot uno5.
+/// A walker with the settings above: the robot uno5.
 typedef LineWalkerOf<LineWalkerSettings> LineWalker;
 
 #include "LineWalkerDriving.h"

@@ -1,4 +1,4 @@
-// How LineWalker.h, which includes this, drives: steps, reckoning, turns. A template's code must be in a
+// The driving of LineWalker.h, which includes this: steps, odometry, turns. A template's code must be in a
 // header.
 #ifndef LINEKIT_LINE_WALKER_DRIVING_H
 #define LINEKIT_LINE_WALKER_DRIVING_H

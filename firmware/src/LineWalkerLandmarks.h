@@ -1,5 +1,5 @@
-// What LineWalker.h, which includes this, does from one landmark to the next, and how it tells what it has
-// come to.
+// The way of LineWalker.h, which includes this, from one landmark to the next, and the recognition of
+// landmarks.
 #ifndef LINEKIT_LINE_WALKER_LANDMARKS_H
 #define LINEKIT_LINE_WALKER_LANDMARKS_H
 

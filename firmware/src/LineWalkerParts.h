@@ -1,4 +1,4 @@
-// Figures and small functions of LineWalkerDriving.h and LineWalkerLandmarks.h.
+// Constants and small functions of LineWalkerDriving.h and LineWalkerLandmarks.h.
 #ifndef LINEKIT_LINE_WALKER_PARTS_H
 #define LINEKIT_LINE_WALKER_PARTS_H
 

@@ -1,31 +1,31 @@
 // Follows lines that branch, with three digital sensors: left, middle, right.
 //
-//            |          What the robot can meet: a bend, a T, a crossing, the end of a line (a station).
-//            |          The rule is that of the wall follower, who keeps one hand on the wall.
+//            |          The robot can meet a bend, a T, a crossing, or the end of a line (a station).
+//            |          Its rule is that of the wall follower, who keeps one hand on the wall.
 //      ------+------    With the left hand:
 //            |            - a branch on the left?  take it;
 //          [L M R]        - else the line goes on? follow it;
 //            ^            - else turn right until there is a line: that of a bend, or the one it came on.
 //
-// On lines without closed loops this visits every station and comes back to where it began, however the lines
-// branch, and it needs no memory at all. Prefer the right side, and everything is mirrored.
+// On lines without closed loops this visits every station and returns to where it began, however the lines
+// branch, and needs no memory at all. With the right hand everything is mirrored.
 //
-// Following the edge. The hand is the middle sensor, and what it feels is the line's edge on the preferred
-// side. Dark: steer away from the line; white: steer back to it; so it runs along the edge in a fine zigzag,
-// and the longer it sees the same, the harder it steers. Why the edge and not the middle? There the sensor on
-// the preferred side is as far from the line as it can be. When it gets dark, that is a branch and nothing
-// else.
+// Following the edge. The hand is the middle sensor, and it feels the line's edge on the preferred side.
+// Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag,
+// and the longer the reading stays the same, the harder it steers. Why the edge and not the middle? There the
+// sensor on the preferred side is as far from the line as possible. When it gets dark, that is a branch and
+// nothing else.
 //
-// Turning. The sensors are ahead of the axle: the robot first sees a branch and must then roll on until its
-// axle stands over it. Without encoders it does not know how far it has rolled; but the branch it has just
-// crossed is a ruler: it is as wide as the line. If the sensor was dark for 70 ms, then 70 ms is one line's
-// width ("width") at the present speed, be the battery full or nearly empty. Then it turns on the spot until
-// the middle sensor finds the line.
+// Turning. The sensors are ahead of the axle. The robot first sees a branch and must then roll on until its
+// axle is over it. Without encoders it does not know how far it has rolled. But the branch that it has just
+// crossed is a ruler, as wide as the line. If the sensor was dark for 70 ms, then 70 ms is one line's width
+// ("width") at the present speed, with a full or an empty battery. Then the robot turns on the spot until the
+// middle sensor finds the line.
 //
-// Mounting. Middle sensor some centimetres ahead of the axle, the other two a little further to its sides
-// than the line is wide: 22 mm for a line of 20 mm.
+// Mounting. The middle sensor is some centimetres ahead of the axle, the other two a little further to its
+// sides than the line is wide: 22 mm for a line of 20 mm.
 //
-// This class touches no pin: tell it what the sensors see, and take the two speeds. It never waits; call
+// This class does not access pins: pass the sensors' values, and use the two speeds. It never waits; call
 // update() every 1 to 5 ms.
 //
 //   PathFollower path(PathFollower::Side::left);

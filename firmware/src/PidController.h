@@ -2,19 +2,19 @@
 //
 //   output = kp * e  +  ki * integral of e dt  +  kd * de/dt,   limited to [lowest, highest]
 //
-//   kp   reacts to how far off you are now. Too much of it and the robot swings.
-//   kd   reacts to how fast that changes, and damps the swing.
-//   ki   removes an error that stays, such as that of one motor being weaker than the other. Line
-//        followers need little or none.
+//   kp   reacts to the present error. If it is too large, the robot swings.
+//   kd   reacts to how fast the error changes, and damps the swing.
+//   ki   removes a lasting error, for example if one motor is weaker than the other. Line followers
+//        need little or none.
 //
 // Units: whatever the error has; time in seconds. With an error in sensor pitches and an output in PWM steps,
 // kp is PWM steps per pitch, ki PWM steps per pitch and second, kd PWM steps per pitch per second.
 //
-// Two things that a textbook formula forgets and a robot needs:
-// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or
-//   the robot keeps turning long after the error is gone. Here the integral waits ("conditional
-//   integration").
-// - The first call has no previous error, so it has no derivative. Call reset() whenever control begins anew.
+// Two details that a textbook formula omits and a robot needs:
+// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or the
+//   robot keeps turning long after the error is gone. Here the integral waits ("conditional integration").
+// - The first call has no previous error, so it has no derivative. Call reset() whenever control starts
+//   again.
 //
 // Example: steer by the line's position every 5 ms.
 //

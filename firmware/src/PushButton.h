@@ -1,12 +1,12 @@
 // A push button, debounced, that never makes the program wait.
 //
 // Contacts bounce: for some milliseconds after a press the pin goes up and down. So a new level counts only
-// once it has stayed for the debounce time. update() looks at the pin once; call it in every loop(), as often
-// as you like.
+// once it has stayed for the debounce time. update() reads the pin once; call it in every loop(), as often as
+// you like.
 //
-// Wiring: between the pin and ground (the default: the chip's own pull-up keeps the pin HIGH, a press makes
-// it LOW), or with `PushButton::PressedIs::high` between the pin and 5 V with a resistor of 10 kilohm from
-// the pin to ground.
+// Wiring: between the pin and ground (the default: the chip's pull-up keeps the pin HIGH, a press makes it
+// LOW). Or with `PushButton::PressedIs::high` between the pin and 5 V, and a resistor of 10 kilohm from the
+// pin to ground.
 //
 // Example:
 //

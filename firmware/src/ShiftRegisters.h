@@ -3,9 +3,9 @@
 // Wiring: DATA to the first one's SER (DS), its QH' (Q7S) to the next one's SER, and so on; CLOCK to SRCLK
 // (SHCP) and LATCH to RCLK (STCP) of all; OE to ground, SRCLR (MR) to 5 V.
 //
-// Bit q of byte i is output Qq of the i-th register, 0 being the one at the board. set() only notes it;
-// show() sends all bytes, and then all outputs change at once. At power-on the outputs are anything: call
-// begin() early in setup().
+// Bit q of byte i is output Qq of register i; register 0 is the one at the board. set() only stores the
+// value. show() sends all bytes, and then all outputs change at once. At power-on the outputs are undefined:
+// call begin() early in setup().
 //
 //   ShiftRegisters out(11, 13, 10, 2);   // data, clock, latch, two registers
 //   void setup() { out.begin(); out.set(1, 0x80); out.show(); }

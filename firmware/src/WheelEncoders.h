@@ -1,12 +1,12 @@
-// Counts how far two wheels have turned, with one channel of an encoder on each: two wires.
+// Counts how far two wheels have turned, with one encoder channel on each: two wires.
 //
-// Both edges of each channel count, by interrupts (pins 2 and 3 on an Uno), so nothing is missed whatever the
-// sketch does. A single channel does not tell which way a wheel turns: it is taken to turn the way it was
-// last driven. So let a wheel stop before you reverse it.
+// Both edges of each channel count, by interrupts (pins 2 and 3 on an Uno), so none is missed, whatever the
+// sketch does. A single channel cannot tell the direction: a wheel is assumed to turn as it was last driven.
+// So let a wheel stop before you reverse it.
 //
 //   mm = counts * pi * wheel diameter / (2 * periods per turn of the wheel)
 //
-// One pair of encoders per sketch.
+// A sketch can have one pair of encoders.
 //
 //   WheelEncoders encoders(2, 3);
 //   void setup() { encoders.begin(); }

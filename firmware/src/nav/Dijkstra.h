@@ -1,4 +1,4 @@
-// Dijkstra's algorithm: the way of the least cost, on any network.
+// Dijkstra's algorithm: the path of the least cost, on any network.
 #ifndef LINEKIT_NAV_DIJKSTRA_H
 #define LINEKIT_NAV_DIJKSTRA_H
 
@@ -73,8 +73,8 @@ class FixedDijkstraWork {
   Cost costs_[kNodes];
 };
 
-/// The way of the least cost. Sums that Work::Cost cannot hold count as its greatest value. Of nodes equally
-/// near any may be settled first, but always the same. The path's memory is the heap.
+/// Finds the path of the least cost. Sums that Work::Cost cannot hold count as its greatest value. Of equally
+/// near nodes any may be settled first, but always the same. The path's memory is the heap.
 template <class Network, class Path, class Work>
 Plan dijkstra(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
               Work& work) {
@@ -117,13 +117,12 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
   return Plan::no_way;
 }
 
-/// The next node on the way of the least cost, in 17 bits for each junction: for a chip. Stations
-/// need none, they are on no way except at its ends. The network must count its junctions: row(),
+/// Finds the next node on the path of the least cost, with 17 bits per junction: for a chip. Stations need no
+/// memory, since they are only at the ends of paths. The network must count its junctions, by row() and
 /// junctions(), as FixedNetwork does.
 ///
-/// It searches from the destination, until it comes to where the robot is; then the next node is the one from
-/// which it came. Sums stay below 2^16: if the lines are too long for that, all costs are halved until they
-/// fit.
+/// It searches from the destination until it reaches the robot's node. The next node is the one before that.
+/// Sums stay below 2^16: if the lines are too long for that, all costs are halved until they fit.
 template <uint8_t kJunctions>
 class DijkstraNext {
  public:

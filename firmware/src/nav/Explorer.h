@@ -1,20 +1,20 @@
 // Scans a network of lines into a graph: every station, every junction, every obstacle.
 //
-// A depth-first walk, the right-hand arm first. At a junction it has not met before it makes a node, takes
-// the first arm to the right, explores all that lies behind it, comes back, and takes the next arm; behind
-// the last one it returns the way it first came. On a tree this is the right-hand walk round all of it. A
-// line that leads to a junction it has met before closes a cycle: it notes the line and goes back. So every
-// line is run along once in each direction.
+// It makes a depth-first walk, the right-hand arm first. At a new junction it adds a node, takes the first
+// arm to the right, explores everything beyond it, comes back, and takes the next arm. After the last one it
+// returns the way it first came. On a tree this is the right-hand walk round all of it. A line that leads to
+// a known junction closes a cycle: it records the line and goes back. So it runs along every line once in
+// each direction.
 //
-// It knows a junction again by its place, so it needs a Walker with odometry (kKnowsPlaces). Without one it
-// must take every junction for a new one: right on trees only; on cycles it goes on until the network is
-// full, which is reported.
+// It recognises a junction by its place, so it needs a Walker with odometry (kKnowsPlaces). Without one it
+// must take every junction for a new one. That is right on trees only; on cycles it continues until the
+// network is full, which is reported.
 //
-// Where it begins does not matter. At the end of a line, that end is station 1 and the root of the graph.
-// Elsewhere the first node it meets is the root, and the arm by which it came there is explored last.
+// It can begin anywhere. At the end of a line, that end is station 1 and the root of the graph. Elsewhere the
+// first node that it meets is the root, and the arm by which it came there is explored last.
 //
-// An obstacle stands behind an arm. Met from its other side, too, it stands behind another arm of another
-// node: what is between, if anything, is not known. If the line is open when the robot comes along it from
+// An obstacle is beyond an arm. If the robot meets it from its other side, too, it is also beyond another arm
+// of another node, and what is in between is unknown. If the line is open when the robot comes along it from
 // the other end, the arm is open.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);

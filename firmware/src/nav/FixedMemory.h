@@ -1,10 +1,10 @@
-// What FixedNetwork keeps beside parents and arms. Two choices:
+// Additional memory of FixedNetwork, for more than parents and arms. Two choices:
 //
 //   MapMemory   places of junctions, lines that close cycles, costs: for robots with odometry
-//   TreeMemory  blocked arms only: for robots without, whose networks must be trees
+//   TreeMemory  blocked arms only: for robots without odometry, whose networks must be trees
 //
-// A "side line" is what stands behind an arm without being an edge of the depth-first tree: a line that
-// closed a cycle, or an obstacle before anything else was seen.
+// A "side line" is at an arm but is not an edge of the depth-first tree: a line that closed a cycle, or an
+// obstacle with nothing known beyond it.
 #ifndef LINEKIT_NAV_FIXED_MEMORY_H
 #define LINEKIT_NAV_FIXED_MEMORY_H
 
@@ -12,8 +12,8 @@
 
 namespace nav {
 
-/// A line in one byte: exact up to 127, then with 16 steps to each doubling (3 % off at most), up to 31744
-/// (ten minutes, in units of 20 ms), where it stays.
+/// Packs a line's cost in one byte: exact up to 127, then with 16 steps per doubling (3 % off at most),
+/// limited to 31744 (ten minutes, in units of 20 ms).
 inline uint8_t packCost(uint32_t cost) {
   if (cost < 128) return static_cast<uint8_t>(cost);
   if (cost > 31744) cost = 31744;
@@ -31,7 +31,7 @@ inline uint16_t unpackCost(uint8_t packed) {
   return static_cast<uint16_t>((16U + (packed & 15U)) << (3 + (packed - 128) / 16));
 }
 
-/// What is behind an arm that has a side line; `node` is kBlockedArm if an obstacle is.
+/// The end of an arm that has a side line; `node` is kBlockedArm for an obstacle.
 struct SideLine {
   uint8_t node, slot, cost;
 };
@@ -41,7 +41,7 @@ static constexpr uint8_t kBlockedArm = 0xFE;
 /// Places and side lines share `kCells` cells of four bytes: places from the front, side lines from the back.
 /// Two junctions less than `kTolerance` apart, both in x and in y, are one.
 ///
-/// Costs are kept of lines between the first `kCosts` junctions: only networks with cycles need any, and
+/// Costs are stored for lines between the first `kCosts` junctions. Only networks with cycles need costs, and
 /// those are not larger.
 template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
@@ -218,7 +218,8 @@ class MapMemory {
   uint8_t places_ = 0, lines_ = 0, joined_ = 0;
 };
 
-/// Two bytes for each blocked arm that hides what is behind it; every line costs 1, and none closes a cycle.
+/// Stores two bytes for each blocked arm that hides what is beyond it. Every line costs 1, and none closes a
+/// cycle.
 template <uint8_t kBlockedArms>
 class TreeMemory {
  public:

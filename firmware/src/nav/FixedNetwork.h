@@ -4,16 +4,16 @@
 //
 // RAM, on an ATmega328P, for 200 nodes:
 //
-//   parents, arms                  2 bytes for a node            400
+//   parents, arms                  2 bytes per node              400
 //   costs                          64 bytes                       64
 //   junctions' places, side lines  4 bytes for each of these,
 //                                  130 in all                    520
 //   in all                                                       990 bytes
 //
-// A side line is a line that closes a cycle, or an arm that was blocked before anything behind it was seen.
-// So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms; or for
-// 64 junctions with four arms, all of them joined: 65 lines close cycles then. What does not fit is refused.
-// In EEPROM it takes some 840 bytes if it is full.
+// A side line is a line that closes a cycle, or an arm that was blocked before anything beyond it was seen.
+// So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms. Or for
+// 64 junctions with four arms, all of them joined, where 65 lines close cycles. More is refused. In EEPROM a
+// full network takes some 840 bytes.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 

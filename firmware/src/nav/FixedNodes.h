@@ -1,11 +1,11 @@
 // The nodes of FixedNetwork.h and FixedTree.h: parents and arms in fixed arrays, with ids of one byte.
-// `Memory` (FixedMemory.h) keeps what there is beside them.
+// `Memory` (FixedMemory.h) stores everything else.
 //
-// Nodes are in preorder, so links need not be kept. The children of a node are those whose parent it is, in
+// Nodes are in preorder, so links need not be stored. The children of a node are those whose parent it is, in
 // the order of its slots 1, 2, 3 (and 0, for the root) that have no side line. Looking up a link takes a walk
 // through the node's descendants and the side lines: at most some 300 short steps.
 //
-// It can be kept in EEPROM (kRecordBytes at most):
+// It can be saved in EEPROM (kRecordBytes at most):
 //
 //   network.save(sink);         // sink.put(byte), byte by byte
 //   if (network.load(source))   // source.get(); false, and empty, if the record is damaged or foreign

@@ -1,27 +1,26 @@
-// What a robot meets on a network of lines, and what it can do there: the seam between navigation and robots.
+// The seam between navigation and robots: what a robot meets on a network of lines, and what it can do there.
 //
 // A network of lines has nodes of two kinds: junctions, where three or four lines meet at right angles, and
-// stations, where a line ends. Between them the line may bend as it likes; whoever navigates need not know.
+// stations, where a line ends. Between them a line may have any bends, which navigation need not know.
 //
-// A Walker is anything with these members. It knows how to run along a line, nothing of graphs. There are
+// A Walker is any type with these members. It can run along a line, and knows nothing about graphs. There are
 // several: one moves from cell to cell on a simulator's grid, others drive motors.
 //
-//   static const bool kKnowsPlaces;       // whether Landmark::at means anything (odometry)
+//   static const bool kKnowsPlaces;       // whether Landmark::at has a meaning (odometry)
 //   nav::Landmark begin();                // looks round where it stands, see below
 //   nav::Landmark follow();               // runs along the line, round bends, until it meets something
-//   void leave(nav::Turn turn);           // turns there; follow() then runs on that way
+//   void leave(nav::Turn turn);           // turns there; follow() then runs that way
 //   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
 //
-// begin() tells `junction` or `line` if it stands on one, `end` if the line goes one way only, and then it
-// faces that way; an `end` with no arms is a single spot without any line to follow; `lost` is no line at
-// all.
+// begin() returns `junction` or `line` if the robot stands on one, and `end` if the line goes one way only,
+// which it then faces. An `end` with no arms is a single spot without any line to follow; `lost` is no line
+// at all.
 //
-// follow() tells `junction` with the robot standing on it, `end` with the robot at the line's end, still
-// facing outward; `blocked` in front of an obstacle, facing it; `loop` if it is back where it began to follow
-// without having met anything, `lost` if it cannot say where it is.
+// follow() returns `junction` with the robot standing on it, `end` with the robot at the line's end, still
+// facing outward, and `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back
+// where it began to follow without having met anything, and `lost` if it does not know where it is.
 //
-// After `end` and `blocked` the only turn there is, is Turn::back. At a junction Turn::back goes back the way
-// it came.
+// After `end` and `blocked` the only turn is Turn::back. At a junction Turn::back goes back the way it came.
 #ifndef LINEKIT_NAV_LANDMARK_H
 #define LINEKIT_NAV_LANDMARK_H
 
@@ -29,7 +28,7 @@
 
 namespace nav {
 
-/// A direction in quarter turns clockwise, 0..3. 0 is the way the robot faced when it began.
+/// A direction in quarter turns clockwise, 0..3. 0 is the way that the robot faced when it began.
 typedef uint8_t Heading;
 
 /// A turn in quarter turns clockwise: heading + turn, modulo 4, is the new heading.
@@ -37,16 +36,16 @@ enum class Turn : uint8_t { straight = 0, right = 1, back = 2, left = 3 };
 
 inline Heading turned(Heading h, Turn t) { return static_cast<Heading>((h + static_cast<uint8_t>(t)) & 3); }
 inline Heading opposite(Heading h) { return static_cast<Heading>((h + 2) & 3); }
-/// The turn that leads from one heading to another.
+/// Returns the turn that leads from one heading to another.
 inline Turn turnBetween(Heading from, Heading to) { return static_cast<Turn>((to - from) & 3); }
 
-/// Where something is, from where the robot began: x to the front as it then stood, y to its right. Cells on
-/// a grid, millimetres on a floor.
+/// A place relative to the robot's start: x to the front as it then stood, y to its right. Cells on a grid,
+/// millimetres on a floor.
 struct Place {
   int32_t x, y;
 };
 
-/// Turned about the start, in quarter turns clockwise.
+/// Returns the place rotated about the start, in quarter turns clockwise.
 inline Place rotated(Place at, uint8_t quarters) {
   for (quarters &= 3; quarters > 0; --quarters) at = {-at.y, at.x};
   return at;
@@ -62,7 +61,7 @@ struct Landmark {
   uint32_t cost;  ///< of the way since the last landmark: moves on a grid, else time in units of 20 ms
 };
 
-/// The same arms with each heading h counted as h + quarters.
+/// Returns the same arms, with each heading h counted as h + quarters.
 inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
   quarters &= 3;
   return static_cast<uint8_t>((arms << quarters | (arms & 15) >> (4 - quarters)) & 15);
@@ -74,13 +73,13 @@ inline bool hasArm(uint8_t arms, Heading h) { return (arms >> h & 1) != 0; }
 // to the right hand of somebody who comes in by it (right, straight, left), counting only arms that exist. So
 // a junction with three arms has slots 0, 1, 2.
 
-/// How many arms.
+/// Returns the number of arms.
 inline uint8_t slotCount(uint8_t arms) {
   return static_cast<uint8_t>((arms & 1) + (arms >> 1 & 1) + (arms >> 2 & 1) + (arms >> 3 & 1));
 }
 
-/// The heading in which the arm in a slot leaves; `entry` is the heading in which the junction was first
-/// entered, so the arm in slot 0 leaves in the opposite one. `slot` < slotCount(arms).
+/// Returns the heading in which the arm in a slot leaves. `entry` is the heading in which the junction was
+/// first entered, so the arm in slot 0 leaves in the opposite one. `slot` < slotCount(arms).
 inline Heading headingOf(uint8_t arms, Heading entry, uint8_t slot) {
   Heading h = opposite(entry);
   for (;;) {
@@ -89,7 +88,7 @@ inline Heading headingOf(uint8_t arms, Heading entry, uint8_t slot) {
   }
 }
 
-/// The inverse: the slot of the arm that leaves in heading `h`, which must exist.
+/// Returns the slot of the arm that leaves in heading `h`, which must exist.
 inline uint8_t slotOf(uint8_t arms, Heading entry, Heading h) {
   uint8_t slot = 0;
   for (Heading at = opposite(entry); at != h; at = static_cast<Heading>((at + 3) & 3))

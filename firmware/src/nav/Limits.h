@@ -2,15 +2,15 @@
 //
 //   LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, 200);
 //
-// makes the constant nav::kTreeNodes and, in the object file, the symbol linekit_limit_nodes_of_a_tree with
-// the value 200. It is a local absolute symbol: a name and a number in the symbol table, no byte of flash or
-// RAM. Read it back from any .elf or .so that was not stripped, on every target:
+// defines the constant nav::kTreeNodes and, in the object file, the symbol linekit_limit_nodes_of_a_tree with
+// the value 200. It is a local absolute symbol: a name and a number in the symbol table, without a byte of
+// flash or RAM. Read it from any .elf or .so that was not stripped, on every target:
 //
 //   $ avr-nm AiNavigator.elf | grep linekit_limit_
 //   000000c8 a linekit_limit_nodes_of_a_tree
 //
-// The number is written out, in decimal: the preprocessor copies it into the assembler's text. If several
-// files include it, the symbol is there several times, always with the same value.
+// Write the number in decimal: the preprocessor copies it into the assembler's text. If several files include
+// it, the symbol occurs several times, always with the same value.
 #ifndef LINEKIT_NAV_LIMITS_H
 #define LINEKIT_NAV_LIMITS_H
 
@@ -22,8 +22,8 @@
 #endif
 
 #define LINEKIT_REPORT_LIMIT(name, value) __asm__(".set linekit_limit_" #name ", " #value)
-/// States also what one more of them takes, in bytes of RAM, and how far it may be raised: robosim run says
-/// how many fit beside the deepest stack.
+/// Also states the bytes of RAM for one more of them, and how far the limit may be raised. robosim run prints
+/// how many fit next to the deepest stack.
 #define LINEKIT_LIMIT_GROWS(name, bytes_each, most)           \
   __asm__(".set linekit_bytes_each_" #name ", " #bytes_each); \
   __asm__(".set linekit_most_" #name ", " #most)

@@ -1,5 +1,5 @@
-// Two plain ways to keep a network, for comparing planners: a table of links, as the paper's robot has it,
-// and a table of parents. No costs, no places, nothing of headings.
+// Two simple ways to store a network, for comparing planners: a table of links, as the paper's robot has it,
+// and a table of parents. Neither has costs, places or headings.
 #ifndef LINEKIT_NAV_LINK_TABLE_H
 #define LINEKIT_NAV_LINK_TABLE_H
 
@@ -8,8 +8,8 @@
 
 namespace nav {
 
-/// `kSlots` links for each node, in any numbering; a node's slot 0 is its parent (that of node 0 is a child).
-/// A byte for each link.
+/// Stores `kSlots` links per node, in any numbering, one byte each. A node's slot 0 is its parent (that of
+/// node 0 is a child).
 template <uint8_t kNodes, uint8_t kSlots>
 class LinkTable {
  public:
@@ -50,8 +50,7 @@ class LinkTable {
   Id size_ = 0;
 };
 
-/// The parents of a tree's nodes, and nothing else: enough for climb() and intervalWay(). A byte for each
-/// node.
+/// Stores only the parents of a tree's nodes, one byte each: enough for climb() and intervalWay().
 template <uint8_t kNodes>
 class ParentTable {
  public:

@@ -6,22 +6,22 @@
 //   while (navigator.step()) showProgress();
 //   if (navigator.state() == nav::NavState::arrived) …
 //
-// An obstacle on a line: it notes it in the network, goes back to the node it left, plans anew and goes
-// round. If there is no way left, it says so and stays at that node; goTo() somewhere else is then still
-// possible.
+// At an obstacle on a line it records the obstacle in the network, goes back to the node that it left, and
+// plans another path. If there is none, it reports that and stays at that node; goTo() another node is then
+// still possible.
 //
-// At a station it turns, so that it faces along the line: ready to leave. At a junction it stays as it came.
+// At a station it turns to face along the line, ready to leave. At a junction it keeps its heading.
 //
-// After a power cycle, the network having been loaded from EEPROM, restore() takes the place of start(). It
-// looks round, and refuses if what it sees is not what it should see there.
+// After a power cycle, load the network from EEPROM and call restore() instead of start(). It looks round,
+// and refuses if the robot's surroundings differ from the network.
 //
-// A planner is anything with
+// A planner is any type with
 //
-//   Id next(const Network&, Id here, Id to)   the next node on the way, or kNone if there is none
-//   void forget()                             called when what it planned before no longer holds
+//   Id next(const Network&, Id here, Id to)   the next node on the path, or kNone if there is none
+//   void forget()                             called when its earlier plans become invalid
 //
-// Ready-made: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of
-// the planners in Plan.h. Only the one that is named in the template takes flash.
+// Available: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of the
+// planners in Plan.h. Only the one that is named in the template takes flash.
 #ifndef LINEKIT_NAV_NAVIGATOR_H
 #define LINEKIT_NAV_NAVIGATOR_H
 

@@ -5,16 +5,16 @@
 // stores one in fixed arrays with 8-bit ids, for a chip; on a host it may grow.
 //
 //   Id                                an unsigned type; nodes are 0, 1, 2, … in preorder
-//   static const Id kNone             after an arm: not known (yet); of a root: no parent
-//   static const Id kBlocked          after an arm: an obstacle
+//   static const Id kNone             beyond an arm: not known (yet); of a root: no parent
+//   static const Id kBlocked          beyond an arm: an obstacle
 //
 //   Id size() const
 //   bool isStation(Id) const          else it is a junction
 //   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
 //   Heading entry(Id) const           on first entry; slots count from it (Landmark.h)
 //   Place place(Id) const             of a junction
-//   Id parent(Id) const               the node from which it was first entered; it is after slot 0
-//   Id link(Id, uint8_t slot) const   the node after that arm, or kNone, or kBlocked
+//   Id parent(Id) const               the node from which it was first entered; it is beyond slot 0
+//   Id link(Id, uint8_t slot) const   the node beyond that arm, or kNone, or kBlocked
 //   uint8_t backSlot(Id, uint8_t slot) const    the slot of link() to which this line leads
 //   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a storage that
 //                                               has no room for it may return 1 for a line to a station
@@ -30,8 +30,8 @@
 //   Id addJunction(Id from, uint8_t slot, uint8_t arms, Heading entry, Place, uint32_t cost)   kNone if full
 //   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)
 //                                     a line between known nodes, or from one to itself; replaces an
-//                                     obstacle noted after these arms; false if full
-//   bool block(Id, uint8_t slot)      an obstacle after that arm, on both sides of it; false if full
+//                                     obstacle noted beyond these arms; false if full
+//   bool block(Id, uint8_t slot)      an obstacle beyond that arm, on both sides of it; false if full
 //
 // For the root, `from` is kNone, and slot and cost have no meaning. The arm of a station is its slot 0.
 #ifndef LINEKIT_NAV_NETWORK_H
@@ -41,19 +41,19 @@
 
 namespace nav {
 
-/// How many arms a node has.
+/// Returns the number of arms of a node.
 template <class Network>
 uint8_t slots(const Network& network, typename Network::Id node) {
   return slotCount(network.arms(node));
 }
 
-/// The heading in which the arm in a slot leaves.
+/// Returns the heading in which the arm in a slot leaves.
 template <class Network>
 Heading headingOf(const Network& network, typename Network::Id node, uint8_t slot) {
   return headingOf(network.arms(node), network.entry(node), slot);
 }
 
-/// A station by its number, 1, 2, … in the order in which they were met; kNone if there is none such.
+/// Returns a station by its number, 1, 2, … in the order in which they were met; kNone if it does not exist.
 template <class Network>
 typename Network::Id stationNode(const Network& network, typename Network::Id number) {
   for (typename Network::Id node = 0; node < network.size(); ++node)
@@ -61,7 +61,7 @@ typename Network::Id stationNode(const Network& network, typename Network::Id nu
   return Network::kNone;
 }
 
-/// The inverse.
+/// Returns the number of a station.
 template <class Network>
 typename Network::Id stationNumber(const Network& network, typename Network::Id node) {
   typename Network::Id number = 0;

@@ -1,4 +1,4 @@
-// Planners for a Navigator: what is the next node?
+// Planners for a Navigator, which find the next node.
 #ifndef LINEKIT_NAV_NEXT_PLANNERS_H
 #define LINEKIT_NAV_NEXT_PLANNERS_H
 
@@ -8,7 +8,7 @@
 
 namespace nav {
 
-/// For trees. No memory.
+/// Plans on trees, without memory.
 struct ClimbPlanner {
   template <class Network>
   typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
@@ -17,7 +17,7 @@ struct ClimbPlanner {
   void forget() {}
 };
 
-/// For any FixedNetwork; plans anew at each node, in 137 bytes.
+/// Plans on any FixedNetwork, again at each node, in 137 bytes.
 template <uint8_t kJunctions = kCyclicJunctions>
 class DijkstraPlanner {
  public:
@@ -31,7 +31,7 @@ class DijkstraPlanner {
   DijkstraNext<kJunctions> dijkstra_;
 };
 
-/// ClimbPlanner where the network is a tree, of up to 200 nodes; DijkstraPlanner elsewhere.
+/// Uses ClimbPlanner if the network is a tree, of up to 200 nodes, else DijkstraPlanner.
 template <uint8_t kJunctions = kCyclicJunctions>
 class TreeOrDijkstra {
  public:

@@ -1,4 +1,4 @@
-// Where a robot is on a network, and what it does at a node: common to Explorer and Navigator.
+// A robot's place on a network, and its actions at a node, for Explorer and Navigator.
 #ifndef LINEKIT_NAV_PILOT_H
 #define LINEKIT_NAV_PILOT_H
 

@@ -1,30 +1,33 @@
-// What all planners share. A planner finds a way from one node of a network to another:
+// Common code of all planners. A planner finds a path from one node of a network to another:
 //
 //   nav::FixedPath<200> path;
 //   nav::FixedWork<200> work;
 //   if (nav::bfs(network, from, to, path, work) == nav::Plan::found)
 //     for (uint8_t i = 0; i < path.size(); ++i) show(path[i]);   // from, …, to
 //
-// All have this form, so that one can stand for another:
+// All have this form, so that they are interchangeable:
 //
-//   name        header          finds                        work memory beside the path, n nodes
+//   name        header          finds                        work memory besides the path, n nodes
 //   bfs         Search.h        fewest lines                 n ids
-//   dfs         Search.h        some way                     n ids
+//   dfs         Search.h        some path                    n ids
 //   iterative   Search.h        fewest lines                 n ids
-//   pruned      PrunedBfs.h     the way, on trees            n ids
-//   climb       TreeWay.h       the way, on trees            none
-//   interval    TreeWay.h       the way, on trees            n ids
+//   pruned      PrunedBfs.h     the path, on trees           n ids
+//   climb       TreeWay.h       the path, on trees           none
+//   interval    TreeWay.h       the path, on trees           n ids
 //   dijkstra    Dijkstra.h      the least cost               2 n ids, n costs
 //
-// An arm behind which there is an obstacle, or nothing known, is no line; nor is a line from a junction to
-// itself. Of parallel lines the way does not tell which: slotTowards() gives the cheapest.
+// An arm with an obstacle, or with nothing known beyond it, is not a line; nor is a line from a junction to
+// itself. A path does not tell parallel lines apart: slotTowards() returns the cheapest.
 //
-// A robot that plans anew at each node need not keep a path: climbNext() in TreeWay.h takes no memory,
+// A robot that plans at each node need not store a path: climbNext() in TreeWay.h takes no memory,
 // DijkstraNext in Dijkstra.h 137 bytes for 64 junctions.
 //
-// A Path is anything with   Id* room(count)    an array of so many, or nullptr
-//                           void setSize(n)    how many of them the way has
-// Work memory is anything with   Id* room(count)   and, for dijkstra, a type Cost and   Cost* costs(count)
+// A Path is any type with
+//   Id* room(count)    returns an array of `count` ids, or nullptr
+//   void setSize(n)    sets the number of nodes on the path
+// Work memory is any type with
+//   Id* room(count)    as above
+//   Cost, and Cost* costs(count)    for dijkstra only
 // On a host they may grow.
 #ifndef LINEKIT_NAV_PLAN_H
 #define LINEKIT_NAV_PLAN_H
@@ -67,7 +70,7 @@ class FixedWork {
   uint8_t ids_[kIds];
 };
 
-/// Whether what is behind an arm of a node is another node, and the line to it open.
+/// Returns whether there is another node beyond an arm of a node, and the line to it is open.
 template <class Network>
 bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
   return behind != Network::kNone && behind != Network::kBlocked && behind != node;
@@ -75,7 +78,7 @@ bool isOpen(const Network&, typename Network::Id node, typename Network::Id behi
 
 static constexpr uint8_t kNoSlot = 0xFF;
 
-/// The slot of the cheapest open line from a node to a neighbour of it; kNoSlot if there is none.
+/// Returns the slot of the cheapest open line from a node to its neighbour; kNoSlot if there is none.
 template <class Network>
 uint8_t slotTowards(const Network& network, typename Network::Id node, typename Network::Id neighbour) {
   uint8_t best = kNoSlot;
@@ -91,8 +94,8 @@ uint8_t slotTowards(const Network& network, typename Network::Id node, typename 
   return best;
 }
 
-/// Whether ids are those of a depth-first walk: every node's parent is the node before it or one of that
-/// one's ancestors, and every line is one between a node and its parent.
+/// Returns whether ids are those of a depth-first walk: every node's parent is the node before it or one of
+/// that one's ancestors, and every line connects a node and its parent.
 template <class Network>
 bool isPreorder(const Network& network) {
   typedef typename Network::Id Id;
@@ -117,7 +120,7 @@ bool isPreorder(const Network& network) {
 
 namespace detail {
 
-/// The way to `to`, from what node was reached from which; `from` was from itself.
+/// Extracts the path to `to` from the predecessor of each node; that of `from` is itself.
 template <class Id, class Path>
 Plan backtrack(const Id* before, Id from, Id to, Path& path, Id* way) {
   Id length = 1;
@@ -129,7 +132,7 @@ Plan backtrack(const Id* before, Id from, Id to, Path& path, Id* way) {
   return Plan::found;
 }
 
-/// Common to all planners: are there such nodes, and is there room?
+/// Checks for all planners that the nodes exist and that there is room.
 template <class Network, class Path>
 Plan beginPlan(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                typename Network::Id*& way) {

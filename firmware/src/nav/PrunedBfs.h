@@ -1,12 +1,12 @@
 // Pruned BFS, the planner of the paper on the Pony robot: a breadth-first search of a tree that keeps at most
 // two nodes of each level.
 //
-// The ids must be in preorder. Then everything that lies behind a node of the frontier is, cyclically, a row
-// of ids without gaps, and it contains that node's own id. So whatever id one looks for, it lies behind one
-// of the two nodes of the frontier between whose ids it is, cyclically; the others need not be followed up.
+// The ids must be in preorder. Then the ids of all nodes beyond a node of the frontier, with its own, are
+// cyclically consecutive. So the id that is searched is beyond one of the two nodes of the frontier between
+// whose ids it is, cyclically. The others need not be followed.
 //
-// With any other numbering that is wrong, and most ways would be missed without a word. So pruned() looks
-// whether ids are in preorder, and refuses others. That takes longer than the search: who has looked once
+// With any other numbering that is wrong, and most paths would be missed silently. So pruned() checks whether
+// ids are in preorder, and refuses others. That takes longer than the search. A caller that has checked once
 // (isPreorder() in Plan.h) calls prunedSearch().
 #ifndef LINEKIT_NAV_PRUNED_BFS_H
 #define LINEKIT_NAV_PRUNED_BFS_H
@@ -17,7 +17,7 @@ namespace nav {
 
 namespace detail {
 
-/// The frontier: ids in ascending order. Two nodes have at most six neighbours that are new; one has four.
+/// The frontier: ids in ascending order. Two nodes have at most six new neighbours; one has four.
 template <class Id>
 struct Frontier {
   Id id[6];
@@ -42,7 +42,7 @@ struct Frontier {
 
 }  // namespace detail
 
-/// The search alone, for a tree whose ids are known to be in preorder.
+/// Searches a tree whose ids are known to be in preorder.
 template <class Network, class Path, class Work>
 Plan prunedSearch(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                   Work& work) {

@@ -1,6 +1,6 @@
 // A record of bytes and bits with a checksum (CRC-16, polynomial 0x1021, most significant bit first, as
-// CCITT's), written to anything with put(uint8_t) and read from anything with uint8_t get(). Bits are packed
-// from the lowest up; the next byte begins after them. A damaged byte is always noticed.
+// CCITT's). It is written to any type with put(uint8_t), and read from any type with uint8_t get(). Bits are
+// packed from the lowest up; the next byte begins after them. A damaged byte is always detected.
 #ifndef LINEKIT_NAV_RECORD_H
 #define LINEKIT_NAV_RECORD_H
 

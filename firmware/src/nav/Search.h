@@ -1,5 +1,4 @@
-// Three planners that search any network, from the text book: breadth-first, depth-first, iterative
-// deepening.
+// Three textbook planners that search any network: breadth-first, depth-first, iterative deepening.
 #ifndef LINEKIT_NAV_SEARCH_H
 #define LINEKIT_NAV_SEARCH_H
 
@@ -7,8 +6,8 @@
 
 namespace nav {
 
-/// Breadth-first search: a way with the fewest lines. In the order of their distance from `from`, all nodes
-/// are reached from those before them. The path's memory is the queue.
+/// Breadth-first search: finds a path with the fewest lines. Nodes are reached in the order of their distance
+/// from `from`, each from a nearer one. The path's memory is the queue.
 template <class Network, class Path, class Work>
 Plan bfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -36,7 +35,7 @@ Plan bfs(const Network& network, typename Network::Id from, typename Network::Id
   return detail::backtrack(before, from, to, path, queue);
 }
 
-/// Depth-first search: some way, not a short one where there are cycles. The path's memory is the stack.
+/// Depth-first search: finds some path, not a short one if there are cycles. The path's memory is the stack.
 template <class Network, class Path, class Work>
 Plan dfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -76,8 +75,8 @@ namespace detail {
 
 enum class Dive : uint8_t { found, not_found, too_deep };
 
-/// Depth-first, `limit` lines deep at most. `best` holds the least depth at which each node was seen, so that
-/// no node is gone through twice at the same depth.
+/// Searches depth-first, `limit` lines deep at most. `best` holds the least depth at which each node was
+/// seen, so that no node is expanded twice at the same depth.
 template <class Network>
 Dive dive(const Network& network, typename Network::Id from, typename Network::Id to,
           typename Network::Id limit, typename Network::Id* stack, typename Network::Id* best) {
@@ -114,8 +113,8 @@ Dive dive(const Network& network, typename Network::Id from, typename Network::I
 
 }  // namespace detail
 
-/// Iterative deepening: depth-first searches, each one line deeper than the last. A way with the fewest
-/// lines.
+/// Iterative deepening: depth-first searches, each one line deeper than the last. Finds a path with the
+/// fewest lines.
 template <class Network, class Path, class Work>
 Plan iterative(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                Work& work) {

@@ -1,4 +1,4 @@
-// Ways on a tree need no search: two planners that read them off the numbering.
+// Two planners for trees, which need no search: they derive the path from the numbering.
 #ifndef LINEKIT_NAV_TREE_WAY_H
 #define LINEKIT_NAV_TREE_WAY_H
 
@@ -28,7 +28,7 @@ constexpr bool surelyPreorder(long) {
   return false;
 }
 
-/// Whether all lines of a way are open.
+/// Returns whether all lines of a path are open.
 template <class Network>
 bool isOpenWay(const Network& network, const typename Network::Id* way, typename Network::Id size) {
   for (typename Network::Id i = 1; i < size; ++i)
@@ -38,12 +38,12 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 
 }  // namespace detail
 
-/// Climb: replace the larger of the two ids by its parent, until they are the same. All it needs is that a
-/// parent's id is less than its children's.
+/// Climb: replaces the larger of the two ids by its parent, until they are the same. It only needs a parent's
+/// id to be less than its children's.
 ///
-/// The way up from `from` grows at the front of the path's memory, the way up from `to` from its back
+/// The path up from `from` grows at the front of the path's memory, the path up from `to` from its back
 /// downwards. In the end the second is moved up to the first. (The loops test at their end: on an ATmega that
-/// saves two of some twenty cycles for each node.)
+/// saves two of some twenty cycles per node.)
 template <class Network, class Path>
 Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path) {
   typedef typename Network::Id Id;
@@ -86,8 +86,9 @@ Plan climb(const Network& network, typename Network::Id from, typename Network::
   return climb(network, from, to, path);
 }
 
-/// The next node on the way, by climbing: no memory at all. `here` itself if it is there; kNone if there is
-/// no such node or no way. For networks whose ids are in preorder because an explorer numbered them.
+/// Returns the next node on the path, by climbing, without memory. `here` itself if it is there; kNone if
+/// there is no such node or no path. For networks whose ids are in preorder because an explorer numbered
+/// them.
 template <class Network>
 typename Network::Id climbNext(const Network& network, typename Network::Id here, typename Network::Id to) {
   typedef typename Network::Id Id;
@@ -103,7 +104,8 @@ typename Network::Id climbNext(const Network& network, typename Network::Id here
   return from == here ? below : network.parent(here);
 }
 
-/// The last id behind each node: its descendants are node + 1 to end[node]. Refuses ids not in preorder.
+/// Computes the last id beyond each node: its descendants are node + 1 to end[node]. Refuses other ids than
+/// those in preorder.
 template <class Network>
 Plan intervals(const Network& network, typename Network::Id* end) {
   typedef typename Network::Id Id;
@@ -117,8 +119,8 @@ Plan intervals(const Network& network, typename Network::Id* end) {
   return Plan::found;
 }
 
-/// Interval routing: up until the destination is a descendant, then down by the child that has it. `end` is
-/// what intervals() made.
+/// Interval routing: goes up until the destination is a descendant, then down by the child that has it. `end`
+/// is the result of intervals().
 template <class Network, class Path>
 Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                  const typename Network::Id* end) {
