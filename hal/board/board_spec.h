@@ -17,7 +17,7 @@ struct PinSpec {
   bool pwm;               ///< analogWrite gives hardware PWM
   int8_t interrupt;       ///< number for attachInterrupt; -1 = none
   bool digital;           ///< false: analog input only (A6, A7 of a Nano)
-  ChipPin chip_pin;       ///< what else the chip can do with it
+  ChipPin chip_pin;       ///< the pin's other functions on the chip
 };
 
 struct BoardSpec {
@@ -35,21 +35,21 @@ struct BoardSpec {
   uint16_t adc_steps;     ///< codes are 0 .. adc_steps-1; analogRead's range
   uint32_t flash_bytes;   ///< for the sketch, without the boot loader
   uint32_t ram_bytes;     ///< the chip's
-  uint16_t eeprom_bytes;  ///< the chip's, or what the core keeps in flash
+  uint16_t eeprom_bytes;  ///< the chip's, or the one that the core emulates in flash
 
   double regulator_drop_volts;  ///< between battery and supply, with the diode before the regulator
   double brown_out_volts;       ///< a lower supply holds the chip in reset
 
   /// The board whose registers, timers and speed a sketch finds on the target host; null = this one.
   const BoardSpec* host_model;
-  const char* variant;    ///< the folder of its pins in the genuine core; null = the core is ours
-  const char* pin_names;  ///< a header of ours with further names of pins, for the target host; null = none
+  const char* variant;    ///< the folder of its pins in the genuine core; null = the core is Robosim's
+  const char* pin_names;  ///< Robosim's header with further names of pins, on the target host; null = none
   const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to it
   uint32_t upload_baud;          ///< of its boot loader
-  uint32_t upload_baud_old;      ///< of the boot loader that older ones of them have; 0 = the same
+  uint32_t upload_baud_old;      ///< of the boot loader of older boards; 0 = the same
   bool upload_by_touch = false;  ///< its boot loader starts when the port is opened with 1200 baud and closed
 
-  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or behind them the USB's
+  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or the next index for USB
   const char* usb_product = nullptr;  ///< as the core has it, where the chip has USB
   uint16_t usb_id = 0;                ///< product; the vendor is 0x2341, Arduino
 };

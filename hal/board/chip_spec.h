@@ -22,7 +22,7 @@ struct ChipPin {
   int8_t external;        ///< n of INTn; the EXTI line of an STM32
   int8_t change;          ///< n of PCINTn
   int8_t counted_by;      ///< index of the timer that can count its edges (Tn)
-  int8_t captured_by;     ///< index of the timer that can note when its edges come (ICPn)
+  int8_t captured_by;     ///< index of the timer that can capture the time of its edges (ICPn)
 };
 
 struct PortSpec {
@@ -46,11 +46,11 @@ struct TimerSpec {
   uint16_t reduction = 0;      ///< address of PRR
   int8_t reduction_bit = -1;   ///< that stops it there
   // Where they are not told, the registers are an ATmega's:
-  uint16_t control_b = 0;    ///< address of TCCRnB; 0 = behind TCCRnA
+  uint16_t control_b = 0;    ///< address of TCCRnB; 0 = after TCCRnA
   uint16_t top = 0;          ///< address of OCR1C: of a timer 1 as an ATtiny85 has it, whose TCCRnA is TCCR1
   const char* pins[2] = {};  ///< OCnA and OCnB, where ChipSpec::pins has another timer's
-  uint8_t overflow_vector = 0;       ///< 0 = behind those of the matches
-  uint8_t match_b_vector = 0;        ///< 0 = behind that of compare A
+  uint8_t overflow_vector = 0;       ///< 0 = after those of the matches
+  uint8_t match_b_vector = 0;        ///< 0 = after that of compare A
   uint8_t flag_bits[3] = {0, 1, 2};  ///< of overflow, compare A and B, in registers that timers may share
 };
 
@@ -82,19 +82,19 @@ struct AdcSpec {
   int8_t bandgap_channel;  ///< the bits MUX that measure it; -1 = none
   uint8_t vector;
   // Of an AVR's:
-  uint8_t triggers[8] =
-      {};                  ///< by the bits ADTS: the vector of the flag that starts a conversion; 0 = its own
-  uint16_t reduction = 0;  ///< address of PRR
+  /// By the bits ADTS: the vector of the flag that starts a conversion; 0 = the ADC's own.
+  uint8_t triggers[8] = {};
+  uint16_t reduction = 0;           ///< address of PRR
   int8_t reduction_bit = -1;        ///< that stops it there
   double references[8] = {};        ///< by REFS2, REFS1 and REFS0, in volts; 0 = the supply
-  uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = there is none
+  uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = none
   uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
-  uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = there is none
+  uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = none
   uint8_t control_b_bits = 0x47;    ///< all that ADCSRB keeps
 };
 
 struct SpiSpec {
-  uint16_t address = 0;  ///< of an AVR's SPCR, which SPSR and SPDR follow; 0 = none that we know
+  uint16_t address = 0;  ///< of an AVR's SPCR, which SPSR and SPDR follow; 0 = not described
   uint8_t vector = 0;
   const char* select = "";  ///< pins: SS, MOSI, MISO, SCK
   const char* out = "";
@@ -105,7 +105,7 @@ struct SpiSpec {
 };
 
 struct TwiSpec {
-  uint16_t address = 0;  ///< of an AVR's TWBR, which TWSR, TWAR, TWDR and TWCR follow; 0 = none that we know
+  uint16_t address = 0;  ///< of an AVR's TWBR, which TWSR, TWAR, TWDR and TWCR follow; 0 = not described
   uint8_t vector = 0;
   const char* data = "";  ///< pins: SDA, SCL
   const char* clock = "";
@@ -114,12 +114,12 @@ struct TwiSpec {
 };
 
 struct ComparatorSpec {
-  uint16_t address = 0;  ///< of an AVR's ACSR; 0 = none that we know
+  uint16_t address = 0;  ///< of an AVR's ACSR; 0 = not described
   uint8_t vector = 0;
   const char* positive = "";  ///< pins: AIN0, AIN1; without one, the bandgap
   const char* negative = "";
-  uint8_t channels = 0;     ///< of the ADC, so many from 0 on may take AIN1's place; a power of two
-  int8_t captured_by = -1;  ///< index of the timer that can note when its output changes
+  uint8_t channels = 0;     ///< the number of ADC channels, from 0 on, that may replace AIN1; a power of two
+  int8_t captured_by = -1;  ///< index of the timer that can capture its output's changes
 };
 
 /// Addresses in data memory of an AVR's other registers; the defaults are an ATmega's.
@@ -146,7 +146,7 @@ struct AvrRegisters {
   uint16_t adc_control = 0x7A;                   ///< ADCSRA
   uint16_t adc_control_b = 0x7B;                 ///< ADCSRB
   uint16_t adc_multiplexer = 0x7C;               ///< ADMUX
-  uint16_t digital_off[3] = {0x7E, 0x7F, 0x7D};  ///< DIDR0 to DIDR2; all the same = a bit a pin of the port
+  uint16_t digital_off[3] = {0x7E, 0x7F, 0x7D};  ///< DIDR0 to DIDR2; all equal = one bit per pin of the port
   uint16_t general[2] = {0x3E, 0x4A};            ///< GPIOR0, GPIOR1
 };
 
@@ -161,20 +161,20 @@ struct UsbSpec {
 
 struct ChipSpec {
   const char* name;           ///< the maker's: "ATmega328P"
-  const char* target;         ///< who executes its firmware, as users name it: "avr"
+  const char* target;         ///< the target that executes its firmware, as users name it: "avr"
   const char* compiler_name;  ///< avr-gcc's -mmcu; of an STM32 the name of the linker script
   const char* architecture;   ///< avr-gcc's folder of libraries for it: "avr5"; null = none
-  const char* macro;          ///< what avr-gcc defines for it; null = nothing
+  const char* macro;          ///< the macro that avr-gcc defines for it; null = none
   const char* registers;      ///< avr-libc's header of its registers; null = none
-  const char* avrdude_name;   ///< null = avrdude does not know it
-  uint8_t signature[3];       ///< what a programmer reads from it; zeros = nothing
+  const char* avrdude_name;   ///< null = avrdude does not support it
+  uint8_t signature[3];       ///< read by programmers; zeros = none
 
   uint32_t flash_address;  ///< in its own address space, as far as it is one
   uint32_t flash_bytes;    ///< all of it, boot loader included
   uint32_t ram_address;
   uint32_t ram_bytes;
-  uint16_t eeprom_bytes;         ///< 0 = the core keeps one in flash
-  uint8_t return_address_bytes;  ///< that a call puts on the stack; 0 = into a register
+  uint16_t eeprom_bytes;         ///< 0 = the core emulates one in flash
+  uint8_t return_address_bytes;  ///< that a call pushes onto the stack; 0 = into a register
 
   uint8_t vectors;          ///< interrupt vectors, the reset's included
   uint8_t external_vector;  ///< of INT0, which the others follow
@@ -185,7 +185,7 @@ struct ChipSpec {
   uint8_t eeprom_vector = 0;
   bool small_core = false;           ///< an AVR without MUL, JMP and CALL
   bool linked_relaxed = false;       ///< Arduino has its linker make short calls and jumps of long ones
-  uint16_t start_up_cycles = 16384;  ///< of its oscillator, behind power-down; a crystal's unless told
+  uint16_t start_up_cycles = 16384;  ///< of its oscillator, after power-down; the default is a crystal's
 
   const ChipPin* pins;
   uint8_t pin_count;

@@ -9,14 +9,14 @@ namespace robosim {
 /// extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
-  /// The voltage against ground, in volts. May consume a sample of noise.
+  /// Returns the voltage against ground, in volts. May consume a sample of noise.
   virtual double volts(SimTime t) = 0;
-  /// The logic level. May consume a sample of noise.
+  /// Returns the logic level. May consume a sample of noise.
   virtual bool level(SimTime t) = 0;
-  /// Until when, exclusive, level() surely is what it is at `t`, however often it is asked, as long as the
-  /// pin's drive and the world stay as they are; `t` = it makes no promise.
+  /// Returns until when, exclusive, level() certainly keeps its value at `t`, for any number of reads, while
+  /// the pin's drive and the world stay the same. `t` = no promise.
   virtual SimTime same_until(SimTime t) { return t; }
-  /// Its resistance, as the capacitor of an ADC finds it; 0 = so little that it does not count. Constant.
+  /// Returns its resistance, which charges the capacitor of an ADC; 0 = negligible. Constant.
   virtual double source_ohms() const { return 0.0; }
 
  protected:
@@ -35,7 +35,7 @@ class PinWatcher {
 /// Receives every byte that the firmware has sent by UART.
 class SerialWatcher {
  public:
-  /// `t` is when the firmware handed the byte over.
+  /// Receives a byte; `t` is when the firmware handed it over.
   virtual void byte_sent(uint8_t byte, SimTime t) = 0;
 
  protected:
@@ -54,7 +54,8 @@ class EepromWatcher {
 /// Receives every conversion of a pin by an AVR's ADC.
 class AdcWatcher {
  public:
-  /// The capacitor of the converter was still `volts` away from what the pin has: more than 0 = above.
+  /// Receives a conversion whose capacitor was still `volts` away from the pin's voltage; positive = above
+  /// it.
   virtual void converted(Pin pin, double volts, SimTime t) = 0;
 
  protected:
@@ -76,13 +77,13 @@ class InputWatcher {
 /// A device on the two-wire bus. Addresses have seven bits.
 class TwoWireDevice {
  public:
-  /// Whether it answers to `address`, and if so, it is spoken to from now on.
+  /// Returns whether it answers to `address`; if so, it is selected from now on.
   virtual bool address(uint8_t address, bool reads, SimTime t) = 0;
-  /// A byte has come; whether it is acknowledged.
+  /// Receives a byte, and returns whether it acknowledges it.
   virtual bool write(uint8_t byte, SimTime t) = 0;
-  /// The next byte it sends.
+  /// Returns the next byte that it sends.
   virtual uint8_t read(SimTime t) = 0;
-  /// It is spoken to no longer: a STOP, or the START of something else.
+  /// Ends its selection: a STOP, or the START of another transfer.
   virtual void stop(SimTime) {}
 
  protected:
@@ -93,31 +94,31 @@ class RobotPort {
  public:
   virtual const BoardSpec& spec() const = 0;
   virtual const PinDrive& drive(Pin pin) const = 0;
-  /// One source a pin; the source must outlive the board's use of it.
+  /// Connects a source, one per pin. It must outlive the board's use of it.
   virtual void connect(Pin pin, PinSource& source) = 0;
-  /// Where several have the same address, the first answers.
+  /// Connects a device. If several have the same address, the first answers.
   virtual void connect(TwoWireDevice& device) = 0;
-  /// From now on the board's supply is this share of the nominal one; it must outlive the board's use of it.
+  /// Makes the board's supply this share of the nominal one; the variable must outlive the board's use of it.
   virtual void feed(const double& /*share*/) {}
-  /// Several watchers a pin are told in the order in which they were added.
+  /// Adds a watcher. Several watchers of a pin are called in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
-  /// Several watchers are told in the order in which they were added.
+  /// Adds a watcher. Several are called in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
-  /// One watcher; it hears of nothing on boards whose ADC has no such capacitor here.
+  /// Sets the only watcher. Boards whose ADC has no such capacitor here never call it.
   virtual void watch_adc(AdcWatcher& /*watcher*/) {}
-  /// One watcher at a time; hearing changes nothing.
+  /// Sets the only watcher, which does not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// `pin` will have `level` from `at` on, a time within the tick that is about to run: this is what
-  /// interrupts and polling emulators see. The pin's source must agree with it. Per pin, times must not
-  /// decrease. Where the pin has that level already, there is no edge.
+  /// Schedules that `pin` has `level` from `at` on, a time within the next tick. Interrupts and polling
+  /// emulators see this edge. The pin's source must agree with it. Per pin, times must not decrease. There is
+  /// no edge if the pin already has that level.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
-  /// Whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's input
-  /// register must follow). Sources that are costly to evaluate ask first.
+  /// Returns whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's
+  /// input register must follow). Sources that are costly to evaluate ask first.
   virtual bool wants_edges(Pin pin) const = 0;
-  /// Whether that holds for any pin: asked once a tick.
+  /// Returns whether that is so for any pin. Called once a tick.
   virtual bool wants_any_edges() const = 0;
-  /// A byte arrives at the UART. Bytes queue at the firmware's baud rate.
+  /// Delivers a byte to the UART. Bytes queue at the firmware's baud rate.
   virtual void receive_byte(uint8_t byte, SimTime at) = 0;
 
  protected:
