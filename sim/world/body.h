@@ -139,14 +139,14 @@ class Body {
 
   const BodyParams& params() const { return params_; }
 
-  /// State at the beginning of the current tick.
+  /// Returns the state at the beginning of the current tick.
   const Pose& pose() const { return pose_; }
   /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. It lies on an arc
   /// of angle a = omega dt:
   ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega
   /// Sine and cosine are polynomials (error below a^5 / 120 of the way), and the heading is renormalised.
   Pose pose_after(double dt_s) const;
-  /// The same, of a body that does not move: at any time in the tick.
+  /// Returns the pose of a body that does not move, at any time in the tick.
   Pose standing_pose() const {
     const Vec2 h = pose_.heading;
     return {pose_.position, h * (1.5 - 0.5 * dot(h, h))};
@@ -155,68 +155,72 @@ class Body {
   double side_speed() const { return u_; }                ///< m/s, to the left; 0 unless it skids
   double turn_rate() const { return omega_; }             ///< rad/s, counter-clockwise
   double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
-  /// rad/s; holds for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
+  /// Returns the rate in rad/s for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
   double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
   double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, also when it slips
-  /// Whether the wheel's speed and the ground's differ.
+  /// Returns whether the wheel's speed differs from the ground's.
   bool slips() const { return slips_; }
   double distance() const { return distance_; }  ///< m travelled by the axle's centre, always growing
-  /// m the wheels have turned through, mean of both, always growing: also when they slip or spin.
+  /// Returns the distance that the wheels have turned through, m, mean of both. It only grows, also in slip
+  /// or spin.
   double wheel_travel() const { return wheel_travel_; }
   double energy() const { return energy_; }            ///< J drawn from the battery by the motors
   double energy_back() const { return energy_back_; }  ///< J that they gave back to it
-  /// Contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
+  /// Returns the number of contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
   int collisions() const { return collisions_; }
-  /// Whether the last of them was with another body.
+  /// Returns whether the last of them was with another body.
   bool collided_with_body() const { return collided_with_body_; }
   bool in_contact() const { return in_contact_; }
-  /// Whether something presses against it from ahead: within 60 degrees of straight on. What a bumper feels.
+  /// Returns whether something presses against it from ahead, within 60 degrees of straight on, as a bumper
+  /// feels.
   bool pressed_ahead() const { return pressed_ahead_; }
-  /// Whether the body's outline covers a point of the floor.
+  /// Returns whether the body's outline covers a point of the floor.
   bool covers(Vec2 p) const;
-  /// The circle about the outline's middle that holds the outline, m.
+  /// Returns the centre of the circle about the outline's middle that holds the outline, m.
   Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
-  /// m by which that circle's middle moves within so many seconds, at most, on a plane floor, unless somebody
-  /// else does something: twice what its speeds and its grip come to.
+  /// Returns a bound of how far that circle's centre moves within a duration, m, on a plane floor without
+  /// outside influence: twice what its speeds and its grip allow.
   double reach(double seconds) const;
-  /// Kinetic energy of body and wheels, J.
+  /// Returns the kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
-  /// Holds until the next call; values beyond ±1 and 0..1 are cut.
+  /// Sets a command until the next call; values beyond ±1 and 0..1 are limited.
   void command(Side, const WheelCommand&);
   void place(const Pose&);  ///< lifted and put down, at rest
 
-  // What goes wrong with it, until the next call.
-  /// The driver's supply, V; of the constructor on it is params().supply_volts.
+  // Outside influences, which last until the next call.
+  /// Sets the driver's supply, V; the initial value is params().supply_volts.
   void supply(double supply_volts);
-  /// What presses it down besides its weight, N.
+  /// Sets a downforce in addition to its weight, N.
   void press(double downforce_n);
-  /// Its steered wheels stand at that angle, rad, to the left positive; cut to 80 degrees.
+  /// Sets the angle of its steered wheels, rad, to the left positive; limited to 80 degrees.
   void steer(double angle);
   double steered() const { return steered_; }
-  /// What its motors take of a supply of that many volts, with their commands and at their speeds now.
+  /// The current that its motors draw from a supply of that voltage, with their present commands and speeds.
   struct Draw {
     double amps = 0.0, amps_per_volt = 0.0;
   };
   Draw draw(double supply_volts) const;
-  /// Something holds the wheel: it does not turn, whatever motor and floor do. Its motor stalls.
+  /// Blocks a wheel: it does not turn, whatever motor and floor do. Its motor stalls.
   void block(Side, bool blocked);
-  /// Lifted, the body stands still where it is and touches nothing; its wheels turn freely, without what
-  /// rolling takes. place() puts it down.
+  /// Lifts the body: it stays in place and touches nothing. Its wheels turn freely, without rolling
+  /// resistance. place() puts it down.
   void lift(bool lifted);
-  /// A hand moves it over the floor: the same, but its sensors see the floor. lift() and place() end it.
+  /// Moves the lifted body over the floor, by a manual move in which its sensors see the floor. lift() and
+  /// place() end it.
   void carry(const Pose&);
-  /// Lifted, it leans. lift(), carry() and place() make it level. On hills it leans as they do.
+  /// Tilts the lifted body. lift(), carry() and place() level it. On hills it leans as they do.
   void tilt(const Lean&);
   const Lean& lean() const { return lean_; }
-  /// Whether it lies on its side, its wheels in the air; place() puts it on them again.
+  /// Returns whether it lies on its side, its wheels in the air; place() puts it upright.
   Toppled toppled() const { return stance_.toppled; }
-  /// m by which a place of its chassis (in its frame) is higher than on a plane floor.
+  /// Returns by how much a place of its chassis (in its frame) is higher than on a plane floor, m.
   double raised(Vec2 own) const { return stance_.axle + stance_.pitch * own.x + stance_.roll * own.y; }
   bool lifted() const { return lifted_ && !carried_; }
   bool in_hand() const { return lifted_; }  ///< lifted or carried
-  /// Whether the next tick would leave all of it as it is, on a plane floor, unless somebody does something.
+  /// Returns whether the next tick would leave everything the same, on a plane floor without outside
+  /// influence.
   bool is_still() const {
     return v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 && !driven() &&
            !lifted_ && !in_contact_ && stance_.toppled == Toppled::no &&

@@ -43,25 +43,24 @@ class Floor {
   /// The map must outlive the floor.
   explicit Floor(const grid::Map& map);
 
-  /// The share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the footprint's
-  /// width: the side of a square, or a disc of the same area (diameter 1.13 f).
+  /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the
+  /// footprint's width: the side of a square, or a disc of the same area (diameter 1.13 f).
   ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
-  /// Exact for the square on a stripe along it, within 0.026 for the disc on an edge. On a raster floor: the
-  /// exact share of a square of side f.
+  /// Exact for the square on a stripe along it, within 0.026 for the disc on an edge. On a raster floor it is
+  /// the exact share of a square of side f.
   double coverage(Vec2 p, double footprint_m) const {
     const double drawn = drawn_coverage(p, footprint_m);
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// The same for somebody who looks at the floor again and again with one footprint, and nothing else by
-  /// `last`; so do the next ones.
+  /// Cached variant: pass the same `last` and footprint on every call. So do the functions below with `last`.
   double coverage(Vec2 p, double footprint_m, NearStripe& last) const {
     const double drawn = drawn_coverage(p, footprint_m, last);
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// The same of what counts as the line for people: where a segment is wider than the map's line, it is as
-  /// wide as that.
+  /// Returns the share on the line as people see it: a segment that is wider than the map's line counts with
+  /// its full width.
   double on_line(Vec2 p, double footprint_m) const {
     NearStripe unknown;
     return on_line(p, footprint_m, unknown);
@@ -72,11 +71,12 @@ class Floor {
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// How dark a reflectance sensor finds its footprint: 0 as white paper, 1 as black, below 0 where more
-  /// comes back than from paper. Of a picture its mean darkness there. Where there are lines only, the share
-  /// of the footprint that is dark: that on the line, or where the line is the light one that beside it.
-  /// Marks are painted as the line is; areas lie under lines and marks, or over them, in their order
-  /// (grid::Area). Lines of other widths and colours, worn ones and gloss: PaintedLines.
+  /// Returns how dark a reflectance sensor finds its footprint: 0 is white paper, 1 black. It is negative
+  /// where more light returns than from paper. For a picture it is the mean darkness. With lines only, it is
+  /// the dark share of the footprint: the share on the line, or off the line if that is light.
+  ///
+  /// Marks are painted like the line. Areas lie under lines and marks, or over them, in their order
+  /// (grid::Area). PaintedLines has lines of other widths and colours, wear and gloss.
   double darkness(Vec2 p, double footprint_m) const {
     if (plain_) {
       const double painted = drawn_coverage(p, footprint_m);
@@ -88,28 +88,29 @@ class Floor {
     if (plain_) return darkness_of(drawn_coverage(p, footprint_m, last));
     return painted_darkness(p.x, p.y, footprint_m);
   }
-  /// darkness() there where on_line() is known, if that says all of it: where has_lines_only().
+  /// Converts on_line() to darkness(), which is only valid if has_lines_only().
   double darkness_of(double on_line) const { return light_line_ ? 1.0 - on_line : on_line; }
   bool has_lines_only() const { return plain_ && widths_.empty(); }
-  /// The same by the light of a band.
+  /// Returns the darkness in a band of light.
   double darkness(Vec2 p, double footprint_m, Band band) const {
     return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);
   }
 
-  /// Patches of the floor are brighter and darker than the rest: brightness() gets the standard deviation
-  /// `share`, and values half-way alike some 5 mm apart. At 0 all is 1.
+  /// Makes patches of the floor brighter and darker: brightness() gets the standard deviation `share`, and a
+  /// correlation of one half at a distance of some 5 mm. With 0 it is 1 everywhere.
   void vary(const NoiseStream& noise, double share) {
     noise_ = noise;
     variation_ = share;
   }
-  /// Worn lines have lost their paint in places drawn from `noise`.
+  /// Removes the paint of worn lines in places drawn from `noise`.
   void wear(const NoiseStream& noise) { lines_.wear(noise); }
-  /// Whether brightness() is another at some places.
+  /// Returns whether brightness() differs between places.
   bool varies() const { return variation_ != 0.0; }
-  /// The light that the floor (not what is dark) sends back at p, against its mean.
+  /// Returns the light that the bare floor reflects at p, relative to its mean.
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 
-  /// What is painted or taken off during the run. The map's centre lines, and what is measured by them, stay.
+  /// Returns the paint that is added or removed during the run. It does not change the map's centre lines, or
+  /// what is measured against them.
   Patches& patches() {
     plain_ = marked_ = false;
     return patches_;
@@ -122,12 +123,13 @@ class Floor {
   const Patches& patches() const { return patches_; }
   double line_width() const { return 2.0 * half_line_; }
 
-  /// Distance from p to the nearest centre line (painted or not), m; far_m() or more where none is near.
+  /// Returns the distance from p to the nearest centre line (painted or not), m; far_m() or more if none is
+  /// near.
   double distance_to_line(Vec2 p) const;
-  /// The same for somebody who asks again and again, and nothing else by `last`.
+  /// Cached variant: pass the same `last` on every call.
   double distance_to_line(Vec2 p, NearStripe& last) const;
 
-  /// distance_to_line is exact up to this, m: three cells.
+  /// Returns the distance up to which distance_to_line is exact, m: three cells.
   double far_m() const { return kFarCells * cell_; }
 
  private:
@@ -169,10 +171,10 @@ class Floor {
     return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamp to 0..most without a branch
   }
   double patch_brightness(Vec2 p) const;
-  /// Of the map's own lines.
+  /// Returns the coverage of the map's own lines.
   double drawn_coverage(Vec2 p, double footprint_m) const;
   double drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const;
-  /// A darkness, under what was painted during the run.
+  /// Returns a darkness below the paint added during the run.
   double patched(double darkness, Vec2 p, double footprint) const {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);

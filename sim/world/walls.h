@@ -43,14 +43,14 @@ struct Disc {
 
 class Walls {
  public:
-  /// A contact is reported, and counts as lasting, up to this gap, m.
+  /// The gap up to which a contact is reported, and counts as lasting, m.
   static constexpr double kNear = 0.001;
 
-  /// The map must outlive it.
+  /// The map must outlive the walls.
   explicit Walls(const grid::Map& map);
 
-  /// A lower bound of the distance from p to the nearest wall (not to discs), m; 0 inside walls and beyond
-  /// the edge. With k = rings of cells free of walls about p's own cell, itself included:
+  /// Returns a lower bound of the distance from p to the nearest wall (not to discs), m; 0 inside walls and
+  /// beyond the edge. With k = the rings of cells without walls about p's own cell, itself included:
   ///   (k - 1) cell + distance from p to its own cell's border
   double clearance(Vec2 p) const {
     const double x = p.x * per_cell_, y = p.y * per_cell_;
@@ -63,35 +63,36 @@ class Walls {
     return rings == 0 ? 0.0 : (rings - 1 + border) * map_->cell_m;
   }
 
-  /// Where a disc touches something, or leaves a gap of less than kNear.
+  /// Returns where a disc touches something, or leaves a gap of less than kNear.
   Contacts touch(Vec2 centre, double radius) const;
-  /// The same of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius` bound it.
+  /// Returns the contacts of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius`
+  /// bound it.
   Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
-  // How far one sees from a point: to walls, discs and the map's edge. 0 from inside of one. Directions are
-  // unit vectors; `most` is what is told where nothing is nearer, m.
-  /// Along a ray.
+  // Distances that can be seen from a point: to walls, discs and the map's edge. 0 from inside of one.
+  // Directions are unit vectors; the result is `most` if nothing is nearer, m.
+  /// Returns the distance along a ray.
   double range_along(Vec2 from, Vec2 direction, double most) const;
-  /// To the nearest point of a beam: all directions that `half_beam`, the cosine and sine of half the beam's
-  /// angle, lets in on both sides of `direction`. Half the angle is less than 60 degrees.
+  /// Returns the distance to the nearest point in a beam. `half_beam` is the cosine and sine of half the
+  /// beam's angle, on both sides of `direction`. Half the angle is less than 60 degrees.
   double range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
   int add(Vec2 centre, double radius_m);
-  /// Both do nothing if there is no such obstacle.
+  /// Both do nothing if the obstacle does not exist.
   void remove(int id);
   void move(int id, Vec2 centre);
   std::span<const Disc> discs() const { return state_.discs; }
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::vector<Disc> discs;
     int next_id = 1;
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
-  /// Whether a disc is closer than kNear to the circle.
+  /// Returns whether a disc is closer than kNear to the circle.
   bool near_disc(Vec2 centre, double radius) const;
 
-  /// What a body may move at most between two looks at walls, m, so that it can pass none.
+  /// Returns how far a body may move between two checks of walls, m, without passing through one.
   double stride(double body_radius) const {
     double least = map_->cell_m;
     for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);

@@ -25,43 +25,44 @@ class World {
   explicit World(const grid::Map& map);
 
   const Floor& floor() const { return floor_; }
-  /// As Floor::vary.
+  /// Calls Floor::vary.
   void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
   void wear_lines(const NoiseStream& noise) { floor_.wear(noise); }
-  /// Null where the floor is a plane of one kind.
+  /// Returns the ground; null if the floor is a plane of one kind.
   const Ground* ground() const { return ground_.plain() ? nullptr : &ground_; }
   const Lighting& lighting() const { return lighting_; }
-  /// As Lighting::draw_phases.
+  /// Calls Lighting::draw_phases.
   void draw_light_phases(const NoiseStream& noise) { lighting_.draw_phases(noise); }
-  /// Bodies are numbered from 0, and never move in memory. Throws std::invalid_argument (see Body).
+  /// Adds a body, and returns its number, from 0. Bodies never move in memory. Throws std::invalid_argument
+  /// (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
-  /// The first of the bodies before this one that is where it is; none if it is clear of them.
+  /// Returns the first of the earlier bodies that this one overlaps, or nothing.
   std::optional<std::size_t> first_overlap(std::size_t number) const;
   std::size_t body_count() const { return bodies_.size(); }
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }
 
-  /// Puts a round obstacle on the floor: it stops bodies, and floor sensors do not see it. Gives its number,
-  /// from 1.
+  /// Puts a round obstacle on the floor, and returns its number, from 1. It stops bodies, and floor sensors
+  /// do not see it.
   int add_obstacle(Vec2 centre, double radius_m) { return walls_.add(centre, radius_m); }
-  /// Takes it away, or elsewhere; does nothing if there is no such obstacle.
+  /// Remove or move an obstacle; do nothing if it does not exist.
   void remove_obstacle(int number) { walls_.remove(number); }
   void move_obstacle(int number, Vec2 centre) { walls_.move(number, centre); }
-  /// What is painted on the floor meanwhile.
+  /// Returns what has been painted during the run.
   Patches& patches() { return floor_.patches(); }
   Lighting& lighting() { return lighting_; }
 
   const Walls& walls() const { return walls_; }
 
-  /// For radios.
+  /// Returns the radio channels.
   Air& air() { return air_; }
 
-  // How far body number `from_body` sees from a point of the floor: to what would stop it, other bodies that
-  // nobody holds up as the circles about their outlines. As Walls has it (walls.h).
+  // How far body number `from_body` sees from a point of the floor, as in walls.h: to anything that would
+  // stop it. Other bodies count as the circles about their outlines, unless they are lifted.
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::vector<Body> bodies;
     Walls::State walls;
@@ -71,17 +72,17 @@ class World {
     std::vector<bool> lights;  ///< which are on
   };
   State save() const;
-  /// Of this world; bodies stay where they are in memory.
+  /// Restores a state of this world. Bodies keep their addresses.
   void restore(const State& saved);
 
-  /// Whether step() would change nothing, unless somebody does something.
+  /// Returns whether step() would change nothing, without outside influence.
   bool is_still() const;
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
   void step();
 
-  // The same for bodies that have nothing to do with others for a while, on a plane floor: see Apart.
-  /// Of each body, whether none of the others meets it or notices it, nor it them, within so many seconds,
-  /// unless somebody does something. `sights`: m from its axle's centre, within which it notices others.
+  // Steps for bodies that cannot affect others for a while, on a plane floor: see Apart.
+  /// Returns for each body whether no other meets or notices it, nor it them, for `seconds` without outside
+  /// influence. `sights`: m from its axle's centre, within which it notices others.
   const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
     return apart_.find(bodies_, sights, seconds);
   }
@@ -89,7 +90,7 @@ class World {
     bodies_[number]->step(walls_, nullptr);
     bodies_[number]->settle_contact();
   }
-  /// All that are not alone.
+  /// Steps all bodies that are not alone.
   void step_together(const std::vector<std::size_t>& numbers);
 
  private:
