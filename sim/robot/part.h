@@ -24,7 +24,7 @@ class Breakable {
  public:
   virtual const std::string& name() const = 0;
   virtual std::span<const FaultKind> fault_kinds() const = 0;
-  /// `fault.failure` is one of fault_kinds(); it replaces the fault before.
+  /// Applies a fault, which replaces an earlier one. `fault.failure` is one of fault_kinds().
   virtual void fail(const Fault& fault) = 0;
 
  protected:
@@ -35,9 +35,9 @@ class Breakable {
 class Pressable {
  public:
   virtual const std::string& name() const = 0;
-  /// Pressed or released from `t` on.
+  /// Presses or releases it from `t` on.
   virtual void hold(bool down, SimTime t) = 0;
-  /// The button that then wants begin_tick until it has settled; null = none does.
+  /// Returns the button that then needs begin_tick until it has settled; null = none.
   virtual ButtonPart* bounces() { return nullptr; }
 
  protected:
@@ -48,9 +48,9 @@ class Pressable {
 class Receiver {
  public:
   virtual const std::string& name() const = 0;
-  /// Throws InputError if it is nothing that this part can be sent.
+  /// Throws InputError if this part cannot receive the message.
   virtual void check(const Message&) const = 0;
-  /// From `t` on, which is not before the current tick.
+  /// Sends the message from `t` on, which is not before the current tick.
   virtual void send(const Message&, SimTime t) = 0;
 
  protected:
@@ -61,7 +61,7 @@ class Receiver {
 class Teller {
  public:
   virtual const std::string& name() const = 0;
-  /// What is new by `t`, the end of a tick; "" = nothing. Asked once a tick.
+  /// Returns new text by `t`, the end of a tick; "" = none. Called once a tick.
   virtual std::string tell(SimTime t) = 0;
 
  protected:
@@ -79,7 +79,8 @@ struct Lookout {
 /// The interfaces of the robot's parts. Each part registers itself.
 struct Roster {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
-  /// Want begin_tick only while the board wants edges, and in the first tick after: most firmware polls.
+  /// Parts that need begin_tick only while the board wants edges, and in the first tick after: most firmware
+  /// polls.
   std::vector<Part*> edge_makers;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
@@ -94,27 +95,26 @@ struct Roster {
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
   bool differential = false;                  ///< the left one drives both wheels
 
-  /// As Robot::sight().
+  /// Returns Robot::sight().
   double sight() const;
-  /// Whether begin_tick() of those that want it in every tick would do nothing.
+  /// Returns whether begin_tick() of the ticking parts would do nothing.
   bool idles() const;
 };
 
 class Part {
  public:
   virtual ~Part() = default;
-  /// Called once, when all parts exist.
+  /// Registers the part. Called once, when all parts exist.
   virtual void join(Roster&) = 0;
-  /// Called once, when all have joined: to find the part that it sits on.
+  /// Finds the part that this one is mounted on. Called once, when all have joined.
   virtual void meet(const Roster&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
-  /// Whether begin_tick() would do nothing until somebody does something to the part, or something touches
-  /// the body.
+  /// Returns whether begin_tick() does nothing until something acts on the part, or touches the body.
   virtual bool idles() const { return false; }
-  /// The board's supply is switched off or on again.
+  /// Reports that the board's supply is switched off or on again.
   virtual void power(bool on, SimTime) { static_cast<void>(on); }
-  /// Appends what is shown of it, apart from floor sensors. Consumes no noise.
+  /// Appends its displayed readings, except those of floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}
 };
 

@@ -26,7 +26,7 @@ class Individual {
 
   Profile profile() const { return profile_; }
   bool ideal() const { return profile_ == Profile::ideal; }
-  /// This robot's value of the figure `key` of `part` ("" = the robot itself).
+  /// Returns this robot's value of the parameter `key` of `part` ("" = the robot itself).
   double draw(const Number& number, std::string_view part, std::string_view key) const {
     return ideal() ? number.value : number.drawn(profile_, NoiseStream(seed_, number_, part, key));
   }
@@ -51,7 +51,8 @@ struct View {
   std::size_t body_number = 0;  ///< of `body` in it
   world::Air* air = nullptr;
 
-  /// The pose at `t`, a time inside the current tick. Inline, as who asks would wait for it in memory.
+  /// Returns the pose at `t`, a time inside the current tick. Inlined, so that the caller need not wait for
+  /// it in memory.
   [[gnu::always_inline]] Pose pose_at(SimTime t) const {
     const bool stands = body->speed() == 0.0 && body->side_speed() == 0.0 && body->turn_rate() == 0.0;
     return stands ? body->standing_pose() : body->pose_after(static_cast<double>(t - tick_start) * 1e-9);
@@ -71,7 +72,7 @@ class PartContext {
         kept(kept_),
         analog_(analog) {}
 
-  /// For what gives an ADC something to convert: as RobotPort::connect.
+  /// Connects a source that an ADC converts, as RobotPort::connect does.
   void connect_analog(Pin pin, PinSource& source, Scale scale) {
     if (analog_)
       analog_->connect(pin, source, scale);

@@ -50,39 +50,40 @@ class PartReader {
   Number figure(const char* key, Dimension dimension, Number fallback, double least, double most) {
     return read_figure(table_, key, dimension, fallback, least, most);
   }
-  /// A voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the supply. With
-  /// another board in place of the file's own, it keeps its share of the supply.
+  /// Reads a voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the
+  /// supply. With a replaced board, it keeps its share of the supply.
   Number volts(const char* key, Number fallback = {}, double most = 1e3);
-  /// The figure of each of `count` elements: one for all of them, or a list of as many.
+  /// Reads the parameter of each of `count` elements: one for all of them, or a list of that length.
   std::vector<Number> figures(const char* key, Dimension dimension, Number fallback, double least,
                               double most, std::size_t count);
-  /// The same of voltages.
+  /// Reads such voltages.
   std::vector<Number> volts_of_each(const char* key, Number fallback, std::size_t count);
-  /// Of what gives an ADC something to convert: PinSource::source_ohms().
+  /// Reads PinSource::source_ohms() of a source that an ADC converts.
   Number source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }
   Vec2 point(const char* key, Vec2 fallback);
-  /// rad; the bounds are inclusive.
+  /// Reads an angle in rad; the bounds are inclusive.
   double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,
                double most = 2.0 * std::numbers::pi);
-  /// The wire of that key, which is required.
+  /// Reads the wire of that key, which is required.
   Pin pin(const char* key, PinUse use);
-  /// The same, or kNoPin.
+  /// Reads a wire, or returns kNoPin.
   Pin optional_pin(const char* key, PinUse use);
-  /// The board's SDA and SCL, which several parts may share. Throws InputError for a board that has none.
+  /// Wires the board's SDA and SCL, which several parts may share. Throws InputError for a board without
+  /// them.
   void take_two_wire();
-  /// Key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
+  /// Reads key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
   std::vector<Pin> pin_list(PinUse use, std::size_t most, const char* key = "pins", const char* role = "");
-  /// Key `pins` as a table of roles, of which one of `groups` must be there exactly. The pins are in the
-  /// group's order; `chosen` is its index.
+  /// Reads key `pins` as a table of roles, which must be exactly one of `groups`. The pins are in the group's
+  /// order; `chosen` is its index.
   std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen,
                              PinUse use = PinUse::digital);
 
-  /// What the keys `wheel` and, failing that, the part's name say: left or right.
+  /// Reads the key `wheel`, or else the part's name: left or right.
   Side wheel();
-  /// Key `key` as "high" or "low": whether it is "high".
+  /// Reads key `key`, "high" or "low", and returns whether it is "high".
   bool high(const char* key, bool fallback);
 
-  /// Finishes reading (unknown keys throw), and fills in what all parts have in common.
+  /// Finishes reading (unknown keys throw), and fills in what all parts share.
   std::shared_ptr<const PartSpec> finish(std::shared_ptr<PartSpec> spec);
 
  private:
