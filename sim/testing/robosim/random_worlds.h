@@ -63,7 +63,7 @@ struct Faults {
   Duration until = 20_s;         ///<
   double sensor_offset = 0.05;   ///< share of white to black, either way
   double sensor_noise = 0.03;    ///< standard deviation, a share of white to black
-  Duration covered{};            ///< a sensor sees black for so long
+  Duration covered{};            ///< the duration for which a sensor sees black
   double motor_weakness = 0.1;   ///< share of the voltage that a motor lacks
   double clock_drift_ppm = 5e3;  ///< either way
 };

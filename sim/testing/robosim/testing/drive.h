@@ -47,7 +47,7 @@ struct Usage {
 
 /// A run's score by the rules of a goal such as "robotrace".
 struct Score {
-  /// What it is made of: "gap", 3 times, 30 points in all.
+  /// One item of the score: "gap", 3 times, 30 points in all.
   struct Part {
     std::string what;
     int count = 0;
@@ -67,35 +67,35 @@ class Drive {
   Duration begin() const { return begin_; }
   Duration end() const { return end_; }
 
-  /// Whether the event it was run until has happened; true if it was run for a time and did not end early.
+  /// Returns whether the awaited event has occurred; true if it was run for a time and did not end early.
   bool arrived() const { return complaint_.empty(); }
   explicit operator bool() const { return arrived(); }
-  /// For ASSERT_TRUE and EXPECT_TRUE: with the reason.
+  /// Converts for ASSERT_TRUE and EXPECT_TRUE, with the reason.
   operator ::testing::AssertionResult() const;  // NOLINT(google-explicit-constructor)
 
-  /// What the sketch has sent in it.
+  /// Returns what the sketch has sent during it.
   std::string serial() const;
-  /// Its moments, in the order of time; the first is the one it began with.
+  /// Returns its moments, in order of time; the first is the one with which it began.
   std::vector<Moment> moments() const;
-  /// Stations in the order in which it came to them; one that it left and came back to is there twice.
+  /// Returns stations in the order of arrival; one that it left and came back to is there twice.
   std::vector<std::string> stations() const;
-  /// When and where it was farthest from the line.
+  /// Returns when and where it was farthest from the line.
   Moment worst() const;
   Length distance() const;
   int collisions() const;
-  /// "lost", "reached", … if the run ended with it; else "".
+  /// Returns "lost", "reached", … if the run ended with it; else "".
   std::string verdict() const;
-  /// One sentence, if the run ended.
+  /// Returns one sentence about the verdict, if the run ended.
   std::string why() const;
-  /// Of a competition, if the run ended and there is one; docs/courses.md.
+  /// Returns the score of a competition, if the run ended and there is one; docs/courses.md.
   std::optional<Score> score() const;
-  /// On a chip: until now.
+  /// Returns the usage until now, on a chip.
   std::optional<Usage> usage() const;
 
-  /// Lines for messages: the last events before `until`, where the robot is at the end, and the command that
-  /// replays the run.
+  /// Returns lines for messages: the last events before `until`, the robot's place at the end, and the
+  /// command that replays the run.
   std::string epilogue(Duration until) const;
-  /// "PidFollower on oval, seed 3, host, from 0 s to 20 s"
+  /// Returns "PidFollower on oval, seed 3, host, from 0 s to 20 s".
   std::string title() const;
   const RunLog& log() const { return *log_; }
 

@@ -23,7 +23,7 @@ class Event {
 
   explicit Event(One one) : any_{std::move(one)} {}
   const std::vector<One>& any() const { return any_; }
-  /// "the sketch says "Ready", or the LED is on"
+  /// Returns "the sketch says "Ready", or the LED is on".
   std::string clause() const;
 
   friend Event operator||(Event a, const Event& b) {

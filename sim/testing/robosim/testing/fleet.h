@@ -45,30 +45,30 @@ struct FleetTrial {
 
 class Fleet {
  public:
-  /// Compiles the sketches and puts the robots on the map; time stands at 0. Throws as Simulation does, with
-  /// the name of the robot that it is about.
+  /// Compiles the sketches and puts the robots on the map; time is 0. Throws as Simulation does, with the
+  /// robot's name.
   explicit Fleet(FleetTrial trial);
-  /// Ends the run; what a robot did that fails a test, and what is kept then, is as for a Simulation.
+  /// Ends the run. Failures and saved files are as for a Simulation.
   ~Fleet();
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
 
-  /// All that a Simulation can do, of this robot. Its time is that of all: while it runs, so do the others.
-  /// Throws if there is none of that name.
+  /// Returns the Simulation of this robot. Its time is that of all: while it runs, so do the others. Throws
+  /// for an unknown name.
   Simulation& robot(const std::string& name);
   const std::vector<std::string>& names() const { return names_; }
 
   void run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
-  /// To each robot's verdict.
+  /// Runs to each robot's verdict.
   void run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
-  /// Whether each has its verdict.
+  /// Returns whether each has its verdict.
   bool over() const;
-  /// Of each robot, in their order; "" until it has one.
+  /// Returns the verdicts in the robots' order; "" for a robot without one.
   std::vector<std::string> verdicts() const;
-  /// For EXPECT_TRUE: whether all have reached their goals; else who has not, and why.
+  /// Returns whether all have reached their goals, for EXPECT_TRUE; else which have not, and why.
   ::testing::AssertionResult all_reached() const;
-  /// The command that gives this very run until now; its files are there if the test fails.
+  /// Returns the command that reproduces this run until now; its files exist if the test fails.
   std::string replay_command() const;
 
  private:

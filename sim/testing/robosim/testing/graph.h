@@ -19,7 +19,7 @@ struct Graph {
   static constexpr int kBlocked = -1;  ///< an obstacle is on the line
 
   struct Node {
-    std::vector<End> arms;  ///< as they follow to the right hand; which one is the first does not matter
+    std::vector<End> arms;  ///< in counter-clockwise order; any of them may be first
   };
   std::vector<Node> nodes;
 

@@ -27,7 +27,7 @@ using ::testing::Not;
 /// A requirement on a drive: a sentence, and the check of what is wrong.
 class Requirement {
  public:
-  /// What a drive has that it should not, or lacks.
+  /// The result of a check.
   struct Finding {
     bool holds = true;
     std::string sentence;  ///< what was found, either way; may be empty if it holds
@@ -35,7 +35,7 @@ class Requirement {
   };
   using Look = std::function<Finding(const Drive&)>;
 
-  /// `holds` and `fails` as in "follows the line within 15 mm", "does not follow …".
+  /// Makes a requirement; `holds` and `fails` as in "follows the line within 15 mm", "does not follow …".
   Requirement(std::string holds, std::string fails, Look look)
       : holds_(std::move(holds)), fails_(std::move(fails)), look_(std::move(look)) {}
 

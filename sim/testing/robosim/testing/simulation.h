@@ -35,10 +35,10 @@ struct Trial {
 
 class Simulation {
  public:
-  /// Compiles the sketch and puts the robot on the map; time stands at 0. Throws std::exception with a
-  /// sentence if that is not possible: a wrong name, a sketch that does not compile, a missing tool.
+  /// Compiles the sketch and puts the robot on the map; time is 0. Throws std::exception with a sentence if
+  /// that is impossible: a wrong name, a sketch that does not compile, a missing tool.
   explicit Simulation(Trial trial);
-  /// Ends the run. If the test has failed, keeps what is needed to understand it (docs/testing.md).
+  /// Ends the run. If the test has failed, saves what is needed to understand it (docs/testing.md).
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -48,7 +48,7 @@ class Simulation {
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
-  /// To the verdict: the goal is reached, the limit is there, or it fails.
+  /// Runs to the verdict: the goal is reached, the limit is reached, or it fails.
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
@@ -59,10 +59,10 @@ class Simulation {
   void send(const std::string& text);  ///< to the sketch's Serial
   void cover(const std::string& sensor, Duration time);
   void place(int column, int row, char facing);  ///< 'N', 'E', 'S' or 'W'
-  /// Lifts it and puts it down where it is, facing the other way (in the direction nearest to that).
+  /// Lifts the robot and puts it down in place, facing the opposite direction (the nearest of N, E, S and W).
   void turn_round();
   void power_off(Duration time = 100_ms);
-  /// Any line of the scenario language, without its time: "fault S2 stuck 1023".
+  /// Executes a line of the scenario language, without its time: "fault S2 stuck 1023".
   void act(const std::string& line);
 
   // The present state.
@@ -74,29 +74,29 @@ class Simulation {
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
   std::string serial() const;                         ///< all that the sketch has sent
   std::vector<std::uint8_t> eeprom() const;           ///< the board's, all of it
-  /// The network of lines that the robot can reach from its start: what an explorer must find.
+  /// Returns the network of lines that the robot can reach from its start: what an explorer must find.
   Graph true_graph() const;
   bool over() const;
   std::string verdict() const;  ///< "" until it is over
   bool on_chip() const { return trial_.target != "host"; }
 
-  /// All that has happened so far.
+  /// Returns everything so far.
   Drive so_far() const;
   operator Drive() const { return so_far(); }  // NOLINT(google-explicit-constructor)
 
   const Trial& trial() const { return trial_; }
-  /// The command that gives this very run until now.
+  /// Returns the command that reproduces this run until now.
   std::string replay_command() const;
-  /// Of the run until now; ends it.
+  /// Returns the hash of the run until now, and ends it.
   std::string trace_hash();
-  /// How many bytes the sketch has written to its EEPROM; ends the run.
+  /// Returns the number of bytes that the sketch has written to its EEPROM, and ends the run.
   std::uint64_t eeprom_writes();
 
  private:
   struct Inside;
   friend class Fleet;
   friend struct SharedRun;
-  /// One of a fleet.
+  /// Makes one robot of a fleet.
   Simulation(Trial trial, std::unique_ptr<Inside> inside);
 
   Trial trial_;
