@@ -22,11 +22,11 @@ class ClockedReceiver {
       : data_(data), clock_(clock), enable_(enable) {}
 
   void begin();
-  /// Whether a message has come since the last call; bits() and value() are then its.
+  /// Returns whether a message has arrived since the last call; bits() and value() then return it.
   bool available();
-  /// How many bits it had; 255 stands for more, too.
+  /// Returns its number of bits; 255 stands for more, too.
   uint8_t bits() const { return bits_; }
-  /// Its last 16 bits, most significant first.
+  /// Returns its last 16 bits, most significant first.
   uint16_t value() const { return value_; }
 
  private:

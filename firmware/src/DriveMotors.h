@@ -36,23 +36,23 @@ class DriveMotor {
  public:
   static const uint8_t kNoPin = 255;
 
-  /// Driver with an enable (or PWM) pin and two direction pins.
+  /// Uses a driver with an enable (or PWM) pin and two direction pins.
   DriveMotor(uint8_t enable, uint8_t in1, uint8_t in2) : enable_(enable), in1_(in1), in2_(in2) {}
-  /// Driver with PWM on its two inputs.
+  /// Uses a driver with PWM on its two inputs.
   DriveMotor(uint8_t in1, uint8_t in2) : enable_(kNoPin), in1_(in1), in2_(in2) {}
 
   void setReversed(bool reversed) { reversed_ = reversed; }
-  /// The duty, 0..254, at which the motor just turns.
+  /// Sets the duty cycle, 0..254, at which the motor just turns.
   void setSmallestDuty(uint8_t duty) { smallest_ = duty < 255 ? duty : 254; }
 
-  /// Makes the pins outputs, the motor off.
+  /// Makes the pins outputs, with the motor off.
   void begin();
-  /// -255..255; 0 brakes.
+  /// Drives at -255..255; 0 brakes.
   void drive(int16_t speed);
-  /// Switches the motor off and lets it run out, which takes longer than drive(0).
+  /// Switches the motor off and lets it coast, which takes longer than drive(0).
   void coast();
 
-  /// The duty for a speed of 0..255, see above.
+  /// Returns the duty cycle for a speed of 0..255, see above.
   static uint8_t dutyFor(uint8_t speed, uint8_t smallest);
 
  private:
@@ -63,13 +63,13 @@ class DriveMotor {
 
 class DriveMotors {
  public:
-  /// `standby` is a TB6612's STBY (or a DRV8833's SLEEP) pin, which begin() makes HIGH; leave it out if it is
+  /// `standby` is a TB6612's STBY (or a DRV8833's SLEEP) pin, which begin() makes HIGH. Omit it if the pin is
   /// wired to 5 V.
   DriveMotors(const DriveMotor& left, const DriveMotor& right, uint8_t standby = DriveMotor::kNoPin)
       : left_(left), right_(right), standby_(standby) {}
 
   void begin();
-  /// -255..255 each, see above. Equal speeds drive straight on, opposite ones turn on the spot.
+  /// Drives at -255..255 each, see above. Equal speeds drive straight on, opposite ones turn on the spot.
   void drive(int16_t left, int16_t right) {
     left_.drive(left);
     right_.drive(right);

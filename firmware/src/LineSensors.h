@@ -51,29 +51,30 @@ class LineSensors {
  public:
   static const uint8_t kMaxSensors = 8;
   static const uint16_t kFullScale = 1000;
-  /// Values below this do not weigh in the position: reflections of the bare floor are never quite 0.
+  /// Smaller values do not count in the position: reflections of the bare floor are never quite 0.
   static const uint16_t kFaint = 50;
-  /// With no value of at least this, no sensor sees the line.
+  /// If no value is at least this, no sensor sees the line.
   static const uint16_t kSeen = 200;
-  /// From this on, a sensor stands on the line rather than beside it.
+  /// From this value on, a sensor is on the line rather than next to it.
   static const uint16_t kOnLine = 500;
 
   /// Sets the pins' modes. Call it in setup().
   void begin();
-  /// A pin that switches the sensors' lamps on (CTRL, LEDON); call before begin(), which switches them on.
+  /// Sets a pin that switches the sensors' lamps on (CTRL, LEDON). Call it before begin(), which switches
+  /// them on.
   void setEmitterPin(uint8_t pin) { emitter_ = pin; }
 
-  /// What all sensors read on the bare floor and on the line. `line` may be the smaller one: that is how a
-  /// white line on a black floor, or a sensor that gives less voltage over black, is told.
+  /// Sets the readings of all sensors on the bare floor and on the line. `line` may be the smaller one, for a
+  /// white line on a black floor, or for sensors that return less voltage over black.
   void setRange(uint16_t floor, uint16_t line);
-  /// The same for one sensor.
+  /// Sets the range of one sensor.
   void setRange(uint8_t sensor, uint16_t floor, uint16_t line);
 
-  /// Forgets the range, so that calibrate() starts anew. `line_reads_high`: whether the line gives the larger
-  /// readings.
+  /// Forgets the range, so that calibrate() starts again. `line_reads_high`: whether the line gives the
+  /// larger readings.
   void startCalibration(bool line_reads_high = true);
-  /// Reads once and widens each sensor's range to what it saw. Call it many times while all sensors cross the
-  /// line.
+  /// Reads once and widens each sensor's range to include its reading. Call it many times while all sensors
+  /// cross the line.
   void calibrate();
 
   /// Reads all sensors.
@@ -86,14 +87,14 @@ class LineSensors {
   bool seesLine() const { return seen_; }  ///< whether any sensor does
   int16_t position() const { return position_; }
 
-  /// The formulas above, for any values.
+  /// Apply the formulas above to any values.
   static uint16_t scaled(uint16_t raw, uint16_t floor, uint16_t line);
   static int16_t weightedPosition(const uint16_t* values, uint8_t count, int16_t if_not_seen);
 
  protected:
   LineSensors(const uint8_t* pins, uint8_t count, uint16_t floor, uint16_t line);
   virtual void beginPin(uint8_t pin) = 0;
-  /// Fills `raw`, one for each of pins_.
+  /// Fills `raw`, one value for each of pins_.
   virtual void readRaw(uint16_t* raw) = 0;
 
   uint8_t pins_[kMaxSensors];

@@ -87,7 +87,7 @@ class LineWalkerOf {
 
   /// Starts all of the hardware. Call it in setup().
   void setup();
-  /// Called when something has pressed the bumper (true), and when it goes on (false).
+  /// Sets a function that is called when the bumper is pressed (true), and when the robot continues (false).
   void setOnPause(void (*on_pause)(bool)) { on_pause_ = on_pause; }
 
   nav::Landmark begin();

@@ -20,8 +20,8 @@ static constexpr float kBackUpMm = 35;
 static constexpr float kNearMm = 40;  // beyond sensors_ahead: turned there, it would not see the line
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // mm
 static constexpr int16_t kTurnLead = 300;  // 0.001 sensor distances before the middle a turn brakes
-static constexpr uint16_t kLineAndArm =
-    2700;                                  // sum of all sensors; a line alone gives 2100, at 38 degrees 2700
+// Sum of all sensors; a line alone gives 2100, at 38 degrees 2700.
+static constexpr uint16_t kLineAndArm = 2700;
 static constexpr uint16_t kClearMs = 500;  // the bumper free for so long, and it goes on
 static constexpr uint8_t kStillSteps = 4;
 

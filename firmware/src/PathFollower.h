@@ -52,8 +52,8 @@ class PathFollower {
     settling    ///< stops the turn
   };
 
-  /// What depends on the robot. Speeds are those of DriveMotors, -255..255; a width is the width of the line,
-  /// given in tenths.
+  /// Settings that depend on the robot. Speeds are those of DriveMotors, -255..255. A width is the width of
+  /// the line, given in tenths.
   struct Settings {
     int16_t fast = 170;          ///< along the edge: the outer wheel of the zigzag ...
     int16_t slow = 0;            ///< ... and the inner one; 0 brakes it, so that the robot answers at once
@@ -75,16 +75,16 @@ class PathFollower {
   PathFollower(Side prefer, const Settings& settings)
       : settings_(settings), prefer_(prefer), width_ms_(settings.width_ms) {}
 
-  /// What the sensors see (true = line) at `now_ms` (millis()). Call it every 1 to 5 ms.
+  /// Passes what the sensors see (true = line) at `now_ms` (millis()). Call it every 1 to 5 ms.
   void update(bool left, bool middle, bool right, uint32_t now_ms);
 
   int16_t leftSpeed() const { return left_speed_; }
   int16_t rightSpeed() const { return right_speed_; }
   State state() const { return state_; }
-  /// Branches taken, and line ends (bends to the other side included) at which it has turned.
+  /// Return the branches taken, and the line ends (including bends to the other side) at which it has turned.
   uint16_t branches() const { return branches_; }
   uint16_t ends() const { return ends_; }
-  /// Time for one line's width, as measured at the last branch, in ms.
+  /// Returns the time for one line's width, as measured at the last branch, in ms.
   uint16_t widthMs() const { return width_ms_; }
 
  private:
@@ -100,7 +100,7 @@ class PathFollower {
   /// `turn` > 0 turns to the preferred side.
   void drive(int16_t speed, int16_t turn);
   uint16_t since() const { return static_cast<uint16_t>(now_ - entered_); }
-  /// How long so many tenths of a width take.
+  /// Returns the time for a number of tenths of a width.
   uint16_t timeFor(uint8_t tenths) const {
     return static_cast<uint16_t>(static_cast<uint32_t>(width_ms_) * tenths / 10);
   }

@@ -34,14 +34,13 @@ class PidController {
   PidController(float kp, float ki, float kd) : kp_(kp), ki_(ki), kd_(kd) {}
 
   void setGains(float kp, float ki, float kd);
-  /// Bounds of the output; no bounds until this is called. If they are given the wrong way round they are
-  /// swapped.
+  /// Sets bounds of the output; without this call there are none. Swapped bounds are corrected.
   void setLimits(float lowest, float highest);
   /// Smooths the derivative over about `seconds`, against noisy sensors; 0 (the default) = no smoothing.
   void setDerivativeSmoothing(float seconds) { smoothing_ = seconds > 0 ? seconds : 0; }
 
-  /// One step: the new output. `dt` is the time since the last call, in seconds; with 0 or less there is no
-  /// time for integral and derivative to change.
+  /// Returns the output after one step. `dt` is the time since the last call, in seconds. With 0 or less,
+  /// integral and derivative do not change.
   float update(float error, float dt);
 
   /// Forgets integral and derivative, as if never called.

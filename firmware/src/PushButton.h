@@ -25,22 +25,22 @@ class PushButton {
  public:
   enum class PressedIs : uint8_t { low, high };
 
-  /// `debounce_ms`: how long a level must stay before it counts; 20 ms suits most buttons.
+  /// `debounce_ms` is the time for which a level must stay before it counts; 20 ms suits most buttons.
   explicit PushButton(uint8_t pin, PressedIs pressed_is = PressedIs::low, uint8_t debounce_ms = 20)
       : pin_(pin), debounce_ms_(debounce_ms), pressed_is_(pressed_is) {}
 
   /// Sets the pin's mode and takes its present level as the state, so that a button held at power-on is
   /// pressed at once.
   void begin();
-  /// Looks at the pin.
+  /// Reads the pin.
   void update();
 
   bool isPressed() const { return pressed_; }
-  /// True once for each press, that is, until update() is called again.
+  /// Returns true once for each press, that is, until update() is called again.
   bool wasPressed() const { return changed_ && pressed_; }
-  /// True once for each release.
+  /// Returns true once for each release.
   bool wasReleased() const { return changed_ && !pressed_; }
-  /// How long the present state has lasted, in ms.
+  /// Returns how long the present state has lasted, in ms.
   uint32_t heldFor() const { return millis() - changed_at_; }
 
  private:

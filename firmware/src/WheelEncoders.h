@@ -25,9 +25,9 @@ class WheelEncoders {
   WheelEncoders(uint8_t left_pin, uint8_t right_pin) : left_pin_(left_pin), right_pin_(right_pin) {}
 
   void begin();
-  /// Which way the wheels are driven, by sign; 0 changes nothing.
+  /// Sets the direction in which each wheel is driven, by sign; 0 keeps it.
   void setDirections(int16_t left, int16_t right);
-  /// Counts since the last call, forward positive.
+  /// Return the counts since the last call, forward positive.
   int16_t takeLeft() { return take(left_); }
   int16_t takeRight() { return take(right_); }
 
