@@ -12,9 +12,9 @@ std::string base64(std::string_view bytes);
 /// Encodes bytes that arrive in pieces.
 class Base64 {
  public:
-  /// No more characters are written for so many bytes.
+  /// Returns an upper bound of the characters for that number of bytes.
   static constexpr std::size_t most(std::size_t bytes) { return (bytes + 2) / 3 * 4 + 4; }
-  /// Writes what is known to begin at `to`, and gives where it ends.
+  /// Writes the characters that are complete so far from `to` on, and returns their end.
   char* put(char* to, std::string_view bytes);
   char* finish(char* to);
 

@@ -16,7 +16,7 @@ namespace robosim {
 /// A pipe that child processes do not inherit by default.
 struct Pipe {
   Descriptor read, write;
-  /// Throws std::system_error.
+  /// Opens a pipe. Throws std::system_error.
   Pipe();
 };
 
@@ -26,7 +26,7 @@ struct Ending {
   int signal = 0;  ///< 0 = none
 
   bool ok() const { return status == 0 && signal == 0; }
-  /// "ended with status 3", "was ended by signal 11 (Segmentation fault)".
+  /// Returns "ended with status 3", "was ended by signal 11 (Segmentation fault)".
   std::string text() const;
 };
 
@@ -46,18 +46,18 @@ struct ChildStart {
 /// names, and those without FD_CLOEXEC. The destructor kills a running child, and leaves no zombie.
 class Child {
  public:
-  /// Throws std::system_error if the program cannot be started.
+  /// Starts a program. Throws std::system_error if it cannot be started.
   explicit Child(const ChildStart& start);
-  /// A copy of this process, which ends with what `work` returns as its exit status, and is aborted if it
-  /// throws. Throws std::system_error.
+  /// Starts a copy of this process. The result of `work` is its exit status; it is aborted if `work` throws.
+  /// Throws std::system_error.
   explicit Child(const std::function<int()>& work);
   Child(Child&& other) noexcept;
   Child& operator=(Child&& other) noexcept;
   ~Child();
 
-  /// To all of its group, if it has its own; without effect when it has been waited for. Async-signal-safe.
+  /// Sends a signal, to all of its group if it has its own. No effect after wait(). Async-signal-safe.
   void send(int signal) const;
-  /// Whether it has ended; until wait() nobody else gets its number.
+  /// Returns whether it has ended. Until wait() its number is not reused.
   bool has_ended() const;
   Ending wait();
   pid_t pid() const { return pid_; }

@@ -23,11 +23,12 @@ struct ConfigValue {
   double number = 0.0;  ///< also set for integers
   std::string string;
   std::vector<ConfigValue> items;  ///< of an array
-  /// Of a table, in the file's order. A list: a vector of pairs with an incomplete type is beyond clang 14.
+  /// Members of a table, in the file's order. A list, since clang 14 rejects a vector of pairs with an
+  /// incomplete type.
   std::list<std::pair<std::string, ConfigValue>> members;
   Place place;
 
-  /// The member of that name, or null.
+  /// Returns the member of that name, or null.
   const ConfigValue* find(std::string_view key) const;
 };
 
@@ -48,24 +49,24 @@ class TableReader {
   /// `what` names the table in messages. Throws InputError if `table` is not a table.
   TableReader(const ConfigValue& table, std::string what);
 
-  /// The value, or null; the key counts as known from here on.
+  /// Returns the value, or null; the key counts as known from now on.
   const ConfigValue* find(const char* key);
-  /// The value; throws InputError if it is missing.
+  /// Returns the value; throws InputError if it is missing.
   const ConfigValue& require(const char* key);
 
   // Each gives `fallback` for a missing key and throws InputError for a value of the wrong kind.
   std::string string(const char* key, std::string fallback);
   bool boolean(const char* key, bool fallback);
   std::int64_t integer(const char* key, std::int64_t fallback, std::int64_t least, std::int64_t most);
-  /// SI; inclusive bounds are SI too.
+  /// Reads a quantity in SI units, with inclusive bounds in SI units.
   double quantity(const char* key, Dimension dimension, double fallback, double least, double most);
-  /// One of `allowed`.
+  /// Reads one of `allowed`.
   std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
 
-  /// Throws InputError for the first key that is none of those that were asked for, and near to one of them.
-  /// To be called where all were asked for, and one is missing.
+  /// Throws InputError for the first unknown key that resembles a known one. Call it when all keys are read,
+  /// and one is missing.
   void refuse_misspelt() const;
-  /// Throws InputError for the first key that was never asked for.
+  /// Throws InputError for the first key that was never read.
   void finish() const;
 
   const ConfigValue& table() const { return table_; }

@@ -34,7 +34,7 @@ class InputError : public std::runtime_error {
   InputError(Place place, const std::string& message);
   explicit InputError(const std::string& message) : InputError(Place{}, message) {}
   const Place& place() const { return place_; }
-  /// The sentence without its place.
+  /// Returns the sentence without its place.
   const std::string& message() const { return message_; }
 
  private:

@@ -24,23 +24,23 @@ struct Number {
   double spread = 0.0;                             ///< SI
   std::optional<Spread> typical_2 = std::nullopt;  ///< what holds from the profile typical@2 on
 
-  /// What holds in a profile.
+  /// Returns the value and spread that apply in a profile.
   Spread in(Profile profile) const {
     return typical_2 && profile >= Profile::typical_2 ? *typical_2 : Spread{value, spread};
   }
-  /// The least and the most that it may be, in any profile.
+  /// Return the smallest and the largest value in any profile.
   double least() const {
     return std::min(value - spread, typical_2 ? typical_2->value - typical_2->spread : value);
   }
   double most() const {
     return std::max(value + spread, typical_2 ? typical_2->value + typical_2->spread : value);
   }
-  /// The value for the robot that this noise stream belongs to.
+  /// Returns the value for the robot that this noise stream belongs to.
   double drawn(Profile profile, const NoiseStream& stream) const {
     const Spread now = in(profile);
     return now.spread == 0.0 ? now.value : now.value + now.spread * (2.0 * stream.uniform(0) - 1.0);
   }
-  /// The same figure, times a factor.
+  /// Returns the parameter times a factor.
   Number scaled(double factor) const {
     Number all{value * factor, spread * factor};
     if (typical_2) all.typical_2 = Spread{typical_2->value * factor, typical_2->spread * factor};

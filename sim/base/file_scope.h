@@ -14,13 +14,12 @@ namespace robosim {
 /// An open folder. A replacement under the same path is neither read nor written.
 class HeldFolder {
  public:
-  /// Throws InputError if it cannot be opened.
+  /// Opens a folder. Throws InputError if that fails.
   explicit HeldFolder(const std::filesystem::path& path);
 
-  /// Opens a file below this folder, as openat() does with `flags`. Resolves the path step by step: at no
-  /// moment does a `..` or a link lead out, whatever else changes the folder meanwhile. Returns a closed
-  /// descriptor on failure, with errno; EXDEV = the path leads out.
-  /// With Links::refused any link on the way is ELOOP.
+  /// Opens a file below this folder, as openat() does with `flags`. Resolves the path step by step: no `..`
+  /// or link leads out at any moment, whatever else changes the folder meanwhile. Returns a closed descriptor
+  /// on failure, with errno; EXDEV = the path leads out. With Links::refused any link on the way is ELOOP.
   enum class Links { followed, refused };
   Descriptor open(const std::filesystem::path& below, int flags, Links links = Links::followed) const;
 

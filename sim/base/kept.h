@@ -23,7 +23,7 @@ class Kept {
     std::vector<std::any> values;  ///< of pieces that are more than bytes
   };
 
-  /// `state` outlives this.
+  /// Registers `state`, which must outlive this.
   template <typename State>
   void add(State& state) {
     if constexpr (std::is_trivially_copyable_v<State>) {
@@ -35,11 +35,11 @@ class Kept {
                          }});
     }
   }
-  /// Memory of a fixed size.
+  /// Registers memory of a fixed size.
   void add_memory(std::span<std::uint8_t> memory) { add_bytes(memory.data(), memory.size()); }
 
   Copy copy() const;
-  /// A copy of the same pieces.
+  /// Restores a copy of the same pieces.
   void put_back(const Copy& copy);
 
  private:

@@ -9,7 +9,7 @@ namespace robosim {
 
 class LoopCredit {
  public:
-  /// `cycles` were saved, or cost. Returns whether it still pays to look.
+  /// Records that `cycles` were saved (or, if negative, spent). Returns whether it still pays to look.
   bool pay(std::int64_t cycles, std::uint64_t now) {
     credit_ = std::min(credit_ + cycles, kMost);
     if (credit_ > kLeast) return true;
@@ -19,7 +19,7 @@ class LoopCredit {
   }
   bool is_banned(std::uint64_t now) const { return now < banned_until_; }
   void begin_anew() { credit_ = 0; }
-  /// It is `now` though it was later already: no ban lasts longer than from its beginning on.
+  /// Handles a jump back in time to `now`: no ban lasts longer than its full duration from then on.
   void moved_in_time(std::uint64_t now) {
     banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
   }

@@ -16,7 +16,7 @@ class NewFile {
  public:
   explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// `end` more bytes at most are written where this points; then added() is told how many.
+  /// Returns memory for up to `most` more bytes; pass their end to added().
   char* room(std::size_t most) {
     if (waiting_.size() < used_ + most) waiting_.resize(used_ + most + kPiece);
     return waiting_.data() + used_;
@@ -26,7 +26,7 @@ class NewFile {
     if (used_ >= kPiece) write_waiting();
   }
   void add(std::string_view text);
-  /// Puts it in its place, as write_file() does. Throws InputError, also for what went wrong before.
+  /// Moves the file to its place, as write_file() does. Throws InputError, also for earlier failures.
   void finish();
 
  private:

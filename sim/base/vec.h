@@ -28,14 +28,14 @@ struct Pose {
   Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector
 
-  /// A point given in the body's frame (x forward, y left), in the world's.
+  /// Converts a point from the body's frame (x forward, y left) to the world's.
   constexpr Vec2 to_world(Vec2 body) const { return position + heading * body.x + left_of(heading) * body.y; }
-  /// The inverse of to_world.
+  /// Converts a point from the world's frame to the body's.
   constexpr Vec2 to_body(Vec2 world) const {
     const Vec2 d = world - position;
     return {dot(heading, d), cross(heading, d)};
   }
-  /// Radians, -pi..pi. For display and records only: never inside a tick.
+  /// Returns the heading in radians, -pi..pi. For display and records only: never inside a tick.
   double yaw() const { return std::atan2(heading.y, heading.x); }
 };
 

@@ -12,7 +12,7 @@ namespace robosim {
 /// nothing behind. Devices and pipes, which may have several writers, are not claimed.
 class WriteClaim {
  public:
-  /// Throws InputError if somebody else is writing the file. It need not be there yet.
+  /// Claims a file, which need not exist yet. Throws InputError if another process is writing it.
   explicit WriteClaim(const std::filesystem::path& file);
 
  private:
