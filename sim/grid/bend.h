@@ -14,7 +14,7 @@ struct Bend {
   Direction second;   ///< = first turned right
   double radius = 0;  ///< m; 0 = square
 
-  /// Along a leg, how far from the corner the arc's middle is: (1 - 1/sqrt 2) radius.
+  /// Returns how far from the corner, along a leg, the arc's middle is: (1 - 1/sqrt 2) radius.
   double middle() const { return radius * 0.29289321881345243; }
 };
 

@@ -38,11 +38,11 @@ struct Colour {
 
   const HueFigures& figures() const { return kHues[static_cast<std::size_t>(hue)]; }
   double infrared() const { return hue == Hue::grey ? 1.0 - black : figures().infrared; }
-  /// Of red, green or blue: 0, 1 or 2.
+  /// Returns the reflectance of red, green or blue: 0, 1 or 2.
   double light(std::size_t channel) const {
     return hue == Hue::grey ? 1.0 - black : figures().light[channel];
   }
-  /// For pictures: a colour of HTML.
+  /// Returns the HTML colour for pictures.
   std::string drawn() const;
   bool operator==(const Colour&) const = default;
 };

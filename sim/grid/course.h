@@ -68,7 +68,7 @@ struct Course {
   std::vector<Hill> hills;
   std::vector<Surface> surfaces;  ///< of which overlap, the last one counts
   std::vector<Joint> joints;
-  /// Whether there are neither paths nor marks.
+  /// Returns whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }
 };
 

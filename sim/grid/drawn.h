@@ -23,7 +23,7 @@ class Figures {
  public:
   Figures(Draw draw, std::string table) : draw_(draw), table_(std::move(table)) {}
 
-  /// What the seed makes of it. `key` tells it from the table's others.
+  /// Returns the seed's value. `key` distinguishes it from the table's others.
   double drawn(const Number& number, const std::string& key) const {
     if (draw_.profile == Profile::ideal) return number.value;
     if (draw_.differs && number.in(draw_.profile).spread != 0.0) *draw_.differs = true;
@@ -33,12 +33,12 @@ class Figures {
               double most) const {
     return drawn(read_figure(table, key, dimension, {usual, 0.0}, least, most), key);
   }
-  /// Throws InputError if its whole range is not within the bounds.
+  /// Reads a value. Throws InputError if its whole range is not within the bounds.
   double read(const ConfigValue& value, const char* key, Dimension dimension, double least,
               double most) const {
     return drawn(as_figure(value, key, dimension, least, most), key);
   }
-  /// Of an array of two.
+  /// Reads an array of two values.
   Vec2 read_pair(const ConfigValue& value, const char* key, Dimension dimension, double least,
                  double most) const {
     return drawn({as_figure(value.items[0], key, dimension, least, most),

@@ -19,15 +19,15 @@ namespace robosim::grid {
 /// Transparent pixels count as above white.
 class FloorImage {
  public:
-  /// A picture has at most so many pixels, which take 4 bytes each, and a file so many bytes.
+  /// Limits of a picture's pixels, which take 4 bytes each, and of a file's bytes.
   static constexpr std::size_t kMostPixels = 50'000'000;
   static constexpr std::size_t kMostFile_bytes = std::size_t{32} << 20;
 
-  /// From the bytes of a PNG of any kind but interlaced ones; `file` is for messages, `pixel_m` the side of a
-  /// pixel, m. Throws InputError: no PNG, damaged, too large.
+  /// Decodes a PNG of any kind except interlaced ones. `file` is for messages, `pixel_m` the side of a pixel,
+  /// m. Throws InputError if it is not a PNG, damaged, or too large.
   FloorImage(std::string png, const std::string& file, double pixel_m);
 
-  /// The file's, without folders.
+  /// Returns the file's name, without folders.
   const std::string& name() const { return name_; }
   int width() const { return width_; }    ///< pixels
   int height() const { return height_; }  ///< pixels
@@ -36,14 +36,14 @@ class FloorImage {
   double wide_m() const { return width_ * pixel_m_; }
   double high_m() const { return height_ * pixel_m_; }
 
-  /// The mean darkness of a square of side `side` m about p, 0..1; exact, and at the same cost for any side.
-  /// At most 10 million pixels.
+  /// Returns the mean darkness of a square of side `side` m about p, 0..1; exact, and at the same cost for
+  /// any side. At most 10 million pixels.
   double darkness(Vec2 p, double side) const {
     return darkness_in({p.x - 0.5 * side, p.y - 0.5 * side}, {p.x + 0.5 * side, p.y + 0.5 * side});
   }
-  /// The same of a rectangle, from its lower left to its upper right corner.
+  /// Returns that of a rectangle, from its lower left to its upper right corner.
   double darkness_in(Vec2 low, Vec2 high) const;
-  /// Of a pixel, counted from the upper left: 0 light .. 255 dark.
+  /// Returns the darkness of a pixel, counted from the upper left: 0 light .. 255 dark.
   std::uint8_t at(int column, int row) const {
     return static_cast<std::uint8_t>(sum(column + 1, row + 1) - sum(column, row + 1) - sum(column + 1, row) +
                                      sum(column, row));

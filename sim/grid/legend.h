@@ -36,12 +36,12 @@ Legend read_legend(const ConfigValue& value, Draw draw = {});
 /// Assigns digits to cells that have no character, for writing a map.
 class LegendWriter {
  public:
-  /// Throws std::invalid_argument where seven digits are not enough.
+  /// Assigns the digits. Throws std::invalid_argument if seven digits are not enough.
   explicit LegendWriter(const Map& map);
 
-  /// The digit of such a cell; 0 = none, it has a character.
+  /// Returns the digit of such a cell; 0 = none, it has a character.
   char digit(Cell cell, std::size_t surface) const { return digit_[index(cell, surface)]; }
-  /// The table [legend], or "".
+  /// Returns the table [legend], or "".
   const std::string& text() const { return text_; }
 
  private:

@@ -13,8 +13,8 @@ namespace robosim::grid {
 
 /// Uniform daylight, a lamp, or a patch of sun.
 struct Light {
-  /// Where it is brightest, it makes everything look so much whiter, as a share of white to black, to a
-  /// sensor that is 3 mm above the floor.
+  /// The light's effect at its brightest spot, on a sensor 3 mm above the floor: everything looks whiter by
+  /// this share of white to black.
   double level = 0.0;
   std::optional<Vec2> at;  ///< m: what the lamp hangs over, where the sun's patch is; none: everywhere
   double height = 0.0;     ///< m, of a lamp above the floor; 0: no lamp

@@ -69,7 +69,7 @@ struct OnPath {
 struct Start {
   CellAt cell;
   Direction facing = Direction::east;
-  /// Set if it begins on a path; `cell` is then the one that it stands over, and `facing` the nearest.
+  /// Set if it begins on a path; `cell` is then the cell below it, and `facing` the nearest direction.
   std::optional<OnPath> on_path = std::nullopt;
   bool operator==(const Start&) const = default;
 };
@@ -87,19 +87,19 @@ struct Map {
   int height = 0;                               ///< cells
   std::vector<Cell> cells;                      ///< row by row from the top
   std::vector<SurfaceFigures> legend_surfaces;  ///< of [legend]
-  /// Of each cell 1 + its index in legend_surfaces, 0 = the floor as usual; empty where all are that.
+  /// For each cell 1 + its index in legend_surfaces, 0 = the usual floor; empty if all are that.
   std::vector<std::uint8_t> surface_of_cell;
   double cell_m = 0.100;    ///< side of a cell
   double line_m = 0.020;    ///< width of the stripe
   double corner_m = 0.0;    ///< radius that replaces each bend; 0 = square
   bool raster = false;      ///< floor = "raster": whole cells are painted, instead of stripes
   bool light_line = false;  ///< paint = "white on black"
-  /// Standard deviation of the floor's brightness, as a share of it; none: what the profile has.
+  /// Standard deviation of the floor's brightness, as a share of it; none: the profile's.
   std::optional<double> variation;
   double worn = 0.0;  ///< the share of all lines and marks that is gone, where they say no other: Paint::worn
   double gloss = 0.0;  ///< of the floor and what is painted on it, where that says no other: Paint::gloss
   std::vector<Light> lights;  ///< of the room, beside the sensors' own
-  /// floor = "NAME.png": what is painted. Then cells and paths say where the line is, and paint nothing.
+  /// floor = "NAME.png": the painted picture. Cells and paths then only define where the line is.
   std::shared_ptr<const FloorImage> image;
   Course course;               ///< paths and marks, beside the cells
   std::optional<Start> start;  ///< from [start] or S
@@ -110,31 +110,32 @@ struct Map {
   std::optional<CellAt> goal_cell;  ///< from G or [goal]; it is among `stations` too
   std::vector<NamedStation> stations;
   std::string generator;  ///< name, version and seed, where a generator wrote the map
-  /// Of the text, and of a picture's file behind it; read_map leaves it empty for large files: see sha256_of.
+  /// SHA-256 of the text, followed by a picture's file; read_map leaves it empty for large files: see
+  /// sha256_of.
   std::string sha256;
   bool differs = false;  ///< by the seed of the Draw: some of its figures have a spread
 
   bool contains(CellAt c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
-  /// Outside the map everything is wall.
+  /// Returns a cell; outside the map everything is wall.
   Cell at(CellAt c) const {
     if (!contains(c)) return Cell::wall;
     return cells[index_of(c)];
   }
-  /// The place of a cell of the map in `cells`.
+  /// Returns the index of a cell of the map in `cells`.
   std::size_t index_of(CellAt c) const {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
   }
-  /// Of a cell by its place in `cells`: as surface_of_cell has it.
+  /// Returns surface_of_cell of a cell by its index in `cells`.
   std::uint8_t surface_at(std::size_t index) const {
     return surface_of_cell.empty() ? std::uint8_t{0} : surface_of_cell[index];
   }
-  /// The inverse of index_of.
+  /// Returns the cell at an index in `cells`.
   CellAt cell_at(std::size_t index) const {
     const auto columns = static_cast<std::size_t>(width);
     return {static_cast<int>(index % columns), static_cast<int>(index / columns)};
   }
-  /// The centre of a cell in the world frame: metres, x east, y north, origin at the map's bottom-left
-  /// corner.
+  /// Returns the centre of a cell in the world frame: metres, x east, y north, origin at the map's
+  /// bottom-left corner.
   Vec2 centre(CellAt c) const { return {(c.x + 0.5) * cell_m, (height - 1 - c.y + 0.5) * cell_m}; }
 };
 

@@ -16,19 +16,20 @@ namespace robosim::grid {
 
 class MapParser {
  public:
-  /// `size_hint`: how many bytes will be fed, if known; the memory for the cells is reserved accordingly.
-  /// `picture`: the bytes of the floor's picture, if it does not lie beside the file.
+  /// `size_hint` is the number of bytes to be fed, if known; it reserves memory for the cells. `picture` has
+  /// the bytes of the floor's picture, unless that is next to the file.
   MapParser(std::string file, std::size_t size_hint, std::string picture = "", Draw draw = {});
   MapParser(const MapParser&) = delete;
   MapParser& operator=(const MapParser&) = delete;
 
   static constexpr std::size_t kMaxFrontMatter = 1 << 20;  ///< bytes
-  /// The picture that the front matter names; "" = none. `beginning`: of the map's text.
+  /// Returns the picture that the front matter names; "" = none. `beginning` is the beginning of the map's
+  /// text.
   static std::string picture_named_in(std::string_view beginning, const std::string& file);
 
-  /// Throws InputError as soon as something is wrong.
+  /// Parses bytes. Throws InputError at the first error.
   void feed(std::string_view bytes);
-  /// The map, once everything is fed. Throws InputError.
+  /// Returns the map, once everything is fed. Throws InputError.
   Map finish();
 
  private:
@@ -46,9 +47,9 @@ class MapParser {
   void limit_front_matter(std::size_t further) const;
   void end_front_matter();
   void take_row(std::string_view row);
-  /// Rows with characters beyond floor, line and wall.
+  /// Takes a row with characters other than floor, line and wall.
   void take_any_row(std::string_view row);
-  /// The rows before it, and those behind it that name none, are the floor as usual.
+  /// Takes a row's surfaces. Rows without any are the usual floor.
   void take_surfaces(std::string_view row);
   void mark(std::optional<CellAt>& which, CellAt cell, char c);
   void count_for_swap(std::string_view row);

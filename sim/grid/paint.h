@@ -19,7 +19,7 @@ struct Paint {
   double gloss = 0.0;            ///< what it mirrors, as a share of what white paper sends back, 0..1
   bool operator==(const Paint&) const = default;
 
-  /// A course has at most so many that are not as the map's lines are.
+  /// The limit of paints of a course that differ from the map's.
   static constexpr std::size_t kMost = 32;
 };
 

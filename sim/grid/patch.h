@@ -21,7 +21,7 @@ struct Patch {
   Place place;               ///< where the map's file has it
   Vec2 least, most;          ///< m, corners of where its middle may be, whatever is drawn
 
-  /// From its middle to its farthest point, m.
+  /// Returns the distance from its centre to its farthest point, m.
   double reach() const {
     return radius > 0.0 ? radius : std::sqrt(half_length * half_length + half_width * half_width);
   }

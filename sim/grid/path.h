@@ -18,33 +18,34 @@ struct PathPiece {
   bool is_gap = false;  ///< followed, but not painted
   int paint = 0;        ///< its number in paints_of
 
-  /// Of an arc.
+  /// Returns the centre of an arc.
   Vec2 centre() const { return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius : radius); }
-  /// Where one is, and which way one looks, so far along, m.
+  /// Returns the position and heading at a distance along it, m.
   Pose at(double along) const;
 };
 
 class Path {
  public:
-  /// At most this long, m.
+  /// The longest path, m.
   static constexpr double kMost = 10'000.0;
 
   explicit Path(Pose begin) : end_(begin) {}
 
   void add_straight(double length, bool is_gap = false);
-  /// `turn`: rad, positive to the left.
+  /// Adds an arc; `turn` is in rad, positive to the left.
   void add_arc(double radius, double turn, bool is_gap = false);
   void add_corner(double turn);
-  /// What the last piece is painted with: a number in paints_of.
+  /// Paints the last piece, by a number in paints_of.
   void paint_last(int paint) { pieces_.back().paint = paint; }
 
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length() const { return length_; }
   Pose begin() const { return pieces_.empty() ? end_ : pieces_.front().begin; }
   Pose end() const { return end_; }
-  /// Whether the end meets the beginning, within `most` m and 5 degrees.
+  /// Returns whether the end meets the beginning, within `most` m and 5 degrees.
   bool is_closed(double most) const;
-  /// So far along, m; a closed path goes on at its beginning, an open one stays at its ends.
+  /// Returns the pose at a distance along the path, m. A closed path continues at its beginning; an open one
+  /// stops at its ends.
   Pose at(double along, bool closed) const;
 
   Place place;  ///< where the map's file has it

@@ -15,18 +15,18 @@ namespace robosim::grid {
 
 class Places {
  public:
-  /// Stations and junctions that can be reached from `start`. The map must outlive this.
+  /// Finds the stations and junctions that are reachable from `start`. The map must outlive this.
   Places(const Map& map, const Start& start);
 
-  /// "station 3", "station dock", "junction 2"; empty if the point (world frame, m) is between two, or there
-  /// is no landmark.
+  /// Returns "station 3", "station dock", "junction 2"; empty if the point (world frame, m) is between two,
+  /// or there are no landmarks.
   std::string at(Vec2 point) const;
-  /// Cells between the point and the nearest piece of line, bends taken as square.
+  /// Returns the cells between the point and the nearest piece of line, with bends as square corners.
   double cells_off(Vec2 point) const;
 
  private:
   static constexpr std::int32_t kNone = -1;
-  /// The two nearest landmarks of a cell, and how many cells it is to them along the line.
+  /// The two nearest landmarks of a cell, and their distances in cells along the line.
   struct Near {
     std::array<std::int32_t, 2> landmark{kNone, kNone};
     std::array<std::int32_t, 2> cells{};
@@ -34,7 +34,7 @@ class Places {
 
   void spread(const std::vector<CellAt>& landmarks);
   CellAt line_cell_near(Vec2 point) const;
-  /// A place on the line: between two cells, or on one, so far along (0..1).
+  /// A place on the line: on a cell, or between two, at a share of their distance (0..1).
   struct OnLine {
     CellAt cell{-1, -1};
     CellAt next{-1, -1};

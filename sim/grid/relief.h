@@ -23,7 +23,7 @@ struct Hill : Patch {
   double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
   double plank_kg = 0.0;        ///< of a seesaw
 
-  /// At a point of it, m; of a seesaw, which has none, 0.
+  /// Returns the height at a point of it, m; 0 for a seesaw, which has no fixed height.
   double height_at(Vec2 p) const;
 };
 

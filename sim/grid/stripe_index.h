@@ -15,10 +15,11 @@ struct Stripe;
 class StripeIndex {
  public:
   StripeIndex() = default;
-  /// Throws InputError beyond 2^32 entries.
+  /// Builds the index. Throws InputError beyond 2^32 entries.
   StripeIndex(const Map& map, std::span<const Stripe> stripes, double reach_m);
 
-  /// The numbers of all stripes within reach of any point of the cell, ascending; empty outside the map.
+  /// Returns the numbers of all stripes within reach of any point of the cell, ascending; empty outside the
+  /// map.
   std::span<const std::uint32_t> near(CellAt c) const {
     if (c.x < 0 || c.y < 0 || c.x >= width_ || c.y >= height_) return {};
     const std::uint32_t block = blocks_[block_of(c)];

@@ -23,8 +23,8 @@ struct Stripe {
   Vec2 b;               ///< the other end
   Vec2 centre;          ///< of the arc's circle
   double radius = 0.0;  ///< of the arc; 0 = a straight segment
-  /// False across gap cells: part of the line that is followed, but not visible. A gap is as long as its
-  /// cells: the stripes beside it end line/2 earlier, as the paint around an end reaches line/2 beyond it.
+  /// False across gap cells, where the line is not visible but still counts as line. A gap is as long as its
+  /// cells: the neighbouring stripes end line/2 earlier, as the paint around an end reaches line/2 beyond it.
   bool painted = true;
   std::uint8_t paint = 0;  ///< its number in paints_of
 };
@@ -62,18 +62,18 @@ std::vector<TightBend> tight_bends(const Map& map);
 /// line, so they are built for driven robots only.
 class Stripes {
  public:
-  /// `reach_m`: a query point in a cell finds every stripe that is at most this far from the point. The map
-  /// must outlive this. Throws InputError if the map has too much line for one index (2^32 entries).
+  /// Builds all stripes. A query point in a cell finds every stripe within `reach_m` of it. The map must
+  /// outlive this. Throws InputError if the map has too much line for one index (2^32 entries).
   Stripes(const Map& map, double reach_m);
 
   std::span<const Stripe> all() const { return stripes_; }
-  /// Indices into all(), ascending, of the stripes within reach of any point of the cell; empty outside the
-  /// map.
+  /// Returns indices into all(), ascending, of the stripes within reach of any point of the cell; empty
+  /// outside the map.
   std::span<const std::uint32_t> near(CellAt cell) const { return index_.near(cell); }
-  /// The point of the centre line that stands for a line cell: its centre, or where an arc cuts the corner,
-  /// the arc's nearest point to it.
+  /// Returns the point of the centre line that represents a line cell: its centre, or, where an arc cuts the
+  /// corner, the arc's nearest point to it.
   Vec2 point_of(CellAt cell) const;
-  /// Where a robot is put that starts there.
+  /// Returns the pose of a robot that starts there.
   Pose pose_of(const Start& start) const;
   const std::vector<TightBend>& tight_bends() const { return tight_; }
 

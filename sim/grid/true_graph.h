@@ -38,8 +38,8 @@ struct GraphStation {
 
 struct GraphJunction {
   CellAt cell;
-  /// Its slots: 0 is the arm by which the walk first came, then as they follow to the right hand of somebody
-  /// who comes in by it. At a start on a junction, 0 is the arm the walk takes last (of right, straight,
+  /// Its slots: 0 is the arm by which the walk first came. The others follow counter-clockwise: right,
+  /// straight, left. At a start on a junction, 0 is the arm that the walk takes last (of right, straight,
   /// left, back).
   std::vector<Arm> arms;
   bool operator==(const GraphJunction&) const = default;
