@@ -1,4 +1,4 @@
-// A competition's rules. One of these watches a run, says what it has scored, and when it is over.
+// The rules of a competition. A contest watches a run, scores it, and decides when it is over.
 #pragma once
 
 #include <optional>

@@ -1,11 +1,12 @@
 // A drag race, by UKMARS' rules of August 2022 (ukmars.org, contest rules): along a straight line as fast as
-// possible, over the finish line, and to a stop before the braking distance ends.
+// possible, over the finish line, and to a stop within the braking distance.
 //
-// The clock runs from the starting signal ([race] signal; without one from when the robot leaves its place,
-// by 1 cm) until the robot's outline first covers the middle of the finish line. 5 s are added for
-// overrunning the braking distance, for each touch of a barrier, and for a hand's touch. Who leaves before
-// the signal is out. It is over when the robot has rested behind the finish line for 0.5 s. Left out: the
-// other lane.
+// The clock starts at the starting signal ([race] signal), or, without one, when the robot has moved by 1 cm.
+// It stops when the robot's outline first covers the middle of the finish line. 5 s are added for overrunning
+// the braking distance, for each touch of a barrier, and for a manual touch. A robot that starts before the
+// signal is disqualified. The race is over when the robot has rested after the finish line for 0.5 s.
+//
+// Not modelled: the other lane.
 #pragma once
 
 #include <optional>

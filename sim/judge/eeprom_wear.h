@@ -1,23 +1,22 @@
-// EEPROM that wears out: a byte of it that is written again and again.
+// Finds EEPROM wear: a byte that is written again and again.
 //
 //   void loop() { …  EEPROM.write(0, speed); }
 //
-// A byte of an ATmega's EEPROM stands 100,000 writes (ATmega328P, DS40002061B, 8.4: "an endurance of at least
-// 100,000 write/erase cycles"), then it keeps nothing. A sketch that writes in each pass of loop() is there
-// in six minutes, for a write takes 3.4 ms. On the bench nothing is seen of it; weeks later the robot has
-// lost its settings, and new ones do not help.
+// A byte of an ATmega's EEPROM lasts for 100,000 writes (ATmega328P, DS40002061B, 8.4: "an endurance of at
+// least 100,000 write/erase cycles"). A sketch that writes in each pass of loop() reaches that in six
+// minutes, since a write takes 3.4 ms. On the bench it goes unnoticed. Weeks later the robot has lost its
+// settings, and cannot store new ones.
 //
-// What is found is the first byte that, since the last power-on,
+// A finding is the first byte that, since the last power-on,
 //
-//   was written 10 times, over a second or longer, with what it held already, or
-//   was written 20 times, over five seconds or longer, so often that a day uses it up
+//   - was written 10 times, over at least a second, with the value that it already had, or
+//   - was written 20 times, over at least five seconds, so often that it would wear out within a day.
 //
-// Who saves when a button is pressed, or by update() when something has changed, does neither. Mended by
-// EEPROM.update(), which writes only what differs; by saving seldom; or by going round over several bytes.
+// So a sketch that saves when a button is pressed, or by update() when a value has changed, is not reported.
+// To fix it, use EEPROM.update(), which writes only what differs, save rarely, or rotate over several bytes.
 //
-// What it cannot see: what years of saving seldom come to, what earlier runs have written, other memories
-// such as flash, and which of two lines is to blame that write the same byte (the one that made it too many
-// is told).
+// Not detected: the sum of years of rare writes; writes of earlier runs; other memories such as flash; which
+// of two lines that write the same byte is to blame (the one that exceeded the limit is reported).
 #pragma once
 
 #include <cstdint>

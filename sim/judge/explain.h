@@ -1,4 +1,4 @@
-// The sentence that explains a verdict.
+// Explains a verdict in one sentence.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@
 
 namespace robosim::judge {
 
-/// Everything that an explanation may use.
+/// The facts that an explanation may use.
 struct Evidence {
   Verdict verdict = Verdict::timeout;
   SimTime t = 0;
@@ -51,7 +51,7 @@ struct Evidence {
   Power power;
 };
 
-/// One sentence that says why the run ended as it did.
+/// Returns one sentence on why the run ended as it did.
 std::string explain(const Evidence& evidence);
 NextStep next_step(const Evidence& evidence);
 Decisive decisive_moment(const Evidence& evidence);

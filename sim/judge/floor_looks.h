@@ -1,5 +1,5 @@
-// When firmware has looked at the floor, and what the robot did meanwhile: what the detectors of steering are
-// fed with, once a tick.
+// Records when firmware reads floor sensors, and what the robot does meanwhile: the input of the steering
+// detectors, once a tick.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct Steering {
   bool asks_floor = false;  ///< firmware has looked at a floor sensor in this tick
 };
 
-/// The call in which firmware waits; empty where it is in none, or in one that comes back at once.
+/// Returns the call in which firmware waits; empty if there is none, or it returns at once.
 std::string waiting_call(const exec::Activity& activity);
 
 class FloorLooks {

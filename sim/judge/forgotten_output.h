@@ -1,20 +1,20 @@
-// A pin that is to drive something, and was never set to OUTPUT.
+// Finds a pin that should drive something, and was never set to OUTPUT.
 //
-//   digitalWrite(13, HIGH);   PORTB |= 1 << 5;      both only turn on the pull-up of an input
+//   digitalWrite(13, HIGH);   PORTB |= 1 << 5;      // both only switch on the pull-up of an input
 //
-// The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2): an LED gets a tenth of a milliampere and
-// hardly glows, a buzzer and a servo stay silent, and a motor driver's input may or may not be high enough,
-// which changes with the module that was bought. Here drivers take it for high, so that the run goes well.
-// The LED on an Uno R3 itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines;
-// those on a Nano and on many clones have none.
+// The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2). An LED gets a tenth of a milliampere and
+// hardly glows; a buzzer and a servo stay silent. A motor driver's input may or may not be high enough,
+// depending on the module. Here drivers read it as high, so that the run goes well. The LED on an Uno R3
+// itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. Those on a Nano and on
+// many clones have none.
 //
-// What is found is a pin with a motor, driver, LED, buzzer, servo, fan, stepper or shift register on it that
-// was an input with its pull-up on, and was no output at any time, at least a tenth of a second later. So who
-// writes HIGH first and sets the pin to OUTPUT then, which spares a short LOW, is not told of. Mended by
-// pinMode(pin, OUTPUT) in setup(), or the pin's bit in DDRx.
+// A finding is a pin with a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift
+// register that was an input with its pull-up on and was never an output, in a run that went on for at least
+// a tenth of a second. So a sketch that writes HIGH first and then sets the pin to OUTPUT, which avoids a
+// short LOW, is not reported. To fix it, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
 //
-// What it cannot see: pins that were written LOW only, for that changes nothing; displays, radios and
-// whatever else hangs on a bus; pins to which nothing is wired.
+// Not detected: pins that were only written LOW, which changes nothing; displays, radios and other parts on a
+// bus; pins without wiring.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a competition's rules look at, once a tick.
+// The input of a competition's rules, once a tick.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ class Body;
 
 namespace robosim::judge {
 
-/// What has happened in a tick.
+/// The events of a tick.
 using Events = std::vector<wire::RunEvent::What>;
 
 struct Glance {

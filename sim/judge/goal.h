@@ -1,4 +1,4 @@
-// Goals: what a run has to achieve, and how far it has got.
+// Goals of a run, and the progress towards them.
 #pragma once
 
 #include <cmath>
@@ -35,11 +35,11 @@ struct Goal {
   bool operator==(const Goal&) const = default;
 };
 
-/// "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",
-/// "line-maze:3", "still", "none". Throws InputError naming those.
+/// Parses "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",
+/// "line-maze:3", "still" or "none". Throws InputError naming those.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
-/// The map's own goal; else laps:1 on a single loop, else tour.
+/// Returns the map's own goal; else laps:1 on a single loop, else tour.
 Goal default_goal(const grid::Map& map, const grid::Network& network);
 
 /// A station or junction to visit.
@@ -49,7 +49,8 @@ struct Waypoint {
   bool visited = false;
 };
 
-/// Watches a body and says when the goal is reached. Visited: the body's outline has covered the centre.
+/// Watches a body and reports when the goal is reached. A station is visited once the body's outline has
+/// covered its centre.
 class Progress {
  public:
   /// Throws InputError if the goal makes no sense on this map: laps without a loop, a station that is not

@@ -16,10 +16,10 @@ constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
 constexpr double kSamePlace = 0.1;             ///< m around which a robot may turn and is in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
-/// Sketches pulse their motors; a pause shorter than this does not end "driven".
+/// Sketches pulse their motors; a shorter pause does not end "driven".
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 
-/// What the judge looks at, once a tick.
+/// The judge's input, once a tick.
 struct Situation {
   SimTime t = 0;
   const Pose* pose = nullptr;

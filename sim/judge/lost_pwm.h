@@ -1,6 +1,7 @@
-// analogWrite() on a pin without PWM, on the host (sim/exec/core/lost_pwm.h): the pin's level changes, and
-// the call that is going on is known with its arguments. Not seen are calls that change no level, as most
-// with a value below 128. Asked is for the first changes of a pin only, for pins that many pulses leave by.
+// Finds analogWrite() on a pin without PWM, on the host (sim/exec/core/lost_pwm.h). When the pin's level
+// changes, the call in progress is known with its arguments. Calls that do not change the level, as most with
+// a value below 128, are not detected. Only the first changes of a pin are examined, since some pins carry
+// many pulses.
 #pragma once
 
 #include <vector>

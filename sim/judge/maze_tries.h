@@ -1,11 +1,12 @@
 // A line maze, by LVBots' rules (lvbots.org, line maze rules): from the start to the disc at the maze's end
-// in as little time as possible. Of up to three tries the best counts, and 10 s are taken off the time of a
-// robot that is stopped on the disc.
+// in the shortest time. The best of up to three tries counts, and a robot that stops on the disc gains 10 s.
 //
-// A try begins where the robot leaves the start, by 1 cm, and its clock stops where its outline first touches
-// the disc. Then it is over once the robot has rested there for 1 s, or has left the disc. The next one
-// begins once a hand has put the robot back on the start; put anywhere else it is out of the try. That the
-// tries take 10 minutes at most is for the run's limit to see to.
+// A try begins when the robot leaves the start, by 1 cm. Its clock stops when the robot's outline first
+// touches the disc. The try is over once the robot has rested there for 1 s, or has left the disc. The next
+// one begins once a manual move has put the robot back on the start. A manual move to any other place ends
+// the try without a result.
+//
+// The limit of 10 minutes for all tries is left to the run's limit.
 #pragma once
 
 #include <optional>

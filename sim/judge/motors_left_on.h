@@ -1,13 +1,14 @@
-// A sketch that stops steering, and not its motors: they keep the last powers that they were given.
+// Finds a sketch that stops steering but not its motors, which keep their last commands.
 //
-//   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }       and the robot drives on
+//   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }      // and the robot drives
+//                                                                                   on
 //
-// It shows on the day that the robot loses its line: somebody touches a wheel, the floor is dirty. Found is a
-// robot whose wheels have turned a metre without a line, as the verdict `lost` has it, and on the last half
-// of it or more its powers were the same, no floor sensor was asked, and the sketch was not waiting in a call
-// either (that is Blind's). Mended by powers of 0, or a brake, wherever steering ends.
+// It shows on the day that the robot loses its line: someone touches a wheel, the floor is dirty. A finding
+// is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. On at least the last
+// half of it, its motor commands were the same, no floor sensor was read, and the sketch was not waiting in a
+// call (Blind covers that). To fix it, stop or brake the motors wherever steering ends.
 //
-// What it cannot see: sensors behind a shift register, or read by interrupts; who meets a line by luck.
+// Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by luck.
 #pragma once
 
 #include <vector>

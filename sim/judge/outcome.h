@@ -33,7 +33,7 @@ ExitStatus exit_status(Verdict verdict);
 
 using wire::Metrics;
 
-/// What to look at next.
+/// A hint on what to examine next.
 struct NextStep {
   /// What it takes: a run on the host, a look at the run, a script.
   enum class By { none, host, watching, script };
@@ -41,7 +41,7 @@ struct NextStep {
   By by = By::none;
 };
 
-/// The moment at which it went wrong, for those who ask why.
+/// The moment at which the run went wrong, for `robosim why`.
 struct Decisive {
   SimTime t = 0;
   std::string text;            ///< "the robot left the line near column 20, row 4"; empty = there is none
@@ -73,7 +73,7 @@ struct Outcome {
   std::string trace_hash;
 };
 
-/// More serial output than this is counted in the trace hash but not kept.
+/// The serial output that is stored; the trace hash includes more.
 constexpr std::size_t kSerialKept = 1 << 20;
 constexpr std::size_t kShownKept = 1 << 16;
 

@@ -1,16 +1,16 @@
-// A record in EEPROM of which each byte is written over the one before.
+// Finds a record in EEPROM of which each byte overwrites the previous one.
 //
-//   void put(uint8_t byte) { EEPROM.update(at, byte); }        at++ was forgotten
+//   void put(uint8_t byte) { EEPROM.update(at, byte); }        // at++ was forgotten
 //
-// A map, a log or a set of numbers is stored, and what is there afterwards is its last byte. Nothing is seen
-// of it until the robot is switched on again and reads.
+// A map, a log or a set of numbers is stored, and only its last byte remains. It goes unnoticed until the
+// robot is switched on again and reads.
 //
-// What is found is the first byte that was written 8 times, one right after the other, nothing else between
-// them, each time with another value: so fast no other firmware could have read it.
+// A finding is the first byte that was written 8 times in immediate succession, without other writes in
+// between, each time with another value. No other firmware could have read it so fast.
 //
-// Who stores one number in each pass of loop() does the same for longer: that is wear (eeprom_wear.h), and a
-// burst of more than 5 s is not told here. What it cannot see: shorter records, and those whose bytes are
-// alike.
+// A sketch that stores one number in each pass of loop() does so for longer. That is wear (eeprom_wear.h), so
+// bursts of more than 5 s are not reported here. Not detected: shorter records, and those whose bytes are
+// equal.
 #pragma once
 
 #include <cstdint>

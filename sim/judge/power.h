@@ -1,4 +1,4 @@
-// How the board's supply was: a verdict names it where a robot stands, or has lost its way, for want of it.
+// The history of the board's supply. A verdict names it if a robot stands still or gets lost because of it.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,8 @@ struct Power {
   bool empty() const { return charge && *charge <= 0.0; }
 };
 
-/// "the board has had no power since 7.28 s: its battery is empty"; empty if the supply explains nothing.
+/// Returns "the board has had no power since 7.28 s: its battery is empty"; empty if the supply explains
+/// nothing.
 std::string told(const Power& power);
 
 }  // namespace robosim::judge

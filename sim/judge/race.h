@@ -1,7 +1,7 @@
-// A lap against the clock, from the start line of the map's [race] to its goal line.
+// A timed lap, from the start line of the map's [race] to its goal line.
 //
-//   robotrace  NTF, rules 1-7 and 2-8: and to rest in the area between the two lines
-//   ukmars     UK line follower: over the finish line, and 2 s on, so that it may say so
+//   robotrace  NTF, rules 1-7 and 2-8: the robot must also come to rest between the two lines
+//   ukmars     UK line follower: over the finish line, and 2 s further, so that the sketch can report it
 //
 // The time between the lines is the score.
 #pragma once

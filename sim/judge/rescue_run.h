@@ -1,12 +1,12 @@
-// RoboCupJunior Rescue Line, or Line Entry ([rescue] league): along the first path, tile by tile, from its
-// beginning to its end. Points are those of the organisers' scoring software for 2025 and 2026
-// (rcj-rescue-cms, scoreCalculatorRules), and for Entry those of its rules (rescue-line-entry-rules, May
-// 2026, 4.7), where n is how many lacks of progress there were:
+// RoboCupJunior Rescue Line, or Line Entry ([rescue] league): along the whole first path, tile by tile.
+// Points are those of the organisers' scoring software for 2025 and 2026 (rcj-rescue-cms,
+// scoreCalculatorRules), and for Entry those of its rules (rescue-line-entry-rules, May 2026, 4.7). n is the
+// number of lacks of progress:
 //
 //                                Line           Entry
 //   start tile left              5              -
 //   each tile up to a checkpoint, or up to the end, once that is reached
-//                                5 - 2 n, not below 0; n since the checkpoint before
+//                                5 - 2 n, not below 0; n since the previous checkpoint
 //   tile with one or more gaps   10             10
 //   tile with one or more speed bumps
 //                                10             10
@@ -17,17 +17,18 @@
 //   end tile, at rest for 5 s (from memory)
 //                                60 - 5 n >= 0  -
 //
-// Where the path ends at the evacuation zone there is no end tile, and no rest. What stands on a tile counts
-// when the robot is on the next one, its axle's middle there. A gap is a stretch of the path that is not
-// painted, an obstacle a wall that stands on the path, an intersection a place where the path crosses itself
-// or another path. Of hills on the path a seesaw is one; what is up to 10 mm high, and higher than the 3 mm
-// that tiles may differ by, is a speed bump; and where a higher one rises or falls by 10 mm on a tile, there
-// is a ramp.
+// If the path ends at the evacuation zone there is no end tile, and no rest. The elements of a tile count
+// when the middle of the robot's axle is on the next tile. A gap is an unpainted stretch of the path, an
+// obstacle a wall on the path, an intersection a place where the path crosses itself or another path.
 //
-// A lack of progress is where the robot stands on a tile that is neither the last one it was on, nor the next
-// or the one before; where it would be lost or stuck (verdicts.md); or where a script picks it up. Around an
-// obstacle it may be anywhere within 1.5 tiles. The captain's hand then puts it on the last checkpoint, or
-// the start; after the third one in a row on the next checkpoint, and the tiles between count nothing.
+// A [[hill]] on the path is a seesaw if it has a pivot. It is a speed bump if it is up to 10 mm high, and
+// higher than the 3 mm that tiles may differ by. If a higher one rises or falls by 10 mm on a tile, that is a
+// ramp.
+//
+// A lack of progress occurs when the robot stands on a tile other than its last one and the neighbours of
+// that on the path, when it would be lost or stuck (verdicts.md), or when a script picks it up. Around an
+// obstacle it may be anywhere within 1.5 tiles. The captain then puts it on the last checkpoint, or the
+// start. After the third lack in a row it goes to the next checkpoint, and the tiles in between do not count.
 //
 // Time is up after 8 min, Entry 6 min, from the beginning of the run. Not modelled: evacuation zone and
 // victims.

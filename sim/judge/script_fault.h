@@ -1,4 +1,4 @@
-// What a script has broken: a verdict names it where it was the cause.
+// A fault that a script has caused. A verdict names it if it was the cause.
 #pragma once
 
 #include <optional>

@@ -1,16 +1,16 @@
-// A robot that looks at its line as often as Serial lets it. At 9600 baud a byte takes 1 ms, and what does
-// not fit into the 64 bytes that Serial keeps is waited for: a line of 40 bytes in each step makes steps of
-// 40 ms, whatever the sketch believes them to be.
+// Finds a robot that reads its line only as often as Serial permits. At 9600 baud a byte takes 1 ms, and a
+// print waits for what does not fit into Serial's buffer of 64 bytes. A line of 40 bytes in each step makes
+// steps of 40 ms, whatever the sketch assumes.
 //
-//   Serial.print("error "); Serial.print(error); …          in each round of loop(), or each step
+//   Serial.print("error "); Serial.print(error); …          // in each round of loop(), or each step
 //
-// It may well keep its line, as its rounds are even: the derivative is another, and so are all times that are
-// counted in rounds; the day Serial is taken out, or the line is narrower, it drives as another robot. Found
-// is a sketch that drives, and for 30 % of that time is in stretches of 15 ms and more without a look at a
-// floor sensor, ten of them or more, in each of which a call of Serial was waiting. Who prints much at once
-// now and then, or drives without a line, is left alone.
+// It may well keep its line, as its rounds are regular. But the derivative differs, and so do all times that
+// are counted in rounds. Without Serial, or on a narrower line, it drives like another robot.
 //
-// Mended by fewer bytes, only now and then (if (millis() - told_at > 500)), or a faster Serial.begin().
+// A finding is a sketch that spends 30 % of its driving time in stretches of at least 15 ms without reading a
+// floor sensor. There must be ten of them or more, in each of which a call of Serial was waiting. So a sketch
+// that occasionally prints much, or drives without a line, is not reported. To fix it, print fewer bytes,
+// print less often (if (millis() - told_at > 500)), or use a faster Serial.begin().
 #pragma once
 
 #include <vector>

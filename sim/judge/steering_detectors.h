@@ -1,4 +1,4 @@
-// The detectors that look at how a robot steers by its line.
+// The detectors that examine how a robot steers along its line.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What of the wiring a sketch used, and what it never did: most sketches that do nothing drive another pin
-// than the one that the robot is wired to.
+// The wiring that a sketch used, and the wiring that it never used. Most sketches that do nothing drive
+// another pin than the one that the robot is wired to.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,11 @@
 
 namespace robosim::judge {
 
-/// `was_output`: per pin of the board, whether the firmware ever drove it.
+/// Returns the usage. `was_output`: per pin of the board, whether the firmware ever drove it.
 ///
-/// A read of a port reads eight pins, and who meant which of them is mostly not known. So a pin to which
-/// nothing is wired counts as read only where it was looked at, measured, or had its pull-up on; and a part
-/// counts as used if any of its pins may have been read. What hangs on a shift register, or on the pins of
-/// the UART, is taken for used.
+/// A read of a port reads eight pins, and which of them was meant is mostly unknown. So an unwired pin counts
+/// as read only if it was read singly, measured, or had its pull-up on. A part counts as used if any of its
+/// pins may have been read. Parts on a shift register, or on the pins of the UART, count as used.
 wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
                      const std::vector<bool>& was_output, const exec::BoardProbe& probe);
 
