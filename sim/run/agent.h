@@ -1,5 +1,4 @@
-// One robot in a simulation: its firmware, its body and parts, what its script does to it, its goal, and who
-// judges it.
+// One robot in a simulation: its firmware, its body and parts, its script, its goal, and its judge.
 #pragma once
 
 #include <any>

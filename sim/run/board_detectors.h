@@ -1,4 +1,4 @@
-// The detectors that look at what firmware does to its board: the same for each target.
+// The detectors that examine what firmware does to its board, for every target.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The inside of a simulation: its agents, and the ways in which they go from tick to tick (simulation.cpp;
-// turns.cpp).
+// The implementation of a simulation: its agents, and the ways in which they advance by ticks
+// (simulation.cpp; turns.cpp).
 #pragma once
 
 #include <cstddef>

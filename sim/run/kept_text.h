@@ -1,5 +1,5 @@
-// A text that only grows, up to a mebibyte: snapshots of it share what they have in common, so that hundreds
-// of them take little more than one.
+// A text that only grows, up to a mebibyte. Snapshots of it share their common part, so that hundreds of them
+// take little more memory than one.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A regular expression that takes time in proportion to what it looks at.
+// A regular expression that is matched in linear time.
 #pragma once
 
 #include <memory>

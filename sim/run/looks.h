@@ -1,4 +1,4 @@
-// What an agent looks at now and then, not in each tick.
+// Checks of an agent that need not run in each tick.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent looks at a
 constexpr int kLookEvery = 4;                     ///< ticks between two looks at all sensors
 constexpr int kSideEvery = 10;                    ///< ticks between two looks at which side the line is on
 
-/// At the end of a tick.
+/// A check at the end of a tick.
 struct Look {
   bool at_sensors, aside;
   int next;  ///< so many ticks later
 };
 
-/// By the tick's number in kRestSpan: a table, because this is asked in every third tick, and several
-/// remainders take longer than the look.
+/// The checks by the tick's number in kRestSpan. It is a table, because it is read in every third tick, and
+/// several remainders would take longer than the checks.
 constexpr auto kLooks = [] {
   std::array<Look, kRestSpan / kTick> looks{};
   static_assert(looks.size() % kLookEvery == 0 && looks.size() % kSideEvery == 0);

@@ -1,5 +1,5 @@
-// What simulations on a map begin with, whatever their seed. A process whose forks each run one makes it
-// before it forks, and each of them has it as it was made.
+// The initial state of simulations on a map, whatever their seed. A process whose forks each make one run
+// builds it before it forks, so that all of them share it.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace robosim::run {
 
-/// Where a robot begins, and what it is for. Empty: as the map has it.
+/// Where a robot starts, and its goal. Empty: the map's.
 struct Errand {
   std::optional<grid::Start> start;
   std::optional<judge::Goal> goal;
   bool operator==(const Errand&) const = default;
 };
 
-/// What an errand is on a map.
+/// An errand resolved on a map.
 struct Task {
   /// The map must outlive it. Throws InputError if the errand makes no sense there.
   Task(const Errand& errand, const grid::Map& map, const grid::Stripes& stripes);

@@ -1,15 +1,17 @@
 // A simulation is a clock, a world and agents: robots, each with its own firmware, script, goal and verdict.
-// This is the one place where firmware and world are kept in step.
+// This class alone keeps firmware and world in lockstep.
 //
 // A tick is [t, t+1 ms):
-//   1. what the scenario does from outside at t; parts schedule their pin edges from the state at t;
-//   2. firmware runs to t+1 ms; what it reads inside the tick is extrapolated from the state at t;
-//   3. each motor's command becomes the time average of its pins over the tick;
-//   4. the world integrates to t+1 ms; then goal and judge look at it.
-// Each step is taken by all agents, in the order of their numbers, before the next begins: what one does to
-// another in a tick is seen in the next. Robots that are so far from all others that nothing of one can reach
-// another take turns of several ticks, which comes to the same and keeps to the processor's caches. The same
-// for every executor. Nothing here depends on wall time, threads or what is listened to.
+//   1. The scenario acts at t, and parts schedule their pin edges from the state at t.
+//   2. Firmware runs to t+1 ms; its reads inside the tick are extrapolated from the state at t.
+//   3. Each motor's command becomes the time average of its pins over the tick.
+//   4. The world integrates to t+1 ms; then goal and judge examine it.
+// All agents take each step, in the order of their numbers, before the next one begins. So an effect of one
+// on another in a tick is visible in the next.
+//
+// Robots that are so far from all others that no effect can reach another take turns of several ticks. That
+// gives the same result and uses the processor's caches better. The order is the same for every executor.
+// Nothing here depends on wall time, threads or listeners.
 #pragma once
 
 #include <array>
@@ -33,7 +35,7 @@ namespace robosim::run {
 
 constexpr SimTime kDefaultLimit = 600 * kSecond;
 
-/// What was settled before the first tick.
+/// The settings that are fixed before the first tick.
 struct Beginning {
   grid::Start start;
   judge::Goal goal;
@@ -43,7 +45,7 @@ struct Beginning {
   double cell_m = 0.0;                ///< side of a cell
 };
 
-/// The state at a moment, for people to look at.
+/// The state at a moment, for display.
 struct Sample {
   SimTime t = 0;
   Pose pose;
@@ -56,7 +58,7 @@ struct Sample {
   std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also when it slips
 };
 
-/// Listens to one agent. Hearing more never changes what happens.
+/// Receives events of one agent. A listener never changes what happens.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -77,7 +79,7 @@ class Listener {
   virtual bool minds_turns() const { return true; }
 };
 
-/// One robot: its firmware, where it starts, what it is for, and what happens to it.
+/// One robot: its firmware, its start, its goal, and its script.
 struct AgentSetup {
   const robot::Description* robot = nullptr;
   exec::Executor* executor = nullptr;  ///< of its own, and of this run only
@@ -89,7 +91,7 @@ struct AgentSetup {
 
 class Scenery;
 
-/// Setup::reached while firmware is loaded and begins.
+/// The value of Setup::reached while firmware is loaded and begins.
 constexpr SimTime kLoading = -1;
 
 struct Setup {
@@ -111,7 +113,7 @@ struct Setup {
   std::atomic<int>* acting = nullptr;  ///< is told whose firmware runs; may be null
 };
 
-/// The set-up of one agent makes no sense.
+/// The set-up of one agent is invalid.
 class BadAgent : public InputError {
  public:
   BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
@@ -119,7 +121,7 @@ class BadAgent : public InputError {
   int other = -1;  ///< the one that it starts on; -1 = it is not about another
 };
 
-/// A run that can stand still between two ticks, be saved there, and go on from there again and again.
+/// A run that can pause between two ticks, be saved there, and continue from there any number of times.
 class Simulation {
  public:
   /// A moment of a simulation: a value, valid as long as the simulation that gave it.
@@ -158,8 +160,8 @@ class Simulation {
   std::unique_ptr<Inside> in_;
 };
 
-/// Runs until each agent has its verdict; theirs, in the order of the agents. One that is finished stays
-/// where it is, its firmware off, while others go on. Throws InputError if the set-up makes no sense (start
+/// Runs until each agent has its verdict; returns them in the order of the agents. A finished agent stays
+/// where it is, its firmware off, while others continue. Throws InputError if the set-up is invalid (start
 /// off the line, unknown parts …).
 std::vector<judge::Outcome> simulate(const Setup& setup);
 

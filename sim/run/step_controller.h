@@ -1,6 +1,6 @@
-// Driving a run step by step, for tests and other clients that react to what they see: the run pauses at the
-// beginning of a tick, its controller looks and acts, and lets it go on until something happens. A script
-// with the same lines at the same times gives the same trace.
+// Drives a run step by step, for tests and other clients that react to its state. The run pauses at the
+// beginning of a tick, its controller examines it and acts, and then continues it until something happens. A
+// script with the same lines at the same times gives the same trace.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Sample;
 
 using wire::Stop;
 
-/// What the controller wants next: on until the first of these, or to the end at once (`interrupted`).
+/// The controller's next request: continue until the first of these, or to the end at once (`interrupted`).
 struct Leg {
   SimTime until = kNever;
   std::vector<Stop> stops;
@@ -42,7 +42,7 @@ struct State {
   std::optional<exec::Resources> resources;  ///< of a chip
 };
 
-/// A run that stands still.
+/// A paused run.
 class Standstill {
  public:
   virtual int agent_count() const = 0;

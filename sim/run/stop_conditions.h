@@ -1,4 +1,4 @@
-// Watches for the stops of a leg that are about one agent (step_controller.h).
+// Checks the stop conditions of a leg that concern one agent (step_controller.h).
 #pragma once
 
 #include <optional>
