@@ -1,15 +1,15 @@
-// The analog-digital converter. Data sheet DS40002061B, chapter 24; what its registers mean is
-// hal/board/avr_adc.h's. One of its clocks is P cycles (ADPS), and its prescaler counts from ADEN on, so that
-// rising edges come at
+// The analog-digital converter. Data sheet DS40002061B, chapter 24; hal/board/avr_adc.h has the meaning of
+// its registers. One ADC clock is P cycles (ADPS), and its prescaler counts from ADEN on, so that rising
+// edges come at
 //
 //   e = origin + P/2 + k P            origin: when ADEN was set
-//   start    the first e behind the write of ADSC; there ADMUX is taken over
-//   sample   start + 1.5 P,  13.5 P in the first conversion behind ADEN
-//   end      start + 13 P,   25 P     ADIF is set, ADSC reads 0; free running starts at once again
+//   start    the first e after the write of ADSC; ADMUX is latched there
+//   sample   start + 1.5 P,  13.5 P in the first conversion after ADEN
+//   end      start + 13 P,   25 P     ADIF is set, ADSC reads 0; free running starts again at once
 //
-// An auto trigger puts origin to 3 cycles behind its flag, so that it samples 2 P later and ends 13.5 P later
-// (table 24-1). Falling asleep with the ADC's clock running starts a conversion too, where none is triggered
-// automatically (10.3, 24.6). A stopped clock (PRR, deeper sleep) holds a conversion, ADEN = 0 ends it.
+// An auto trigger moves origin to 3 cycles after its flag, so it samples 2 P later and ends 13.5 P later
+// (table 24-1). Falling asleep while the ADC's clock runs starts a conversion, too, unless auto triggers are
+// on (10.3, 24.6). A stopped clock (PRR, deeper sleep) pauses a conversion; ADEN = 0 ends it.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// One AVR, alone: processor, peripherals, pins. Whoever has one gives it flash and surroundings, and lets it
-// run to a cycle.
+// One AVR by itself: processor, peripherals, pins. Its user provides flash and surroundings, and runs it to a
+// cycle.
 //
 //   Chip ── Core: Cpu, Events, Interrupts
 //     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     a file each, with its chapter
 //     └──── Power: sleep modes, PRR, CLKPR, what a reset leaves in MCUSR
 //
-// Equal flash and equal surroundings give equal runs, however often run_to() comes back in between.
+// Equal flash and equal surroundings give equal runs, however often run_to() returns in between.
 #pragma once
 
 #include <memory>

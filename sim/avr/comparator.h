@@ -1,13 +1,14 @@
 // The analog comparator. Data sheet DS40002061B, chapter 23.
 //
-//   +   AIN0, or the bandgap (ACBG)
-//   -   AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without AIN1
-//       has the bandgap there (ATmega32U4, 7766J, 23.2)
-//   ACO = + is higher; ACI is set by its edges that ACIS chooses: 0 any, 2 falling, 3 rising
-//   ACIC   timer 1 captures its edges in place of ICP1's
+//   +      AIN0, or the bandgap (ACBG)
+//   - AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without AIN1
+//          has the bandgap there (ATmega32U4, 7766J, 23.2)
+//   ACO    1 if + is higher
+//   ACI    set by ACO's edges that ACIS selects: 0 any, 2 falling, 3 rising
+//   ACIC   timer 1 captures ACO's edges instead of ICP1's
 //
-// From the first write to ACSR on, edges of AIN0 and AIN1 are seen at their cycle. Voltages that change by
-// themselves are looked at when ACSR is read or written, and every 64 cycles while somebody waits: an
+// From the first write to ACSR on, edges of AIN0 and AIN1 take effect at their cycle. Voltages that change by
+// themselves are sampled when ACSR is read or written, and every 64 cycles while a result is awaited: by an
 // interrupt (ACIE), timer 1 (ACIC), or the ADC's auto trigger.
 //
 // Not modelled: the 1 to 2 cycles of ACO's synchroniser, the comparator's offset and hysteresis, PWM at AIN0

@@ -1,5 +1,6 @@
-// What the peripherals of one chip share: the processor with its registers, the queue, the interrupts, and
-// the surroundings. A peripheral holds a reference to it, and hooks its registers in its constructor:
+// The parts that the peripherals of one chip share: the processor with its registers, the event queue, the
+// interrupts, and the surroundings. A peripheral holds a reference to it, and hooks its registers in its
+// constructor:
 //
 //   Eeprom::Eeprom(Core& core) : core_(core) {
 //     core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
@@ -22,7 +23,7 @@
 
 namespace robosim::avr {
 
-/// A part of the chip with registers of its own.
+/// A part of the chip with its own registers.
 class Peripheral {
  public:
   virtual ~Peripheral() = default;

@@ -1,13 +1,12 @@
 // The processor of an AVR: registers, status, program counter, memory, and a loop that runs decoded
-// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B,
-// chapter 7.
+// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter
+// 7.
 //
-//   cycle     an instruction that begins at cycle c and takes n touches memory and registers at c + n: two IN
-//             that follow each other read one cycle apart, two LDS two
-//   horizon   run() looks no further than this cycle: the next event of a peripheral, or the end of what its
-//             caller wants
+//   cycle     an instruction that begins at cycle c and takes n accesses memory and registers at c + n: two
+//             consecutive IN read one cycle apart, two LDS two
+//   horizon   run() stops at this cycle: the next event of a peripheral, or the end that its caller requests
 //
-// It knows neither peripherals nor interrupts by name: those are hooks of registers, and vectors.
+// It does not know peripherals and interrupts by name: those are hooks of registers, and vectors.
 #pragma once
 
 #include <array>

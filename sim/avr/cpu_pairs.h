@@ -1,6 +1,6 @@
-// The code of two instructions that are done as one (ROBOSIM_AVR_PAIRS): a macro for the interpreter's loop
-// (cpu_run.cpp), as those of cpu_steps.h. Where the horizon is not behind the beginning of the second, they
-// are done one by one: nothing stops in between and sees flags that have not been made.
+// The code of two instructions that run as one (ROBOSIM_AVR_PAIRS): a macro for the interpreter's loop
+// (cpu_run.cpp), like those of cpu_steps.h. If the horizon is not after the beginning of the second, they run
+// one by one. So nothing stops in between and reads flags that have not been computed.
 #pragma once
 
 #include "sim/avr/cpu_steps.h"

@@ -1,8 +1,8 @@
-// What the interpreter's loop (cpu_run.cpp) is written with: macros over its local variables, since a jump to
-// a label needs them to be where the label is. Nobody else includes this.
+// The parts of the interpreter's loop (cpu_run.cpp): macros over its local variables, since a jump to a label
+// needs the label in the same function. No other file includes this.
 //
 //   i, code        the instruction, and that of address 0
-//   left, end      cycles to `end`, which is the horizon; what is left tells the cycle
+//   left, end      cycles to `end`, which is the horizon; their difference is the present cycle
 //   r, flags, sp   the registers
 #pragma once
 
@@ -17,7 +17,8 @@ constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
 constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
 
-/// Read by halves, as most are written: a processor waits where it reads a word that it has just stored so.
+/// Reads a word by bytes, as most words are written: a processor stalls if it reads a word right after such
+/// writes.
 inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* low) {
   unsigned first = low[0];
   asm("" : "+r"(first));  // not as one

@@ -1,6 +1,6 @@
-// Instructions of the AVR, decoded once when flash is written: what the interpreter then does for each is one
-// jump. Source: AVR Instruction Set Manual, DS40002198B; the numbers of cycles are those of the AVRe+ core
-// (ATmega, ATtiny with AVRe: no MUL).
+// Decodes AVR instructions, once when flash is written, so that the interpreter needs one jump for each.
+// Source: AVR Instruction Set Manual, DS40002198B; the numbers of cycles are those of the AVRe+ core (ATmega,
+// ATtiny with AVRe: no MUL).
 #pragma once
 
 #include <cstdint>
@@ -80,10 +80,10 @@ struct Instruction {
 };
 static_assert(sizeof(Instruction) == 8);
 
-/// One instruction, given its first word and the one behind it. What is reserved is Op::illegal.
+/// Decodes one instruction, given its first word and the following one. Reserved codes are Op::illegal.
 Instruction decode(std::uint16_t word, std::uint16_t next);
 
-/// Each word of flash, as if an instruction began there.
+/// Decodes each word of flash, as if an instruction began there.
 std::vector<Instruction> decode(std::span<const std::uint8_t> flash);
 
 }  // namespace robosim::avr

@@ -1,14 +1,14 @@
 // The EEPROM. Data sheet DS40002061B, 8.4 and 8.6.
 //
-//   read    EERE: EEDR holds the byte at once; the processor stands for 4 cycles
-//   write   EEMPE, and within 4 cycles EEPE; the processor stands for 2 cycles, EEPE reads 1 until it is done
+//   read    EERE: EEDR holds the byte at once; the processor stops for 4 cycles
+//   write   EEMPE, and within 4 cycles EEPE; the processor stops for 2 cycles, EEPE reads 1 until the end
 //
 //   EEPM   0 erase and write, 3.4 ms      the byte becomes EEDR
 //          1 erase only, 1.8 ms           0xFF
 //          2 write only, 1.8 ms           its old value AND EEDR
 //
-// While it writes, EEAR and EEPM stay as they are, and nothing is read. EERIE requests EE_READY whenever it
-// does not write. It goes on writing through sleep and resets. It keeps its own time, whatever CLKPR says.
+// During a write, EEAR and EEPM cannot change, and nothing is read. EERIE requests EE_READY whenever no write
+// is in progress. A write continues through sleep and resets. Its duration does not depend on CLKPR.
 #pragma once
 
 #include <cstdint>

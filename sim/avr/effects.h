@@ -1,5 +1,5 @@
-// What an instruction touches, told before it runs: for those who follow firmware without executing it.
-// Source: AVR Instruction Set Manual, DS40002198B, as decode.h has it.
+// Predicts what an instruction accesses before it runs, for observers that follow firmware without executing
+// it. Source: AVR Instruction Set Manual, DS40002198B, as in decode.h.
 #pragma once
 
 #include <bit>
@@ -27,8 +27,9 @@ void each(std::uint32_t registers, Visit visit) {
   for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));
 }
 
-/// Of the instruction that `cpu` would run next. SREG and the stack pointer are told as data memory where it
-/// reads or writes their addresses; what calls and pushes do to the stack pointer is not.
+/// Returns the effects of the instruction that `cpu` would run next. Accesses to the addresses of SREG and
+/// the stack pointer count as data memory; the effects of calls and pushes on the stack pointer are not
+/// included.
 Effects effects_of(const Instruction& instruction, const Cpu& cpu);
 
 }  // namespace robosim::avr

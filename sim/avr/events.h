@@ -1,9 +1,9 @@
-// What the peripherals will do by themselves, and when: the one queue of a chip.
+// The event queue of a chip: the future actions of its peripherals, and their times.
 //
-//   id = events.add<&Timer::overflow>(this);      once, when the chip is made
-//   events.schedule(id, cycle);                   again and again; a new time replaces the old one
+//   id = events.add<&Timer::overflow>(this);      // once, when the chip is made
+//   events.schedule(id, cycle);                   // any number of times; a new time replaces the old one
 //
-// Events that fall due at the same cycle happen in the order in which they were added.
+// Events at the same cycle occur in the order in which they were added.
 #pragma once
 
 #include <array>

@@ -1,17 +1,21 @@
 // Interrupts by pins: INTn and the pin changes PCINTn. Data sheet DS40002061B, chapter 13.
 //
-//   EICRA    ISCn   what sets INTFn         request
-//   00       low level    nothing           as long as the pin is low
-//   01       any edge     both edges        INTFn
-//   10, 11   falling, rising                INTFn
-//   PCMSKg   a bit a pin of group g: its changes set PCIFg, both edges
+//   ISCn (EICRA)   sets INTFn      requests the interrupt
+//   00             never           while the pin is low
+//   01             at both edges   while INTFn is set
+//   10             falling edge    while INTFn is set
+//   11             rising edge     while INTFn is set
 //
-// A request counts where EIMSK or PCICR has its bit; entering its vector clears the flag, as does writing 1
-// to it. An edge passes the input's synchroniser: INTFn is set 2 cycles behind it, PCIFg 3 (figure 13-1).
-// Pins that outputs of the chip's own move count. Edges of INTn wake the chip from every sleep mode: 13.1
-// says that they need the I/O clock, but real chips notice them without, and sketches rely on it.
+// PCMSKg has one bit per pin of group g. Both edges of such a pin set PCIFg.
 //
-// Nobody listens to a pin until its ISCn or its bit in EIMSK is written 1, or its bit in PCMSKg.
+// A request counts if EIMSK or PCICR has its bit. Entering its vector clears the flag, as does writing 1 to
+// it. An edge passes the input's synchroniser: INTFn is set 2 cycles after it, PCIFg 3 (figure 13-1). Edges
+// that the chip's own outputs cause count, too.
+//
+// Edges of INTn wake the chip from every sleep mode. By 13.1 they need the I/O clock, but real chips notice
+// them without, and sketches rely on it.
+//
+// A pin has no listener until its ISCn or its bit in EIMSK is written 1, or its bit in PCMSKg.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// SREG, taken apart, so that an instruction writes down what its flags come from, and only who looks at a
-// flag makes it. Source: AVR Instruction Set Manual, DS40002198B.
+// SREG in parts. An instruction stores the operands of its flags, and a flag is computed only when it is
+// read. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
 #include <array>
@@ -121,7 +121,7 @@ struct Flags {
   unsigned v() const { return overflow ^ overflow >> 1; }
 };
 
-/// Of each value of SREG.
+/// The flags of each value of SREG.
 inline constexpr std::array<Flags, 256> kFlagsOf = [] {
   std::array<Flags, 256> all;
   for (unsigned sreg = 0; sreg < all.size(); ++sreg) all[sreg].take_apart(sreg);

@@ -1,16 +1,18 @@
 // Timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
 //
 //   TOP    OCR4C; 0xFF after a reset
-//   PWM4x  0 for all: up to TOP and anew from 0; TOV4 there; OCR4x hold at once
-//   WGM4   of PWM: 0 fast: the same; high for OCR4x + 1 of TOP + 1 ticks
-//                  1 phase and frequency correct: up and down, TOV4 at 0; OCR4x of TOP
-//   COM4x  at a match 1 toggles, 2 clears, 3 sets; of PWM 2 is cleared at the match, 3 set
+//   PWM4x  0 for all: up to TOP and again from 0; TOV4 there; OCR4x take effect at once
+//   WGM4   with PWM: 0 fast: as above; high for OCR4x + 1 of TOP + 1 ticks
+//                    1 phase and frequency correct: up and down, TOV4 at 0; OCR4x of TOP
+//   COM4x  at a match 1 toggles, 2 clears, 3 sets; with PWM 2 is cleared at the match, 3 set
 //   CS4    the clock divided by 2^(CS4 - 1)
-//   TC4H   the two high bits of each register: written before the low byte, kept when TCNT4 is read
+//   TC4H   the two high bits of each register: written before the low byte, stored when TCNT4 is read
 //
-// PWM is told as a duty, a new one at once; flags, counts and the level that PINx reads keep to TOP or
-// BOTTOM. With PWM on for one output all count as it does. Not modelled: the PLL as its clock, dead times and
-// the inverted outputs, PWM6, the fault unit, enhanced mode, and TLOCK4.
+// PWM is reported as a duty cycle, and a new one at once. Flags, counts and the level that PINx reads change
+// at TOP or BOTTOM. With PWM on for one output all count as it does.
+//
+// Not modelled: the PLL as its clock, dead times and the inverted outputs, PWM6, the fault unit, enhanced
+// mode, and TLOCK4.
 #pragma once
 
 #include <array>

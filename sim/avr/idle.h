@@ -1,15 +1,14 @@
-// Loops that wait, left out: delay(), millis() and micros() asked again and again, flags that are polled.
-// What firmware, pins and time are afterwards is what they would have been; only the processor that
-// simulates them rests.
+// Skips loops that wait: delay(), repeated calls of millis() and micros(), flags that are polled. Firmware,
+// pins and time are afterwards as if every pass had run; only the simulating processor saves work.
 //
-//   explores   now and then, for some hundred instructions: where do jumps lead back to? These are heads
+//   explores   from time to time, for some hundred instructions, looks where jumps lead back to; these are
+//              heads
 //   records    one pass from a head (path.h)
-//   skips      at a head, where what the pass reads is as it was: as many passes as end before the next
-//              event and inside the window of the counter that it reads. One of them is run again, so that
-//              all that the pass computes is there
+//   skips      at a head, if what the pass reads is unchanged: as many passes as end before the next event
+//              and inside the window of the counter that it reads. One of them is run again, for everything
+//              that the pass computes
 //
-// A head has a mark (Cpu), so that loops that are none cost nothing. One that is not worth its while loses
-// it.
+// Heads are marked (Cpu), so other loops cost nothing. A head that does not pay off loses its mark.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Which interrupts are requested: by vector, the lowest first (data sheet, chapter 12).
+// The requested interrupts, by vector, the lowest first (data sheet, chapter 12).
 //
-// A peripheral requests a vector while its flag and its enable bit are both set, and takes the request back
-// when either is cleared: a flag that was set before its enable bit is served when that comes.
+// A peripheral requests a vector while its flag and its enable bit are both set, and withdraws the request
+// when either is cleared. So a flag that was set before its enable bit is served when the enable bit is set.
 #pragma once
 
 #include <array>

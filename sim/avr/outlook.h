@@ -1,4 +1,4 @@
-// What reads of a register of I/O will give, as long as no event comes and nothing is written.
+// Predicts the reads of an I/O register, until an event occurs or a register is written.
 #pragma once
 
 #include <cstdint>

@@ -1,13 +1,13 @@
 // One pass of a loop that waits, from its head back to it, as it was executed: what it read before it wrote
-// it, which registers of I/O it looked at, how long it took.
+// it, which I/O registers it read, how long it took.
 //
-//   every pass is like this one, as long as
-//     what it reads first is again what it was at the head,
-//     registers of I/O read the same, and
-//     the counter of a timer that it reads is within the window that Ramp has found.
+// Every pass is like this one as long as
 //
-// A pass that writes registers of I/O other than SREG, sleeps, or takes an interrupt, is none that can be
-// left out.
+//   - what it reads first is the same as at the head,
+//   - I/O registers read the same, and
+//   - the counter of a timer that it reads is within the window that Ramp has found.
+//
+// A pass that writes I/O registers other than SREG, sleeps, or takes an interrupt cannot be skipped.
 #pragma once
 
 #include <cstdint>

@@ -1,15 +1,14 @@
-// The chip's pins: ports, what else may drive a pin, and who listens to one. Data sheet DS40002061B,
-// chapter 14.
+// The chip's pins: ports, other drivers of a pin, and listeners. Data sheet DS40002061B, chapter 14.
 //
 //   PORTx DDRx ──► ┐
 //   timers, UARTs ─┴─► drive ──► Surroundings::driven
-//   Surroundings::level ─► synchroniser ─► PINx           own outputs come back by the same way
+//   Surroundings::level ─► synchroniser ─► PINx           own outputs return by the same way
 //   Surroundings' edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
-// A value that is written to PORTx is read in PINx by the second instruction behind it (14.2.4). A write to
-// PINx toggles PORTx. PUD switches all pull-ups off; a pin whose digital input DIDR0 or DIDR1 switches off
-// reads 0. The world is told PWM and tones as a duty, never as edges; what PINx reads there, and listeners
-// hear, its timer says (Wave).
+// PINx reads a value written to PORTx from the second instruction after it on (14.2.4). A write to PINx
+// toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads 0. The
+// world receives PWM and tones as a duty cycle, never as edges. For PINx and listeners the timer computes
+// them (Wave).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Values that a loop computes from a counter, followed while one pass of it runs: for how many counts more
+// Follows the values that a loop computes from a counter, while one pass of it runs: for how many counts more
 // will all its jumps go the same way?
 //
 //   the counter reads v0 now, v0 + n later
@@ -6,9 +6,9 @@
 //   Byte    byte k of a Line, in two's complement: what a register of the processor holds of it
 //   Chain   the flags of a sum or difference of two Lines that is made byte by byte: ADD ADC ADC, CP CPC …
 //
-// Sums and differences of Bytes are followed as long as the bytes belong together. Whatever else is done with
-// a Byte, it is held: the window, the n that are spoken of, is cut to those at which the byte is as it is
-// now. So nothing is guessed; at worst the window is this one count.
+// Sums and differences of Bytes are followed as long as the bytes belong together. Any other use of a Byte
+// holds it: the window, the range of n, shrinks to those at which the byte has its present value. So nothing
+// is guessed; in the worst case the window is this one count.
 #pragma once
 
 #include <array>

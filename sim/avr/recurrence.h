@@ -1,7 +1,7 @@
-// Whether a program goes round for ever, as far as it knows: followed by itself, without interrupts and
-// peripherals, until registers and memory are once more what they were.
+// Decides whether a program loops forever on its own: it is followed without interrupts and peripherals until
+// registers and memory repeat.
 //
-// What comes round once comes round again, unless an interrupt changes what the round reads.
+// A state that repeats once repeats again, unless an interrupt changes what the loop reads.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,14 @@ struct Round {
   bool interruptible = false;  ///< somewhere in it, the I flag is set
 };
 
-/// Nothing where the program touches a register of I/O other than SREG and SP, does what a processor cannot
-/// do alone, or has not come round within so many instructions. `cpu` stays as it is.
+/// Finds the loop. Returns nothing if the program accesses an I/O register other than SREG and SP, needs more
+/// than the processor, or has not looped within the limit of instructions. `cpu` does not change.
 std::optional<Round> find_round(const Cpu& cpu, int most_instructions);
 
-/// What the handler of an interrupt may change in data memory, its own stack aside; by address.
+/// The addresses in data memory that an interrupt's handler may change, without its own stack.
 using Stores = std::vector<bool>;
-/// Nothing where that cannot be told from its code alone: it calls, stores by a pointer or touches I/O.
+/// Finds them. Returns nothing if its code alone does not tell: it calls, stores by a pointer or accesses
+/// I/O.
 std::optional<Stores> stores_of_handler(const Cpu& cpu, int vector);
 
 }  // namespace robosim::avr

@@ -3,10 +3,10 @@
 //   transfer   8 bits of D cycles from the write of SPDR on; then SPIF is set
 //   D          4, 16, 64, 128 by SPR, half of it with SPI2X (table 19-5)
 //
-// Writing SPDR meanwhile sets WCOL and changes nothing. Both flags are cleared by reading SPSR while they are
-// set and touching SPDR behind that; SPIF also by its vector. What comes in is the level of MISO at the end:
-// nobody shifts bits here. SS as an input at low level ends being master: MSTR is cleared and SPIF set. As
-// slave it does nothing: nobody gives it a clock.
+// Writing SPDR during a transfer sets WCOL and changes nothing. Reading SPSR while the flags are set, and
+// then accessing SPDR, clears both; its vector clears SPIF, too. The received byte is the level of MISO at
+// the end, since bits are not simulated. SS as an input at low level ends being master: MSTR is cleared and
+// SPIF set. As a slave it does nothing, since it has no clock.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// What lies outside of a chip, as the chip sees it: the one seam of this room. Whoever uses a chip stands
-// behind it, be it a robot's board, a test or a page.
+// The world outside of a chip, as the chip sees it: the only seam of this room. Each user of a chip
+// implements it: a robot's board, a test or a page.
 //
-// Pins are told by their index in ChipSpec::pins; moments in cycles of the processor. Moments never go back
-// by more than the few cycles of an instruction.
+// Pins are indices in ChipSpec::pins, moments are cycles of the processor. Moments never go back by more than
+// the few cycles of an instruction.
 #pragma once
 
 #include "hal/board/board.h"

@@ -1,6 +1,6 @@
-// What the Arduino core does at each overflow of timer 0 (wiring.c), so that millis() goes on: the one piece
-// of code that every sketch runs a thousand times a second, also while it sleeps or waits. As avr-gcc
-// translates it, it is known by its 62 instructions, and the processor does all of them but RETI at once.
+// The Arduino core's handler of timer 0's overflow (wiring.c), which advances millis(). Every sketch runs it
+// a thousand times a second, also while it sleeps or waits. avr-gcc's translation is recognised by its 62
+// instructions, and the processor does all of them except RETI at once.
 //
 //   push r1, r0, SREG, r18, r19, r24 to r27; eor r1, r1
 //   f = fraction + step;  m = millis + few
@@ -51,8 +51,8 @@ struct TimeCount {
   }
 };
 
-/// The handler that begins with the first of these words of flash, if it is that one, and its variables are
-/// in RAM. `code`: the same, decoded.
+/// Returns the handler that begins with the first of these words of flash, if it is this one and its
+/// variables are in RAM. `code` is the decoded flash.
 std::optional<TimeCount> time_count_of(std::span<const std::uint8_t> flash, std::span<const Instruction> code,
                                        int first_ram, int last_ram);
 

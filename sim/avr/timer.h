@@ -5,23 +5,19 @@
 //                         ▲   └───► pins OCnA, OCnB
 //   pin ICPn ─► canceler ─┘ ICRn
 //
-// Time: at each cycle of its clock the timer does what its registers held before; a write is there
-// afterwards. With a prescaler of 1, what is written to TCNTn in cycle c is read as written in c + 1, one
-// more in c + 2. A flag is read from the cycle after its tick on; its interrupt may be entered with the tick.
-// A flag that is set in the cycle in which 1 is written to it stays set.
-//
-// Counting is done when somebody looks: events are scheduled only for what the world would see, a flag whose
-// interrupt is enabled and that is not set, a level of a pin that changes, OCRnx that change a duty.
-//
-// Pins: PWM is told as a duty, a pin that is toggled (COM = 1) as a tone of its frequency, but for one that
-// is too slow to be heard: its level changes at each match, as by COM = 2 and 3 in modes without PWM. A
-// counter without a clock holds its pin at the level that it has. PINx reads the level of the moment, and
-// edges are events while somebody in the chip listens to the pin.
-//
-// Capture: edges of ICPn are noted from when firmware shows interest in them (ICIEn, ICESn, ICNCn, or a look
-// at ICRn or TIFRn), so that nobody need tell all edges of that pin. The analog comparator takes its place.
-//
-// PRR: without a clock the registers read 0 and are not written (10.10).
+// - Time. At each cycle of its clock the timer does what its registers held before; a write takes effect
+//   afterwards. With a prescaler of 1, a value written to TCNTn in cycle c reads as written in c + 1, and one
+//   more in c + 2. A flag reads as set from the cycle after its tick on; its interrupt may be entered with
+//   the tick. A flag that is set in the cycle in which 1 is written to it stays set.
+// - Counting happens on demand. Events are scheduled only for what the world would see: a flag that is not
+//   set and whose interrupt is enabled, a level of a pin that changes, OCRnx that change a duty cycle.
+// - Pins. PWM is reported as a duty cycle, a pin in toggle mode (COM = 1) as a tone of its frequency. If the
+//   tone is too slow to be heard, the level changes at each match, as with COM = 2 and 3 in modes without
+//   PWM. A counter without a clock holds its pin's level. PINx reads the level of the moment, and edges are
+//   events while the chip listens to the pin.
+// - Capture. Edges of ICPn are recorded once firmware uses capture (ICIEn, ICESn, ICNCn, or a read of ICRn or
+//   TIFRn), so that other pins cost nothing. The analog comparator can replace the pin.
+// - PRR. Without a clock the registers read 0 and are not written (10.10).
 //
 // Not modelled: timer 2's crystal (ASSR).
 #pragma once

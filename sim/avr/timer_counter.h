@@ -2,23 +2,21 @@
 // to 18.7.
 //
 //   MAX     0xFF, or 0xFFFF
-//   TOP     where it turns or begins anew: fixed, OCRnA or ICRn
+//   TOP     where it turns or starts again: fixed, OCRnA or ICRn
 //   BOTTOM  0
 //
-// All that happens, happens at the tick by which the counter leaves a value (figures 15-8 to 15-11, 16-10 to
-// 16-13):
+// Everything happens at the tick by which the counter leaves a value (figures 15-8 to 15-11, 16-10 to 16-13):
 //
 //   leaves      in               what
 //   OCRnx       all              a match: OCFnx, and the pin
 //   TOP         clear on match   next is 0
-//   TOP         fast PWM         next is 0, TOV, OCRnx are taken over
-//   TOP         phase correct    it turns, OCRnx are taken over; phase and frequency correct: it turns
+//   TOP         fast PWM         next is 0, TOV, OCRnx are latched
+//   TOP         phase correct    it turns, OCRnx are latched; phase and frequency correct: it turns
 //   TOP = ICRn  all              ICF
-//   BOTTOM      dual slope       it turns, TOV; phase and frequency correct: OCRnx are taken over
-//   MAX         all              next is 0; TOV in normal mode and where a match clears
+//   BOTTOM      dual slope       it turns, TOV; phase and frequency correct: OCRnx are latched
+//   MAX         all              next is 0; TOV in normal mode and if a match clears
 //
-// A counter above TOP, which was lowered below it, runs on to MAX. A TOP of 0 holds a counter of dual slope
-// at 0.
+// A counter above a lowered TOP runs on to MAX. A TOP of 0 holds a counter of dual slope at 0.
 //
 // A write to TCNTn hides the value from the comparators at the next tick: no match, no TOP of OCRnA or ICRn,
 // and no turn at BOTTOM for one that counts down (15.5.3, 16.7.3).

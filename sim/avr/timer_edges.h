@@ -2,10 +2,10 @@
 // clock).
 //
 //   pin ─► synchroniser, edge detector: 3 cycles ─► counter, or ICRn
-//   pin ─► noise canceler: 4 cycles more, and a level that lasts less is none
+//   pin ─► noise canceler: 4 cycles more; a shorter level is ignored
 //
-// The delay is 2.5 to 3.5 cycles for an edge at any moment; one that the chip makes itself comes with its
-// clock.
+// The delay is 2.5 to 3.5 cycles for an edge at any moment. An edge that the chip makes itself is synchronous
+// with its clock.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace robosim::avr {
 
 constexpr Cycle kEdgeCycles = 3, kCancelerCycles = 4;
 
-/// When the edges that are on their way arrive.
+/// The arrival times of edges on their way.
 class EdgesUnderWay {
  public:
   Cycle next() const { return count_ ? at_[0] : kNoCycle; }
@@ -39,7 +39,7 @@ class EdgesUnderWay {
   std::uint8_t count_ = 0;
 };
 
-/// What the noise canceler lets through.
+/// The levels that the noise canceler passes on.
 class NoiseCanceler {
  public:
   enum class Verdict : std::uint8_t { passes, takes_back };

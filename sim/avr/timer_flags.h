@@ -1,5 +1,4 @@
-// TIFR and TIMSK, where several timers share them: an ATtiny85, data sheet
-// 2586Q, 11.9.7, 11.9.8, 12.3.7, 12.3.8.
+// TIFR and TIMSK that several timers share: an ATtiny85, data sheet 2586Q, 11.9.7, 11.9.8, 12.3.7, 12.3.8.
 #pragma once
 
 #include <cstdint>

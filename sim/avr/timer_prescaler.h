@@ -1,13 +1,13 @@
-// The prescalers of the timers, and GTCCR that sets them to 0. ATmega328P data sheet DS40002061B:
-// 17, 18.10, 18.11.9.
+// The prescalers of the timers, and GTCCR that resets them to 0. ATmega328P data sheet DS40002061B: 17,
+// 18.10, 18.11.9.
 //
-//   timers 0, 1   one that they share (PSRSYNC)
-//   timer 2       one of its own (PSRASY); of an ATtiny85, timer 1 (PSR1)
+//   timers 0, 1   a shared one (PSRSYNC)
+//   timer 2       its own (PSRASY); on an ATtiny85, timer 1 (PSR1)
 //
-// They run freely from the reset on, whatever the timers do: a timer that divides by N ticks where its
-// prescaler's count is a multiple of N, so that its first tick comes 1 to N cycles after it was started. TSM
-// holds those at 0 that are being set to 0. A timer that divides by 1 takes its clock past the prescaler.
-// They stand still in the sleep modes without an I/O clock.
+// They run freely from the reset on, whatever the timers do. A timer that divides by N ticks where its
+// prescaler's count is a multiple of N, so its first tick comes 1 to N cycles after its start. TSM holds
+// prescalers at 0 while they are being reset. A timer that divides by 1 bypasses the prescaler. They stop in
+// the sleep modes without an I/O clock.
 #pragma once
 
 #include <array>

@@ -1,7 +1,6 @@
-// The two-wire serial interface as master: registers, interrupt and pins. What it does on the bus, and how
-// long that takes, is hal/board/avr_twi.h's. While TWINT is not set TWDR is not written (TWWC); TWINT
-// requests the interrupt as long as it is set. While TWEN is set SDA and SCL are inputs, with the port's
-// pull-ups.
+// The two-wire serial interface as master: registers, interrupt and pins. hal/board/avr_twi.h has its steps
+// on the bus and their durations. While TWINT is not set, writes to TWDR are ignored (TWWC). TWINT requests
+// the interrupt as long as it is set. While TWEN is set, SDA and SCL are inputs, with the port's pull-ups.
 #pragma once
 
 #include <cstdint>

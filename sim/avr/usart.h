@@ -6,11 +6,13 @@
 //                                                         TXC: both are empty, after a frame has left
 //   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer holds a frame
 //
-// A third frame waits in the shift register. The one behind it takes its place, and DOR tells so until UDR is
-// read. RXC and UDRE request interrupts as long as they are set; TXC is cleared by its vector or by
-// writing 1. RXEN = 0 empties the buffer; TXEN = 0 counts once everything has left, and only then TxD is the
-// port's again. Frames begin to leave at once. Frames come without errors: FE and UPE are 0. The
-// multi-processor mode (MPCM), the clock pin and the USART as SPI (UMSEL 3) are not modelled.
+// A third frame waits in the shift register. A fourth replaces it, and sets DOR until UDR is read. RXC and
+// UDRE request interrupts as long as they are set; TXC is cleared by its vector or by writing 1. RXEN = 0
+// empties the buffer. TXEN = 0 takes effect once everything has left, and only then TxD is the port's again.
+// Frames begin to leave at once.
+//
+// Not modelled: frames with errors (FE and UPE are 0), the multi-processor mode (MPCM), the clock pin and the
+// USART as SPI (UMSEL 3).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Who wants to know that an instruction with a mark is about to run (Cpu::set_mark).
+// Is notified before an instruction with a mark runs (Cpu::set_mark).
 #pragma once
 
 #include <cstdint>

@@ -1,17 +1,17 @@
 // The watchdog. Data sheet DS40002061B, 11.8 and 11.9.2.
 //
-//   times out   (2048 << WDP) cycles of 128 kHz behind WDR, or behind the last time: 16 ms to 8 s
+//   timeout     (2048 << WDP) cycles of 128 kHz after WDR, or after the last timeout: 16 ms to 8 s
 //
 //   WDE  WDIE   (WDTON is not programmed)
-//   0    0      stands
-//   0    1      WDIF is set, again and again
+//   0    0      stopped
+//   0    1      WDIF is set, at each timeout
 //   1    0      the chip is reset: WDRF in MCUSR
-//   1    1      WDIF is set; its vector clears WDIE, so that the next time resets. If it was not entered by
-//               then: reset
+//   1    1      WDIF is set; its vector clears WDIE, so that the next timeout resets, and so does a timeout
+//               before the vector was entered
 //
-// WDE is cleared, and WDP changed, within 4 cycles of writing WDCE and WDE together; WDE may be set, and WDIE
-// changed, at any time. WDRF holds WDE: after a reset by it the watchdog runs on, with 16 ms. It runs in all
-// sleep modes, by its own clock.
+// WDE is cleared, and WDP changed, within 4 cycles of writing WDCE and WDE together. WDE may be set, and WDIE
+// changed, at any time. WDRF holds WDE: after a watchdog reset it runs on, with 16 ms. It runs in all sleep
+// modes, by its own clock.
 #pragma once
 
 #include <cstdint>
