@@ -98,11 +98,18 @@ struct Limit {
 /// All of an image, sorted by their names.
 std::vector<Limit> stated_limits(const Image& image);
 
-/// What the user calls a sketch: a path if it holds '/' or '.', else one of ours by name. Gives the folder or
-/// file; throws InputError, listing ours, if there is none.
+/// Returns whether `name` is a path, and not the name of a sketch of Robosim: it holds '/' or '.', or `folder`
+/// has a folder of that name.
+bool is_sketch_path(const std::string& name, const std::filesystem::path& folder = ".");
+
+/// Returns the folder or file that the user calls `name`: a path (is_sketch_path), else a sketch of Robosim.
+/// Throws InputError, with the names of Robosim's sketches, if there is neither.
 std::filesystem::path find_sketch(const std::string& name);
 
-/// The names of the sketches that come with Robosim, sorted.
+/// Returns whether a sketch of this name comes with Robosim.
+bool is_stock_sketch(const std::string& name);
+
+/// Returns the names of the sketches that come with Robosim, sorted.
 std::vector<std::string> stock_sketches();
 
 /// Where images and objects are kept: $XDG_CACHE_HOME/robosim, else ~/.cache/robosim, else (where that cannot

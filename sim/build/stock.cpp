@@ -4,34 +4,50 @@
 #include <system_error>
 
 #include "sim/base/file.h"
+#include "sim/base/spelling.h"
 #include "sim/build/sketch.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path stock_folder() { return data_folder() / "firmware/examples"; }
+
+}  // namespace
+
+bool is_stock_sketch(const std::string& name) {
+  std::error_code none;
+  return !name.empty() && fs::exists(stock_folder() / name / (name + ".ino"), none);
+}
+
 std::vector<std::string> stock_sketches() {
   std::vector<std::string> names;
   std::error_code none;
-  for (fs::directory_iterator entry(data_folder() / "firmware/examples", none), end; entry != end; ++entry) {
+  for (fs::directory_iterator entry(stock_folder(), none), end; entry != end; ++entry) {
     const std::string name = entry->path().filename().string();
-    if (fs::exists(entry->path() / (name + ".ino"))) names.push_back(name);
+    if (is_stock_sketch(name)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
+bool is_sketch_path(const std::string& name, const fs::path& folder) {
+  std::error_code none;
+  return name.find_first_of("/.") != name.npos || (!name.empty() && fs::is_directory(folder / name, none));
+}
+
 fs::path find_sketch(const std::string& name) {
   std::error_code none;
-  if (name.find_first_of("/.") != std::string::npos) {
+  if (is_sketch_path(name)) {
     if (!fs::exists(name, none)) throw InputError({name}, "there is no such sketch");
     return name;
   }
-  const fs::path folder = data_folder() / "firmware/examples" / name;
-  if (!name.empty() && fs::exists(folder / (name + ".ino"), none)) return folder;
-  const std::vector<std::string> ours = stock_sketches();
+  if (is_stock_sketch(name)) return stock_folder() / name;
   throw InputError(
-      fmt::format("there is no sketch {}; Robosim's own are {}{}", name, one_of(ours),
-                  fs::exists(name, none) ? fmt::format("; for the one here write ./{}", name) : ""));
+      fmt::format("'{0}' is neither a folder here nor a sketch of Robosim; {1}{2}", name,
+                  guess_and_list(name, stock_sketches()),
+                  fs::exists(name, none) ? fmt::format("; for the file here write ./{}", name) : ""));
 }
 
 }  // namespace robosim::build

@@ -39,7 +39,8 @@ class MemberReader {
     member.name = as_string(name, "name");
     check_member_name(member.name, name.place);
     Launch& launch = member.launch;
-    launch.sketch = path_at("sketch");
+    launch.sketch =
+        path_at("sketch", build::is_sketch_path(word_at("sketch"), folder_.empty() ? "." : folder_));
     if (launch.sketch.empty()) reader_.require("sketch");
     launch.robot = path_at("robot");
     launch.target = word_at("target");

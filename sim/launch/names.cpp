@@ -64,6 +64,13 @@ std::string beginning_of(const fs::path& path) try {
   return "";
 }
 
+/// Ends the message for an unknown name of a map or robot: names the user's file of that name, if there is
+/// one.
+std::string file_hint(const std::string& name, const std::string& ending) {
+  if (is_there(name + ending)) return fmt::format("; for the file in this folder write {}{}", name, ending);
+  return " (a name with / or . is a path)";
+}
+
 /// What a linker calls a map, by the headings that GNU ld's begins with: a list of sections, no floor.
 bool is_linkers(const fs::path& map) {
   std::istringstream file(beginning_of(map));
@@ -140,7 +147,7 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
           all_of(build::stock_sketches()) + ") or “robosim run my/Sketch”");
     }
     choice.path = fs::current_path();
-  } else if (is_path(name)) {
+  } else if (build::is_sketch_path(name)) {
     check_path("sketch", name);
     choice.path = name;
     if (const fs::path image = is_project(name) ? fs::path() : image_in(name); !image.empty())
@@ -148,14 +155,6 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
     if (const fs::path ending = choice.path.extension(); ending == ".elf" || ending == ".hex")
       take_image(choice);
   } else {
-    const auto stock = build::stock_sketches();
-    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
-      std::error_code error;
-      const std::string hint = fs::exists(name, error)
-                                   ? fmt::format("; for the one in this folder write ./{}", name)
-                                   : " (a name with / or . is a path)";
-      throw InputError(unknown_name("sketch of ours", name, stock) + hint);
-    }
     choice.path = build::find_sketch(name);
   }
   std::error_code error;
@@ -195,7 +194,7 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
   const auto stock = names_in(stock_map_folder(), ".map");
   if (!name.empty()) {
     if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
-      throw InputError(unknown_name("map", name, stock) + " (a name with / or . is a path)");
+      throw InputError(unknown_name("map", name, stock) + file_hint(name, ".map"));
     }
     return {name, stock_map_folder() / (name + ".map"), ""};
   }
@@ -254,7 +253,7 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder, cons
   if (!name.empty()) {
     const auto stock = names_in(stock_robot_folder(), ".toml");
     if (std::find(stock.begin(), stock.end(), robot_alone) == stock.end()) {
-      throw InputError(unknown_name("robot", robot_alone, stock) + " (a name with / or . is a path)");
+      throw InputError(unknown_name("robot", robot_alone, stock) + file_hint(robot_alone, ".toml"));
     }
     return {name, name, ""};
   }

@@ -9,6 +9,8 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
                                             const std::vector<std::string>& libraries) {
   const project::Project& project = sketch.project;
   std::vector<std::string> remarks = project.remarks;
+  if (!is_path(sketch.name) && sketch.path == sketch.name && build::is_stock_sketch(sketch.name))
+    remarks.push_back(fmt::format("{} is the folder here, not Robosim's sketch of that name", sketch.name));
   if (project.wanted.empty()) return remarks;
   std::vector<std::filesystem::path> chosen(libraries.begin(), libraries.end());
   chosen.insert(chosen.end(), project.libraries.begin(), project.libraries.end());

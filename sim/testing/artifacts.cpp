@@ -94,19 +94,19 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std:
   const auto add = [&](const char* key, const std::string& value) {
     if (!value.empty()) text += fmt::format("{} = \"{}\"\n", key, escaped(value));
   };
-  const auto from_here = [](const std::string& word) {
-    return launch::is_path(word) ? fs::absolute(word).lexically_normal().string() : word;
+  const auto resolved = [](const std::string& word, bool is_path) {
+    return is_path ? fs::absolute(word).lexically_normal().string() : word;
   };
   for (std::size_t i = 0; i < stages.size(); ++i) {
     const launch::Member& member = fleet.members[i];
     text += "\n[[agent]]\n";
     add("name", member.name);
-    add("sketch", from_here(stages[i].sketch));
+    add("sketch", resolved(stages[i].sketch, build::is_sketch_path(stages[i].sketch)));
     if (stages[i].robot_is_text) {
       write_file(folder / (member.name + ".toml"), read_file(stages[i].robot.file));
       add("robot", "./" + member.name + ".toml");
     } else {
-      add("robot", from_here(stages[i].robot_name));
+      add("robot", resolved(stages[i].robot_name, launch::is_path(stages[i].robot_name)));
     }
     add("target", stages[i].target);
     add("start", member.launch.request.start);
@@ -118,7 +118,8 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std:
     }
     std::string folders;
     for (const std::string& library : stages[i].libraries)
-      folders += fmt::format("{}\"{}\"", folders.empty() ? "" : ", ", escaped(from_here(library)));
+      folders += fmt::format("{}\"{}\"", folders.empty() ? "" : ", ",
+                             escaped(resolved(library, launch::is_path(library))));
     if (!folders.empty()) text += fmt::format("libraries = [{}]\n", folders);
   }
   write_file(folder / kFleetFile, text);

@@ -184,8 +184,9 @@ TEST_F(SketchTest, AnImageThatWasDamagedInTheCacheIsMadeAnew) {
 TEST_F(SketchTest, OurOwnSketchesAreFoundByName) {
   for (const std::string& name : stock_sketches()) EXPECT_TRUE(fs::is_directory(find_sketch(name))) << name;
   EXPECT_THAT(stock_sketches(), testing::Contains("PidFollower"));
-  EXPECT_THAT([] { find_sketch("Nobody"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("no sketch Nobody; Robosim's own are")));
+  EXPECT_THAT(
+      [] { find_sketch("Nobody"); },
+      testing::ThrowsMessage<InputError>(HasSubstr("'Nobody' is neither a folder here nor a sketch")));
   EXPECT_THAT([] { find_sketch("./Nobody"); }, testing::ThrowsMessage<InputError>(HasSubstr("./Nobody: ")));
   EXPECT_EQ(find_sketch(SKETCHES), fs::path(SKETCHES));
 }

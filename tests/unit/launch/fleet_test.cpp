@@ -66,6 +66,16 @@ TEST(FleetFile, PathsStayPathsInTheCurrentFolder) {
   }
 }
 
+TEST(FleetFile, ABareSketchIsTheFolderBesideTheFile) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "Mine");
+  const Fleet fleet = parse_fleet(
+      "[[agent]]\nname = \"A\"\nsketch = \"Mine\"\n[[agent]]\nname = \"B\"\nsketch = \"PidFollower\"\n",
+      folder.path() / "fleet.toml");
+  EXPECT_EQ(fleet.members[0].launch.sketch, folder.path() / "Mine");
+  EXPECT_EQ(fleet.members[1].launch.sketch, "PidFollower");
+}
+
 TEST(FleetFile, NeedsTheRunnerThatHasAllOfItsTargets) {
   EXPECT_EQ(runner_of({"host", "host"}), "host");
   EXPECT_EQ(runner_of({"host", "avr"}), "avr");

@@ -12,7 +12,9 @@ namespace robosim::launch {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class NamesTest : public ::testing::Test {
  protected:
@@ -69,9 +71,31 @@ TEST_F(NamesTest, ASketchsFileStandsInItsFolder) {
 TEST_F(NamesTest, ASketchOfOursIsFoundByName) {
   EXPECT_TRUE(fs::exists(choose_sketch("PidFollower").path));
   EXPECT_THAT(refusal([] { choose_sketch("PidFolower"); }), HasSubstr("did you mean PidFollower?"));
-  touch("Mine/Mine.ino");
-  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("for the one in this folder write ./Mine"));
   EXPECT_THAT(refusal([] { choose_sketch("no/such"); }), HasSubstr("no/such: there is no such file"));
+}
+
+TEST_F(NamesTest, ABareWordNamesAFolderHereBeforeASketchOfRobosim) {
+  touch("Mine/Mine.ino");
+  touch("PidFollower/PidFollower.ino");
+  EXPECT_EQ(choose_sketch("Mine").path, "Mine");
+  EXPECT_EQ(choose_sketch("Mine").folder, "Mine");
+  const SketchChoice hiding = choose_sketch("PidFollower");
+  EXPECT_EQ(hiding.path, "PidFollower");
+  EXPECT_THAT(remarks_on_project(hiding, {}), ElementsAre(HasSubstr("not Robosim's sketch of that name")));
+  EXPECT_THAT(remarks_on_project(choose_sketch("./PidFollower"), {}), IsEmpty());
+  EXPECT_THAT(refusal([] { choose_sketch("Mime"); }),
+              HasSubstr("'Mime' is neither a folder here nor a sketch of Robosim; there are "));
+}
+
+TEST_F(NamesTest, AFileWithoutItsEndingIsShownWithIt) {
+  touch("yard.map");
+  touch("mine.toml");
+  touch("Mine");
+  EXPECT_THAT(refusal([] { choose_map("yard", "."); }),
+              HasSubstr("for the file in this folder write yard.map"));
+  EXPECT_THAT(refusal([] { choose_robot("mine", "."); }),
+              HasSubstr("for the file in this folder write mine.toml"));
+  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("for the file here write ./Mine"));
 }
 
 TEST_F(NamesTest, AnElfSaysWhichTargetItIsFor) {

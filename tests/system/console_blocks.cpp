@@ -1,0 +1,99 @@
+#include "tests/system/console_blocks.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace robosim::test {
+
+namespace {
+
+constexpr std::string_view kAnything = "…";
+
+std::string without_blanks_at_end(std::string line) {
+  line.erase(line.find_last_not_of(" \t\r") + 1);
+  return line;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) lines.push_back(without_blanks_at_end(line));
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  while (!lines.empty() && lines.front().empty()) lines.erase(lines.begin());
+  return lines;
+}
+
+/// Returns whether `line` is `pattern`, in which each `…` stands for any text.
+bool fits(std::string_view pattern, std::string_view line) {
+  const std::size_t first = pattern.find(kAnything);
+  if (first == pattern.npos) return pattern == line;
+  if (!line.starts_with(pattern.substr(0, first))) return false;
+  pattern.remove_prefix(first + kAnything.size());
+  for (std::size_t at = first; at <= line.size(); ++at)
+    if (fits(pattern, line.substr(at))) return true;
+  return false;
+}
+
+/// Returns whether the lines from `line` on are those from `pattern` on, where a line `…` stands for any
+/// number.
+bool fit(const std::vector<std::string>& patterns, std::size_t pattern, const std::vector<std::string>& lines,
+         std::size_t line) {
+  for (; pattern < patterns.size(); ++pattern, ++line) {
+    if (patterns[pattern].find_first_not_of(' ') == patterns[pattern].find(kAnything) &&
+        patterns[pattern].ends_with(kAnything)) {
+      for (std::size_t at = line; at <= lines.size(); ++at)
+        if (fit(patterns, pattern + 1, lines, at)) return true;
+      return false;
+    }
+    if (line >= lines.size() || !fits(patterns[pattern], lines[line])) return false;
+  }
+  return line == lines.size();
+}
+
+}  // namespace
+
+ConsolePage read_console_blocks(std::string_view markdown) {
+  constexpr std::string_view kFence = "```", kConsole = "```console", kPrompt = "$ ",
+                             kSetup = "<!-- setup: ", kSetupEnd = " -->";
+  enum class In { text, console, shown, other } in = In::text;
+  ConsolePage page;
+  std::istringstream stream{std::string(markdown)};
+  int number = 0, last_status = 0;
+  std::size_t begin = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (line.starts_with(kFence)) {
+      if (in != In::text) {
+        if (in == In::console && page.commands.size() > begin) page.commands.back().status = last_status;
+        in = In::text;
+      } else if (line.starts_with(kConsole)) {
+        const std::string info = line.substr(kConsole.size());
+        begin = page.commands.size();
+        last_status = info.starts_with(" status ") ? std::stoi(info.substr(8)) : 0;
+        if (!info.empty() && !info.starts_with(" status ") && !info.starts_with(" not run: "))
+          throw std::invalid_argument("line " + std::to_string(number) + ": console" + info +
+                                      ": allowed are 'status N' and 'not run: REASON'");
+        in = info.starts_with(" not run: ") ? In::shown : In::console;
+      } else {
+        in = In::other;
+      }
+    } else if (in == In::text && line.starts_with(kSetup) && line.ends_with(kSetupEnd)) {
+      line = line.substr(kSetup.size(), line.size() - kSetup.size() - kSetupEnd.size());
+      page.commands.push_back({number, line, "", 0, true});
+    } else if (in == In::other && line.starts_with(kPrompt)) {
+      page.outside.push_back(number);
+    } else if (in == In::console && line.starts_with(kPrompt)) {
+      page.commands.push_back({number, line.substr(kPrompt.size()), "", 0, false});
+    } else if (in == In::console && page.commands.size() > begin) {
+      page.commands.back().output += line + "\n";
+    }
+  }
+  return page;
+}
+
+bool shows(std::string_view expected, std::string_view actual) {
+  const std::vector<std::string> patterns = lines_of(expected);
+  return patterns.empty() || fit(patterns, 0, lines_of(actual), 0);
+}
+
+}  // namespace robosim::test

@@ -1,0 +1,116 @@
+// Every command of README.md and docs runs as it is written there, in a clone, and prints what the page
+// shows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/system/command.h"
+#include "tests/system/console_blocks.h"
+
+namespace robosim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ConsoleBlocks, HaveCommandsOutputsAndStatuses) {
+  const ConsolePage page = read_console_blocks(
+      "<!-- setup: touch a -->\n```console status 1\n$ ls\na\n\n$ false\n```\n$ text\n```\n$ no\n```\n"
+      "```console not run: needs a board\n$ robosim flash\n```\n");
+  ASSERT_EQ(page.commands.size(), 3u);
+  EXPECT_TRUE(page.commands[0].is_setup);
+  EXPECT_EQ(page.commands[1].command, "ls");
+  EXPECT_EQ(page.commands[1].output, "a\n\n");
+  EXPECT_EQ(page.commands[1].status, 0);
+  EXPECT_EQ(page.commands[2].line, 6);
+  EXPECT_EQ(page.commands[2].status, 1);
+  EXPECT_EQ(page.outside, std::vector<int>{10});
+  EXPECT_THROW(read_console_blocks("```console quickly\n"), std::invalid_argument);
+}
+
+TEST(ConsoleBlocks, ShowTheOutputOrPartsOfIt) {
+  EXPECT_TRUE(shows("a\n\nb\n", "\na  \n\nb\n\n"));
+  EXPECT_TRUE(shows("", "anything"));
+  EXPECT_TRUE(shows("…\nlap … s\n…\n", "x\ny\nlap 8.5 s\nz\n"));
+  EXPECT_TRUE(shows("a\n…\nb\n", "a\nb\n"));
+  EXPECT_FALSE(shows("a\n", "a\nb\n"));
+  EXPECT_FALSE(shows("…\nlap … s\n", "lap 8.5 m\n"));
+  EXPECT_FALSE(shows("a\n…\nb\n", "a\n"));
+}
+
+std::vector<std::string> pages() {
+  std::vector<std::string> found{"README.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROBOSIM_CHECKOUT) / "docs"))
+    if (entry.path().extension() == ".md")
+      found.push_back(entry.path().lexically_relative(ROBOSIM_CHECKOUT).string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// What a newcomer has: a clone to work in, and `robosim` on the PATH.
+void make_clone(const Folder& clone, const Folder& programs) {
+  for (const auto& entry : fs::directory_iterator(ROBOSIM_CHECKOUT))
+    if (const std::string name = entry.path().filename();
+        name != "build" && name != "robosim" && name[0] != '.')
+      fs::create_symlink(entry.path(), clone / name);
+  fs::create_symlink(ROBOSIM_COMMAND, programs / "robosim");
+}
+
+struct Outcome {
+  int status = -1;
+  std::string output;
+};
+
+/// Runs the commands in one shell. A command that ends the shell leaves the outcomes after it out.
+std::vector<Outcome> run_all(const std::vector<ConsoleCommand>& commands, const fs::path& folder,
+                             const fs::path& programs) {
+  constexpr char kMark = '\x1e';
+  std::string script =
+      "export CHECKOUT='" ROBOSIM_CHECKOUT "' PATH='" + programs.string() + "':\"$PATH\" TERM=dumb\n";
+  script += "unset ROBOSIM_WRAPPER\n";
+  for (const ConsoleCommand& command : commands) script += command.command + "\nprintf '\\036%d\\n' $?\n";
+  const Folder files;
+  const fs::path file = files.write("commands.sh", script);
+  const Ended ended = robosim_command({"-c", "exec bash \"$0\" 2>&1", file.string()}, folder, nullptr,
+                                      "/dev/null", "/bin/bash");
+  std::vector<Outcome> outcomes;
+  std::size_t begin = 0;
+  for (std::size_t mark; (mark = ended.out.find(kMark, begin)) != std::string::npos;) {
+    const std::size_t end = ended.out.find('\n', mark);
+    outcomes.push_back({std::stoi(ended.out.substr(mark + 1)), ended.out.substr(begin, mark - begin)});
+    begin = end + 1;
+  }
+  return outcomes;
+}
+
+class DocumentsTest : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(DocumentsTest, EveryCommandRunsAsItIsWritten) {
+  const std::string page = GetParam();
+  const ConsolePage blocks = read_console_blocks(read_file(fs::path(ROBOSIM_CHECKOUT) / page));
+  for (const int line : blocks.outside)
+    ADD_FAILURE() << page << ":" << line << ": this command never runs; its block must begin with ```console";
+  if (blocks.commands.empty()) return;
+  const Folder clone, programs;
+  make_clone(clone, programs);
+  const std::vector<Outcome> outcomes = run_all(blocks.commands, clone.path(), programs.path());
+  ASSERT_EQ(outcomes.size(), blocks.commands.size()) << page;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const ConsoleCommand& shown = blocks.commands[i];
+    EXPECT_EQ(outcomes[i].status, shown.status)
+        << page << ":" << shown.line << ": $ " << shown.command << "\n"
+        << outcomes[i].output;
+    EXPECT_TRUE(shows(shown.output, outcomes[i].output))
+        << page << ":" << shown.line << ": $ " << shown.command << "\nprints\n"
+        << outcomes[i].output;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, DocumentsTest, ::testing::ValuesIn(pages()), [](const auto& info) {
+  std::string name = info.param;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace robosim::test
