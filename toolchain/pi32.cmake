@@ -5,3 +5,4 @@ set(CMAKE_LIBRARY_ARCHITECTURE arm-linux-gnueabihf)
 set(ROBOSIM_PI_ARCHITECTURE armhf)
 set(ROBOSIM_PI_EMULATOR qemu-arm)
 include(${CMAKE_CURRENT_LIST_DIR}/pi.cmake)
+set(CMAKE_CXX_FLAGS_INIT -Wno-psabi)  # notes on how GCC 7.1 passed arguments
