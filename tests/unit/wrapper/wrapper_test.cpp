@@ -79,9 +79,9 @@ class Wrapper : public testing::Test {
     fs::permissions(file, fs::perms::owner_all);
   }
 
-  // Runs a command line in `elsewhere`, without a terminal.
-  Result run(const std::string& command) const {
-    const std::string line = "cd '" + (folder_ / "elsewhere").string() + "' && env -i PATH='" +
+  // Runs a command line in a folder, without a terminal.
+  Result run(const std::string& command, const std::string& folder = "elsewhere") const {
+    const std::string line = "cd '" + (folder_ / folder).string() + "' && env -i PATH='" +
                              (folder_ / "bin").string() + ":/usr/bin:/bin' " + command +
                              " </dev/null >../out 2>../err";
     const int status = std::system(line.c_str());
@@ -250,7 +250,7 @@ TEST_F(Wrapper, BuildsTheRunnerOfAChipForAHunt) {
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
   run("../checkout/robosim");
   calls();
-  const Result result = run("../checkout/robosim test -N -R Golden");
+  const Result result = run("../checkout/robosim test -N -R Golden", "checkout");
   EXPECT_EQ(result.out, checkout().string() + "\n");
   const std::string asked = calls();
   EXPECT_THAT(asked, HasSubstr(" plenty scarce check-kit chip arm-kit\n"));
@@ -299,7 +299,7 @@ exit 8)";
 
 TEST_F(Wrapper, SumsUpTheTestsAndShowsEachFailureWithTheCommandThatRepeatsIt) {
   tool("ctest", kFourTests);
-  const Result result = run("ROBOSIM_PRESET=ci ../checkout/robosim test");
+  const Result result = run("ROBOSIM_PRESET=ci ../checkout/robosim test", "checkout");
   EXPECT_EQ(result.status, 8) << "ctest's own";
   EXPECT_THAT(result.out, HasSubstr("FAILED  On/Line.IsLost/avr  (Failed 0.02 sec)\n"
                                     "line_test.cpp:7: Failure\n"
@@ -314,7 +314,7 @@ TEST_F(Wrapper, SumsUpTheTestsAndShowsEachFailureWithTheCommandThatRepeatsIt) {
 
 TEST_F(Wrapper, TellsOfTheTestsProgressInALineForEachTenth) {
   tool("ctest", "for i in $(seq 200); do echo \"$i/200 Test #$i: A.Test ...   Passed  0.01 sec\"; done");
-  const Result result = run("../checkout/robosim test");
+  const Result result = run("../checkout/robosim test", "checkout");
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.out, StartsWith("  20 of 200  ·  0 failed  ·  "));
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 9 + 2) << result.out;
@@ -322,14 +322,14 @@ TEST_F(Wrapper, TellsOfTheTestsProgressInALineForEachTenth) {
 
 TEST_F(Wrapper, SumsUpWhatWasTestedUntilItWasInterrupted) {
   tool("ctest", "echo '1/9 Test #1: A.Test ...***Failed  0.01 sec'; kill -INT $PPID");
-  const Result result = run("../checkout/robosim test");
+  const Result result = run("../checkout/robosim test", "checkout");
   EXPECT_EQ(result.status, 130);
   EXPECT_THAT(result.out, AllOf(HasSubstr("FAILED  A.Test"), HasSubstr("interrupted\n0 passed, 1 failed, ")));
 }
 
 TEST_F(Wrapper, ShowsWhatCtestSaysWhereItRunsNoTest) {
   tool("ctest", "echo 'No tests were found!!!'; exit 8");
-  const Result result = run("../checkout/robosim test -R Nothing");
+  const Result result = run("../checkout/robosim test -R Nothing", "checkout");
   EXPECT_EQ(result.status, 8);
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err, "No tests were found!!!\n");
@@ -338,6 +338,14 @@ TEST_F(Wrapper, ShowsWhatCtestSaysWhereItRunsNoTest) {
 TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserHasChecks) {
   write_file(folder_ / "elsewhere/checks.toml", "");
   EXPECT_THAT(run("../checkout/robosim test").out, EndsWith("<test>"));
+}
+
+TEST_F(Wrapper, LeavesTestToTheCommandOutsideOfTheCheckout) {
+  EXPECT_THAT(run("../checkout/robosim test").out, EndsWith("<test>"));
+  EXPECT_THAT(calls(), Not(HasSubstr("ctest")));
+  fs::create_directories(checkout() / "docs");
+  run("../../checkout/robosim test", "checkout/docs");
+  EXPECT_THAT(calls(), HasSubstr("ctest"));
 }
 
 TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserNamesSketchesOrChecks) {
@@ -355,10 +363,10 @@ TEST_F(Wrapper, LeavesTestToTheCommandWhereTheUserNamesSketchesOrChecks) {
 }
 
 TEST_F(Wrapper, TakesTheValueOfAnOptionOfCtestForNoSketch) {
-  fs::create_directories(folder_ / "elsewhere/grid");
+  fs::create_directories(checkout() / "grid");
   for (const char* words : {"-R grid", "-V -R grid", "-R 'grid/.*' -E grid", "--tests-regex grid -j 2",
                             "-j -R grid", "--rerun-failed", "--repeat until-fail:2 -R=grid", "-Lgrid"}) {
-    run(std::string("../checkout/robosim test ") + words);
+    run(std::string("../checkout/robosim test ") + words, "checkout");
     EXPECT_THAT(calls(), HasSubstr("ctest --preset release")) << words;
   }
 }
