@@ -1,5 +1,5 @@
-// What a target that emulates a chip has to provide; the rest is the same for all of them (chip_executor.h).
-// All times here are by the chip's own clock.
+// The interface that each target with an emulated chip implements. chip_executor.h has all that such targets
+// share. All times here are by the chip's own clock.
 #pragma once
 
 #include <any>
@@ -19,44 +19,45 @@ class RunningChip {
  public:
   virtual ~RunningChip() = default;
 
-  /// Runs to the first instruction that ends at or behind `t`, or to the firmware's end.
+  /// Runs to the first instruction that ends at or after `t`, or to the firmware's end.
   virtual void run_until(SimTime t) = 0;
-  /// Whether the firmware can run no further.
+  /// Returns whether the firmware cannot run any further.
   virtual bool has_crashed() const = 0;
   virtual Crash crash() const = 0;
 
   virtual Resources resources() const = 0;
   virtual bool is_asleep() const = 0;
-  /// When it last accessed I/O outside handlers.
+  /// Returns when the firmware last accessed I/O outside interrupt handlers.
   virtual SimTime last_io() const = 0;
-  /// Whether it never will again. Takes some milliseconds.
+  /// Returns whether it will never access I/O again. Takes some milliseconds.
   virtual bool hangs() const = 0;
-  /// But for its last_call. Costly, as are the next two.
+  /// Returns the activity, except its last_call. Costly, as are the next two.
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
-  /// Of the instruction that is running, or the calls that led there: the sketch's own line.
+  /// Returns the line of the sketch that is running, or that led to the running instruction by calls.
   virtual SourceLine sketch_line() const { return where_now(); }
-  /// While the firmware prints a byte: the line of the sketch that does; `before` is that of the byte before.
+  /// Returns the line of the sketch that prints a byte, while it does; `before` is the line of the previous
+  /// byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;
-  /// What the firmware prints is told to `bytes`, which outlives this.
+  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
   virtual void trace_bytes(WrittenBytes& bytes) = 0;
-  /// As Executor has it.
+  /// See Executor.
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {
     static const SourceLine unknown;
     return static_cast<void>(pin), static_cast<void>(drive), unknown;
   }
-  /// All that changes while it runs, but for its board. Throws InputError where that cannot be copied.
+  /// Saves all state that changes during a run, except the board's. Throws InputError if it cannot be copied.
   virtual std::any save() const = 0;
-  /// Of a chip with the same firmware. It does nothing to the board.
+  /// Restores the state of a chip with the same firmware. The board is not changed.
   virtual void restore(const std::any& saved) = 0;
-  /// Of its detectors, if there are any.
+  /// Returns the findings of its detectors, if there are any.
   virtual std::vector<Detected> detected() const { return {}; }
-  /// What its RAM holds, of one that keeps it through a brown-out.
+  /// Returns the content of the RAM, for a chip that retains it through a brown-out.
   virtual std::vector<std::uint8_t> ram() const { return {}; }
-  /// Not power-on has reset it, but its brown-out detector: it has this RAM still. To be called before it
-  /// runs.
+  /// Makes this start a reset by the brown-out detector, not by power-on: the RAM has this content. Call it
+  /// before the chip runs.
   virtual void was_browned_out(const std::vector<std::uint8_t>& ram) { static_cast<void>(ram); }
-  /// millis() begins with `start` when main() begins.
+  /// Makes millis() begin with `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };
 
@@ -66,37 +67,37 @@ class ChipFirmware {
   virtual ~ChipFirmware() = default;
 
   virtual const std::string& file() const = 0;
-  /// How wide its int is.
+  /// Returns the width of int in bits.
   virtual int int_bits() const = 0;
-  /// Whether the real chip could hold it, so that its size and speed mean something.
+  /// Returns whether the real chip could hold it. Size and speed are meaningful only then.
   virtual bool fits_chip() const = 0;
-  /// Whether its EEPROM is the board's.
+  /// Returns whether its EEPROM is the board's.
   virtual bool has_boards_eeprom() const = 0;
-  /// What the EEPROM begins with; what is not there is erased.
+  /// Returns the initial content of the EEPROM; the remaining bytes are erased.
   virtual const std::vector<std::uint8_t>& eeprom() const {
     static const std::vector<std::uint8_t> kErased;
     return kErased;
   }
-  /// Why set_clock() would do nothing: "it never calls millis()"; empty where it would work.
+  /// Returns why set_clock() would have no effect: "it never calls millis()". Empty if it would work.
   virtual std::string why_clock_stays() const = 0;
 
-  /// What the chip keeps without power and changes by itself, but for the board's EEPROM.
+  /// Saves what the chip stores without power and changes by itself, except the board's EEPROM.
   virtual std::any save() const { return {}; }
   virtual void restore(const std::any&) {}
 
-  /// From the next power-on, a debugger may halt it. Both outlive this.
+  /// Lets a debugger halt the chip from the next power-on. Both outlive this.
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
-  /// From the next power-on, it is counted how often lines run.
+  /// Counts how often lines run, from the next power-on.
   virtual void count_lines() = 0;
-  /// From the next power-on, the chip tells which lines drive pins, if this returns true.
+  /// Records which lines drive pins from the next power-on, if this returns true.
   virtual bool trace_drives() { return false; }
-  /// From the next power-on, detectors watch; as Executor has it.
+  /// Turns on the detectors from the next power-on; see Executor.
   virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
-  /// As Executor has it. `board` outlives this.
+  /// See Executor. `board` outlives this.
   virtual CauseFinder* find_causes(ClockedBoard& board) { return static_cast<void>(board), nullptr; }
-  /// As LineCounts has it; empty where nothing is counted.
+  /// Returns the text of LineCounts; empty if nothing is counted.
   virtual std::string line_counts() const = 0;
-  /// One at a time; it ends before `board` and this do.
+  /// Starts a chip, one at a time. It ends before `board` and this do.
   virtual std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) = 0;
 };
 

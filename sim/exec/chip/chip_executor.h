@@ -1,9 +1,11 @@
-// The targets that run the very ELF that is flashed, in an emulated chip, in lockstep with the world.
+// The executor for targets that run the flashed ELF file itself, in an emulated chip, in lockstep with the
+// world.
 //
 //   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
 //
-// A tick runs to the first instruction that ends at or behind its end; edges and bytes that the robot has
-// scheduled reach the chip at their cycle, or at the end of the instruction that is running then.
+// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes that the robot
+// has scheduled reach the chip at their cycle. If an instruction is running then, they reach it at the end of
+// that instruction.
 #pragma once
 
 #include <memory>
@@ -54,20 +56,20 @@ class ChipExecutor : public Executor {
  private:
   struct State {
     std::optional<Crash> crash;
-    std::optional<Resources> before;  ///< what was measured before the last power-on
-    std::vector<Detected> detected;   ///< and what was seen
-    std::vector<std::uint8_t> ram;    ///< while the power is off: what it held before
+    std::optional<Resources> before;  ///< measured before the last power-on
+    std::vector<Detected> detected;   ///< findings from before the last power-on
+    std::vector<std::uint8_t> ram;    ///< while the power is off: the last content
     SimTime clock_start = 0;
-    SimTime reached = 0;  ///< until when firmware has run
+    SimTime reached = 0;  ///< time up to which firmware has run
     Silence silence;
-    bool hangs = false;  ///< as far as it has been looked at
+    bool hangs = false;  ///< as far as checked
   };
   struct Saved {
     State own;
     BoardState::State board;
     ClockedBoard::State clocked;
     std::any chip;      ///< empty while the power is off
-    std::any firmware;  ///< what it keeps without power
+    std::any firmware;  ///< state that it retains without power
     std::optional<WrittenBytes::State> written;
   };
 

@@ -1,5 +1,5 @@
-// Resets by a watchdog. Now and then one is what it is for; firmware that gets nowhere between them has
-// crashed.
+// Counts resets by the watchdog. An occasional reset is the watchdog's purpose; firmware that makes no
+// progress between resets has crashed.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,16 +13,16 @@ namespace robosim::exec {
 class Bites {
  public:
   static constexpr int kTooMany = 3;
-  static constexpr SimTime kRow = 10 * kSecond;  ///< a row goes on if the next one comes within
+  static constexpr SimTime kRow = 10 * kSecond;  ///< a row continues if the next reset comes within
 
-  /// One more; true if they are too many.
+  /// Counts one reset; returns true if there are too many in a row.
   bool add(SimTime now) {
     in_row_ = in_row_ > 0 && now - last_ < kRow ? in_row_ + 1 : 1;
     last_ = now;
     return in_row_ >= kTooMany;
   }
 
-  /// Why it is a crash.
+  /// Returns the reason for the crash report.
   static std::string reason() {
     return fmt::format("the watchdog has reset the chip {} times, each time within {} s of the one before",
                        kTooMany, kRow / kSecond);

@@ -1,5 +1,5 @@
-// What a simulation may look at and change inside the board, past firmware and robot: faults of the memory,
-// and what a verdict says of a pin.
+// The simulation's access to the inside of the board, past firmware and robot. It serves memory faults, and
+// what verdicts report about pins.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace robosim::exec {
 
-/// What firmware has done with a pin since the run began, other than driving it.
+/// The ways in which firmware has used a pin since the run began, other than driving it.
 struct PinUse {
-  bool read = false;       ///< as a digital input, if only along with its port
-  bool looked_at = false;  ///< and not only along with its port
+  bool read = false;       ///< as a digital input, even if only along with its port
+  bool looked_at = false;  ///< as a digital input by itself, not only along with its port
   bool measured = false;   ///< by the ADC
   bool pulled_up = false;  ///< its pull-up was on
-  bool awaited = false;    ///< its edges were wanted: by an interrupt, or a counter
+  bool awaited = false;    ///< something waited for its edges: an interrupt, or a counter
   bool was_low = false, was_high = false;
-  double lowest_volts = 0.0, highest_volts = 0.0;  ///< where measured
-  SimTime last_seen = -1;                          ///< when it was read or measured last; -1 = never
+  double lowest_volts = 0.0, highest_volts = 0.0;  ///< of the measurements
+  SimTime last_seen = -1;                          ///< time of the last read or measurement; -1 = never
 };
 
 class BoardProbe {
  public:
-  /// The EEPROM as it holds now, of spec().eeprom_bytes.
+  /// Returns the present content of the EEPROM, spec().eeprom_bytes long.
   virtual std::span<std::uint8_t> memory() = 0;
-  /// What firmware would read; may consume a sample of noise.
+  /// Returns the level that firmware would read; may consume a sample of noise.
   virtual bool level(Pin pin, SimTime t) = 0;
   virtual const PinUse& use(Pin pin) const = 0;
 

@@ -1,5 +1,5 @@
-// The board that every executor shares, behind both views: how pins are driven, who watches, what is on its
-// way to the chip. All times are the world's.
+// The board that all executors share, and that both views show. It holds how pins are driven, who watches
+// them, and which inputs are on their way to the chip. All times are the world's.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct BoardInput {
   Kind kind = Kind::edge;
   Pin pin = kNoPin;        ///< of an edge
   std::uint8_t value = 0;  ///< level after the edge, or the byte
-  SimTime at = 0;          ///< when the chip has it
+  SimTime at = 0;          ///< when it reaches the chip
 };
 
 class BoardState final : public FirmwarePort, public RobotPort, public BoardProbe {
@@ -67,27 +67,30 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   const PinUse& use(Pin pin) const override { return state_of(pin).use; }
 
   // --- for executors
-  /// A reset: all pins become inputs, nobody wants edges, the receiver is off; what was on its way is lost.
+  /// Resets the board: all pins become inputs, no edges are wanted, the receiver is off, and pending inputs
+  /// are lost.
   void reset(SimTime t);
-  /// From `now` on edges on `pin` are wanted, or no longer: a change of the level that it has then. Where
-  /// they become wanted, firmware's side looks at the pin for that, and this is what it finds.
+  /// Starts or stops to report edges on `pin`, from `now` on, relative to its present level. On a start, the
+  /// firmware's side reads the pin for that; this is the level that it reads.
   bool set_wants_edges(Pin pin, bool wanted, SimTime now);
-  /// As set_drive(); where edges are wanted, a change of the level is one. Those of PWM are none.
+  /// Drives a pin as set_drive(); if its edges are wanted, a change of level is an edge. Edges of PWM do not
+  /// count.
   void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t);
-  /// The receiver listens from `now` on, a byte taking `byte_time`; 0 = it does not. Bytes sent before are
-  /// lost.
+  /// Turns on the receiver from `now` on, with `byte_time` for each byte; 0 turns it off. Bytes sent before
+  /// are lost.
   void listen(SimTime byte_time, SimTime now);
 
-  /// When the next wanted edge or byte arrives; kNever if none is on its way.
+  /// Returns when the next wanted edge or byte arrives; kNever if none is pending.
   SimTime next_input() const { return state_.next_input; }
-  /// Until when, exclusive, reads of `pin` surely give what they give at `t`, and nobody misses them if they
-  /// are left out; `t` = that is not known.
+  /// Returns until when (exclusive) reads of `pin` surely equal the read at `t`, and can be skipped without
+  /// any effect. Returns `t` if that is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Whether convert() is more than read_volts(): a source charges the converter slowly, or somebody watches.
+  /// Returns whether convert() differs from read_volts(): a source charges the converter slowly, or a watcher
+  /// exists.
   bool converts_slowly() const { return converts_slowly_; }
-  /// Takes it if it arrives at or before `until`.
+  /// Takes the next input if it arrives at or before `until`.
   bool take_input(SimTime until, BoardInput& input);
-  /// Forgets edges before `t` that nobody wanted.
+  /// Drops edges before `t` that were not wanted.
   void forget_edges(SimTime t) {
     if (!state_.edges.empty()) forget_all_edges(t);
   }
@@ -97,26 +100,26 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     PinDrive drive;
     PinUse use;
     bool wants_edges = false;
-    bool last_level = false;  ///< while edges are wanted: after the last one that is known
+    bool last_level = false;  ///< while edges are wanted: the level after the last known edge
   };
   struct Byte {
     std::uint8_t value;
     SimTime sent;
   };
-  /// All that changes during a run.
+  /// All state that changes during a run.
   struct State {
-    std::vector<PinState> pins;  ///< the last is of numbers that are no pin: nobody drives it
-    int wanted_pins = 0;         ///< of which edges are wanted
+    std::vector<PinState> pins;  ///< the last one stands for invalid pin numbers, and is never driven
+    int wanted_pins = 0;         ///< number of pins whose edges are wanted
     std::vector<std::uint8_t> eeprom;
-    std::vector<BoardInput> edges;  ///< by time, and as scheduled where times are equal
+    std::vector<BoardInput> edges;  ///< by time; equal times in the order of scheduling
     std::vector<Byte> bytes;        ///< by time
     SimTime byte_time = 0;          ///< 0 = the receiver is off
     SimTime last_arrival = 0;
     SimTime next_input = kNever;
-    std::size_t spoken_to = kNobody;  ///< of the two-wire bus's devices
+    std::size_t spoken_to = kNobody;  ///< the addressed device of the two-wire bus
   };
   const State& save() const { return state_; }
-  /// Tells no watcher.
+  /// Restores a state without a report to watchers.
   void restore(const State& saved) { state_ = saved; }
 
  private:

@@ -18,63 +18,65 @@
 
 namespace robosim::exec {
 
-/// A line of the sketch that had its part in it.
+/// A line of the sketch that contributed to an effect.
 struct CauseStep {
   enum class Kind : std::uint8_t {
-    computes,  ///< it has computed a value, or stored it
-    decides,   ///< it has decided that another line runs
-    reads,     ///< it has looked at a pin
+    computes,  ///< it computed a value, or stored it
+    decides,   ///< it decided that another line runs
+    reads,     ///< it read a pin
     asks_time,
-    receives,  ///< a byte
-    keeps,     ///< a variable, or a constant, that has what it began with; the line declares it
+    receives,  ///< it received a byte
+    keeps,     ///< it declares a variable or constant that still has its initial value
   };
   Kind kind = Kind::computes;
   wire::SourceLine where;
-  SimTime t = 0;     ///< when it last did, by the world's clock
-  int far = 0;       ///< how many lines lie between
-  Pin pin = kNoPin;  ///< that it has looked at
+  SimTime t = 0;     ///< when it last did so, by the world's clock
+  int far = 0;       ///< number of lines in between
+  Pin pin = kNoPin;  ///< the pin that it read
 };
 
 class CauseFinder {
  public:
   virtual ~CauseFinder() = default;
 
-  /// Forgets what was noted, and notes from now on. The chip is slower meanwhile.
+  /// Drops the record, and starts a new one. The chip is slower while recording.
   virtual void begin() = 0;
   virtual void end() = 0;
 
-  /// Forgets what was asked, and asks why the chip drives these pins as it does at `t`, which is noted.
+  /// Drops the previous question, and asks why the chip drives these pins as it does at `t`, which is
+  /// recorded.
   virtual void ask(const std::vector<Pin>& pins, SimTime t) = 0;
-  /// Why the firmware was at `t` where it was.
+  /// Asks why the firmware was at its place at `t`.
   virtual void ask_place(SimTime t) = 0;
-  /// Back to the beginning of what is noted. `adjoins`: what was followed before began where this ends.
+  /// Follows back to the beginning of the record. `adjoins`: the record ends where the one followed before
+  /// begins.
   virtual void follow(bool adjoins) = 0;
-  /// Of data memory: what was made before, the nearest first.
+  /// Returns the addresses of data memory that were written before the record, the nearest first.
   virtual std::vector<std::uint16_t> open_bytes() const = 0;
-  /// These of them are followed no further.
+  /// Stops following these bytes.
   virtual void give_up(const std::vector<std::uint16_t>& bytes) = 0;
-  /// Whether something is open that registers held.
+  /// Returns whether a value in a register is not traced yet.
   virtual bool open_registers() const = 0;
-  /// As data memory is now.
+  /// Returns a byte of data memory as it is now.
   virtual std::uint8_t byte(std::uint16_t address) const = 0;
-  /// Nothing lies further back: what is open has the value that the program began with.
+  /// Ends the search: everything that is still open has its value from the program's start.
   virtual void close() = 0;
 
-  /// The nearest first.
+  /// Returns the steps, the nearest first.
   virtual std::vector<CauseStep> steps() const = 0;
-  /// The line of the sketch that most of the time between was spent in, with what it called.
+  /// Returns the line of the sketch that took most of the time in between, including what it called.
   virtual wire::SourceLine busiest(SimTime from, SimTime to) const = 0;
 
   struct Share {
     wire::SourceLine where;
     double of_all = 0;  ///< 0 to 1
   };
-  /// What part of the time between the sketch's interrupt handlers took, and the line that took most of it.
+  /// Returns the share of time that the sketch's interrupt handlers took, and the line that took most of it.
   virtual Share handlers(SimTime from, SimTime to) const = 0;
-  /// Whether interrupts may come now.
+  /// Returns whether interrupts are enabled.
   virtual bool interrupts_on() const = 0;
-  /// The last that has switched interrupts off in what is noted: a line, or the handler that began. `on`:
-  /// whether they were on when it began.
+  /// Returns the last place in the record that disabled interrupts: a line, or the handler that began. `on`:
+  /// whether interrupts were enabled when the record began.
   virtual std::optional<CauseStep> switched_off(bool on) = 0;
 };
 

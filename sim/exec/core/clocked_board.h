@@ -1,5 +1,5 @@
-// The board as firmware's side has it, by the firmware's own clock: the one place where its times become the
-// world's and the world's become its. Executors and what is inside them know no other clock.
+// The board as the firmware's side sees it, by the firmware's own clock. This is the only place that converts
+// between the firmware's times and the world's. Executors and their parts know no other clock.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for what executes firmware; all times but those of the world are the firmware's
-  /// The firmware shall run to `end`, a time of the world; returns it by the firmware's clock. What an
-  /// instruction does that begins before and ends behind it, the world sees at `end`.
+  // --- for executors; all times except the world's are the firmware's
+  /// Lets the firmware run to `end`, a time of the world, and returns it by the firmware's clock. If an
+  /// instruction begins before `end` and ends after it, the world sees its effects at `end`.
   SimTime begin_tick(SimTime end) {
     state_.limit = end;
     return state_.clock.to_firmware(end);
   }
   SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
   SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
-  /// From `world` on its clock runs so much too fast, in parts per million.
+  /// Sets how much too fast the clock runs from `world` on, in parts per million.
   void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }
@@ -47,7 +47,7 @@ class ClockedBoard final : public FirmwarePort {
     FirmwareClock clock;
     SimTime limit = kNever;
   };
-  /// But for the board's.
+  /// Saves the state, except the board's.
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 

@@ -1,7 +1,7 @@
-// The firmware's clock against the world's. They are the same until drift() says otherwise; from then on
+// The firmware's clock against the world's. They are equal until drift() is called; from then on
 //   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
 //   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
-// in whole nanoseconds, so that world(f) >= w exactly where f >= firmware(w).
+// in whole nanoseconds, so that world(f) >= w exactly if f >= firmware(w).
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -10,7 +10,8 @@ namespace robosim::exec {
 
 class FirmwareClock {
  public:
-  /// From `world` on the firmware's clock runs so much too fast, in parts per million; it does not jump.
+  /// Makes the firmware's clock too fast by this number of parts per million, from `world` on; it does not
+  /// jump.
   void drift(int ppm, SimTime world) {
     firmware_0_ = to_firmware(world);
     world_0_ = world;
@@ -23,7 +24,7 @@ class FirmwareClock {
     const SimTime d = world - world_0_;
     return firmware_0_ + d / kMillion * rate_ + (d % kMillion * rate_ + kMillion - 1) / kMillion;
   }
-  /// Asked several times in each tick, and therefore inline.
+  /// Converts to the world's time. Called several times in each tick, and therefore inline.
   [[gnu::always_inline]] SimTime to_world(SimTime firmware) const {
     if (rate_ == kMillion) return shifted(firmware, world_0_ - firmware_0_);
     if (firmware == kNever) return kNever;

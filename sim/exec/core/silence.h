@@ -1,4 +1,4 @@
-// Firmware that has called nothing for a while: when to look whether it ever will again. A look is costly.
+// Decides when to check whether silent firmware will ever call anything again. Such a check is costly.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -9,7 +9,7 @@ class Silence {
  public:
   static constexpr SimTime kFirstLook = kSecond;
 
-  /// Whether to look now: 1, 2, 4, … s after the last call.
+  /// Returns whether to check now: 1, 2, 4, … s after the last call.
   bool is_time(SimTime last_call, SimTime now) {
     if (last_call != since_) {
       since_ = last_call;

@@ -1,5 +1,5 @@
-// Which line of the sketch printed the byte that leaves the chip: between HardwareSerial::write() and the
-// UART is a buffer that keeps the order of bytes.
+// Finds the line of the sketch that printed a byte which leaves the chip. Between HardwareSerial::write() and
+// the UART is a buffer that preserves the order of bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,18 @@ class WrittenBytes {
 
   WrittenBytes(SimTime from, SimTime to) : from_(from - kLongestWait), to_(to) {}
 
-  /// At power-on. `printing` says which line of the sketch prints now, asked while it does; it may get the
-  /// line of the byte before.
+  /// Starts at power-on. `printing` returns the line of the sketch that is printing; it may get the line of
+  /// the previous byte.
   void begin(std::function<SourceLine(const SourceLine&)> printing) {
     state_ = {};
     printing_ = std::move(printing);
   }
-  /// The firmware has called kFunction at `t`.
+  /// Notes that the firmware has called kFunction at `t`.
   void wrote(std::uint8_t byte, SimTime t) {
     if (t >= from_ && t < to_) state_.last = printing_(state_.last);
     state_.waiting.emplace_back(byte, state_.last);
   }
-  /// The line of a byte that leaves. Those before it that never left (the port was closed) are dropped.
+  /// Returns the line of a byte that leaves. Earlier bytes that never left (the port was closed) are dropped.
   SourceLine take(std::uint8_t byte) {
     while (!state_.waiting.empty()) {
       auto [written, line] = std::move(state_.waiting.front());

@@ -40,7 +40,7 @@ bool is_code(Dwarf_Die& die) {
   return tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine;
 }
 
-/// From the unit down to the innermost function that holds `pc`.
+/// Collects the scopes from the unit down to the innermost function that holds `pc`.
 void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes) {
   Dwarf_Die child;
   if (dwarf_child(&parent, &child) != 0) return;
@@ -82,7 +82,7 @@ void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf&
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Where a function was inlined: file and line of the call.
+/// Returns where a function was inlined: file and line of the call.
 SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   SourceLine place;
   Dwarf_Attribute attribute;
@@ -97,7 +97,7 @@ SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   return place;
 }
 
-/// Statements, as the table of lines has them.
+/// Adds the statements of the line table.
 void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   Dwarf_Lines* rows = nullptr;
   std::size_t count = 0;
@@ -109,7 +109,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
     bool ends = false, begins = false;
     dwarf_lineaddr(row, &address);
     dwarf_lineendsequence(row, &ends);
-    // What the linker has left out lies at 0.
+    // Code that the linker has dropped lies at 0.
     if (std::exchange(first, ends)) left_out = address == 0;
     if (ends || left_out || dwarf_linebeginstatement(row, &begins) != 0 || !begins) continue;
     DebugInfo::CodeLine line{static_cast<std::uint32_t>(address), tidy(dwarf_linesrc(row, nullptr, nullptr))};
@@ -118,7 +118,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   }
 }
 
-/// Lines of which nothing is left but a call, whose function was inlined.
+/// Adds lines of which only a call remains, whose function was inlined.
 void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines) {
   Dwarf_Die child;
   if (dwarf_child(&parent, &child) != 0) return;
@@ -134,7 +134,7 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Without const, volatile and names given to it; none if it cannot be told.
+/// Looks through const, volatile and typedefs; false if the type is unknown.
 bool is_number(Dwarf_Die variable) {
   Dwarf_Attribute attribute;
   Dwarf_Die type = variable;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kHeadBytes = 4, kSumBytes = 1;
 enum Kind : unsigned { kData = 0, kEnd = 1, kSegment = 2, kStartSegment = 3, kUpper = 4, kStart = 5 };
 
-/// The bytes of a line; empty if it is none of this format.
+/// Returns the bytes of a line; empty if it is not in this format.
 std::vector<std::uint8_t> bytes_of(std::string_view line) {
   if (line.empty() || line[0] != ':' || line.size() % 2 == 0) return {};
   std::vector<std::uint8_t> bytes;

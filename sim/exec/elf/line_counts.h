@@ -1,5 +1,5 @@
-// How often the lines of a sketch ran on a chip: its image tells at which addresses a line begins, and
-// somebody who runs it counts these. docs/coverage.md says what the numbers mean.
+// Counts how often the lines of a sketch ran on a chip. The image has the addresses where lines begin, and
+// the emulator counts their instructions. docs/coverage.md explains the numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace robosim::exec {
 
 class LineCounts {
  public:
-  /// Of an image without debug information, no lines.
+  /// Reads where lines begin; an image without debug information has none.
   explicit LineCounts(const DebugInfo& debug);
 
   struct Begin {
     std::uint32_t address = 0;
     std::uint64_t count = 0;
   };
-  /// Where lines begin, rising, and how often the instruction there has run.
+  /// Returns the addresses where lines begin, in rising order, and how often the instruction there has run.
   const std::vector<Begin>& begins() const { return begins_; }
 
-  /// The instruction at `address`, where a line begins, has run so many times more.
+  /// Adds `times` runs of the instruction at `address`, where a line begins.
   void ran(std::uint32_t address, std::uint64_t times = 1);
 
-  /// "LINE COUNT FILE", each line by that of its instructions which ran most often.
+  /// Returns lines "LINE COUNT FILE". The count of a line is that of its most frequent instruction.
   std::string text() const;
 
  private:

@@ -1,4 +1,4 @@
-// Where a round of loop() begins, whatever the chip.
+// Finds where a round of loop() begins, for any chip.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace robosim::exec {
 
-/// What a chip's instructions are, as far as that matters here.
+/// The view of a chip's instructions that this needs.
 class ChipCode {
  public:
   virtual ~ChipCode() = default;
-  /// Calls of a function, and jumps to it from elsewhere.
+  /// Returns the calls of a function, and jumps to it from elsewhere.
   virtual std::vector<std::uint32_t> calls_of(const Symbol& function) const = 0;
   virtual Steps steps_of(const Symbol& function) const = 0;
 };
 
-/// The rounds of loop(): its calls, or where it is inlined what rounds_of() finds. Of a program without
-/// setup() and loop(), those of the for (;;) in main().
+/// Returns the rounds of loop(): its calls, or if it is inlined, the result of rounds_of(). For a program
+/// without setup() and loop(), those of the for (;;) in main().
 Rounds rounds_of_loop(const ChipCode& code, const Symbols& symbols, const DebugInfo& debug);
 
 }  // namespace robosim::exec

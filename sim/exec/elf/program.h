@@ -1,4 +1,4 @@
-// Programs for chips, as finished ELF files: what is the same for every chip.
+// Loads programs for chips, as finished ELF files: the part that is equal for every chip.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,21 @@
 
 namespace robosim::exec {
 
-/// The content of an ELF file, which is for this target; throws InputError, which names `file`, for all else.
+/// Returns the content of an ELF file for this target; throws InputError, which names `file`, for anything
+/// else.
 std::string content_for(std::string_view target, std::string content, const std::string& file);
 
 /// Throws InputError unless it is a finished program.
 void check_program(const ElfFile& elf);
 
-/// What is flashed.
+/// The bytes to flash.
 struct FlashContent {
-  std::vector<std::uint8_t> bytes;  ///< from the beginning of flash on; 0xFF where nothing is
+  std::vector<std::uint8_t> bytes;  ///< from the beginning of flash on; gaps are 0xFF
   std::uint32_t code_end = 0;       ///< address
 };
 
-/// Puts these segments where they belong: none lies below `begin`, the address of flash. Throws InputError if
-/// they need more than `room` bytes.
+/// Places these segments at their addresses; none lies below `begin`, the address of flash. Throws InputError
+/// if they need more than `room` bytes.
 FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,
                            std::uint32_t room, const BoardSpec& board);
 

@@ -1,4 +1,4 @@
-// How often loop() is called, and how long that takes.
+// Counts the rounds of loop(), and measures the longest.
 #pragma once
 
 #include <algorithm>
@@ -6,37 +6,37 @@
 
 namespace robosim::exec {
 
-/// `Time`: a whole number, in whatever unit the chip's clock has.
+/// `Time`: an integer, in the unit of the chip's clock.
 template <typename Time>
 class RoundCounter {
  public:
-  /// The next round is the first: there was none before it.
+  /// Makes the next round the first: there was none before it.
   void await() { running_ = false; }
   bool is_running() const { return running_; }
-  /// A round begins, and so ends the one before.
+  /// Begins a round, which ends the previous one.
   void began(Time at) {
     if (running_) add(at - began_, 1);
     running_ = true;
     began_ = at;
   }
-  /// Rounds began at `first` and then every `period`.
+  /// Adds `rounds` that began at `first` and then every `period`.
   void began(Time first, Time period, std::uint64_t rounds) {
     began(first);
     if (rounds == 1) return;
     add(period, rounds - 1);
     began_ += static_cast<Time>(rounds - 1) * period;
   }
-  /// Rounds of which none was longer than those before; the last one began at `at`.
+  /// Adds rounds that were not longer than the earlier ones; the last one began at `at`.
   void went_on(Time at, std::uint64_t rounds) {
     count_ += rounds;
     total_ += at - began_;
     began_ = at;
   }
 
-  /// From one beginning to the next.
+  /// Returns the number of rounds, each from one beginning to the next.
   std::uint64_t count() const { return count_; }
   Time total() const { return total_; }
-  /// The one that runs at `now` included.
+  /// Returns the longest round, including the one that runs at `now`.
   Time longest(Time now) const { return std::max(longest_, running_ ? now - began_ : Time{0}); }
 
  private:

@@ -28,8 +28,8 @@ Addresses reachable(const Steps& function, std::uint32_t from) {
   return found;
 }
 
-/// The cycles among `nodes`: sets whose members can each reach all others (Tarjan's algorithm, with a stack
-/// of its own since functions are long).
+/// Returns the cycles among `nodes`: sets whose members can each reach all others. Tarjan's algorithm with an
+/// explicit stack, since functions are long.
 std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   struct Node {
     std::uint32_t address;
@@ -101,13 +101,13 @@ std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   return found;
 }
 
-/// Whether a cycle does nothing at all.
+/// Returns whether a cycle has no effect at all.
 bool is_idle(const Steps& function, const Addresses& cycle) {
   return std::all_of(cycle.begin(), cycle.end(),
                      [&](std::uint32_t address) { return at(function, address).kind == Step::Kind::jump; });
 }
 
-/// Whether it can be left, or does nothing.
+/// Returns whether a cycle can be left, or has no effect.
 bool is_left(const Steps& function, const Addresses& cycle) {
   return is_idle(function, cycle) || std::any_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
            const auto& next = at(function, address).next;
@@ -116,7 +116,7 @@ bool is_left(const Steps& function, const Addresses& cycle) {
          });
 }
 
-/// Where a cycle is entered.
+/// Returns where a cycle is entered.
 Addresses heads_of(const Steps& function, const Addresses& reached, std::uint32_t entry,
                    const Addresses& cycle) {
   Addresses heads;
@@ -185,11 +185,11 @@ std::optional<std::uint32_t> mark_by_shape(const Steps& function, const Addresse
 
 struct Loop {
   Addresses cycle;
-  Addresses outside;  ///< its calls and branches that are not loop()'s
+  Addresses outside;  ///< its calls and branches outside loop()
 };
 
-/// Where loop() is inlined: leaves out what goes round within it and never comes back to main(), such as the
-/// `for (;;) {}` that many a sketch ends with. False if that cannot be told.
+/// For an inlined loop(): drops loops within it that never return to main(), such as the `for (;;) {}` at the
+/// end of many sketches. Returns false if they cannot be distinguished.
 bool keep_those_of_main(const Steps& function, std::vector<Loop>& loops) {
   const auto erase_if_others = [&](const auto& is) {
     if (!std::all_of(loops.begin(), loops.end(), is)) std::erase_if(loops, is);

@@ -17,20 +17,19 @@ struct Symbol {
 
 class Symbols {
  public:
-  /// Adds a symbol, except a label of the assembler's own: avr-as of binutils 2.43 leaves some in the image,
-  /// in the midst of functions. They begin with ".L" or hold control-A or control-B (manual of as, "Symbol
-  /// Names").
+  /// Adds a symbol, except a local label of the assembler: avr-as of binutils 2.43 leaves some in the image,
+  /// within functions. They begin with ".L" or hold control-A or control-B (manual of as, "Symbol Names").
   void add(Symbol symbol) {
     const bool label = symbol.name.starts_with(".L") || symbol.name.find_first_of("\1\2") != symbol.name.npos;
     if (!label) all_.push_back(std::move(symbol));
   }
-  /// Sorts by address. To be called after the last add().
+  /// Sorts by address. Call it after the last add().
   void sort();
 
   const Symbol* find(const std::string& name) const;
-  /// The function that holds an address; null if none does.
+  /// Returns the function that holds an address; null if none does.
   const Symbol* function_at(std::uint32_t address) const;
-  /// The variable that holds an address; null if none does.
+  /// Returns the variable that holds an address; null if none does.
   const Symbol* variable_at(std::uint32_t address) const;
 
  private:

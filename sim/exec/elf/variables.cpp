@@ -1,4 +1,4 @@
-// DebugInfo::variable_at(): by the places that DWARF gives variables, and the offsets of members.
+// Implements DebugInfo::variable_at(), from the locations of variables in DWARF and the offsets of members.
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 
@@ -47,8 +47,8 @@ bool has_constructor(Dwarf_Die type) {
   return false;
 }
 
-/// ".left.pwm": of the member that lies so far behind the beginning; empty where there is none. `where`: its
-/// declaration, if no class that it is in has a constructor.
+/// Returns ".left.pwm" for the member at that offset; empty if there is none. `where`: its declaration, if no
+/// class that holds it has a constructor.
 std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false) {
   Dwarf_Die child;
   const int tag = dwarf_tag(&type);
@@ -92,7 +92,7 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found) {
       const auto type = type_of(child);
       const Dwarf_Word offset = address - operations[0].number;
       if (type && offset < size_of(*type)) {
-        // Its declaration may be another's, as of a static member.
+        // Its declaration may be in another entry, as for a static member.
         const char* const name =
             dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
         found = {name ? name : "", declaration_of(child), {}};

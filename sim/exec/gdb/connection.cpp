@@ -104,7 +104,7 @@ void Connection::send(std::string_view body) {
 
 std::optional<std::string> Connection::take_packet() {
   for (;;) {
-    // What stands before a packet is '+', '-', or a Ctrl-C that came too late.
+    // Text before a packet is '+', '-', or a Ctrl-C that came too late.
     received_.erase(0, std::min(received_.find('$'), received_.size()));
     const std::size_t end = received_.find('#');
     if (end == std::string::npos || end + 2 >= received_.size()) return std::nullopt;

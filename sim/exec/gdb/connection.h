@@ -1,5 +1,6 @@
-// One debugger at a TCP port of this machine, and its packets: "$BODY#SUM", each answered by '+', until the
-// debugger says that TCP is reliable enough ("Debugging with GDB", appendix E, Remote Protocol).
+// One debugger at a TCP port of this machine, and its packets: "$BODY#SUM". Each packet is answered by '+',
+// until the debugger turns that off, since TCP is reliable ("Debugging with GDB", appendix E, Remote
+// Protocol).
 #pragma once
 
 #include <atomic>
@@ -20,18 +21,18 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Waits for a debugger; from then on nobody else can connect. False when interrupted.
+  /// Waits for a debugger; afterwards no other can connect. Returns false if interrupted.
   bool accept();
   bool open() const { return peer_.is_open(); }
   void close() { peer_.close(); }
 
-  /// Waits for the next packet. Nothing when the debugger has gone, or when interrupted: closed then.
+  /// Waits for the next packet. Returns nothing, and is closed, if the debugger has gone or on interruption.
   std::optional<std::string> receive();
   void send(std::string_view body);
-  /// Answers no longer need '+'.
+  /// Stops requiring '+' for answers.
   void trust() { trusted_ = true; }
 
-  /// Whether the debugger has pressed Ctrl-C, or has gone (closed then); does not wait.
+  /// Returns whether the debugger has pressed Ctrl-C, or has gone (closed then); does not wait.
   bool asks_to_halt();
 
  private:

@@ -99,9 +99,9 @@ const DebugPort::Watch* DebugPort::changed_watch() {
   return found;
 }
 
-// --- back in time
+// --- reverse execution
 
-/// Null where nothing is run again.
+/// Returns the search; null if nothing is run again.
 Search* DebugPort::search() const {
   History* const history = server_.history();
   return history && history->search.goal != Search::Goal::none ? &history->search : nullptr;
@@ -146,7 +146,7 @@ void DebugPort::look(Search& search, bool at_breakpoint) {
   }
   here_ = {time(), {}, at_breakpoint, pc()};
   if (fault() != Signal::none) {
-    // The place that gdb shows is that of the instruction which has failed.
+    // gdb's displayed place is that of the instruction which has failed.
     const auto& found = search.found;
     if (search.steps && found && found->pc == here_.pc && !found->stop.access) search.found = search.before;
     throw LeftRun();

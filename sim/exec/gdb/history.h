@@ -1,6 +1,6 @@
-// Going back in a run that can be saved and restored. Who drives the run keeps snapshots of it. A halted
-// debug port that shall go back leaves the run; the driver restores it and runs it again, to look for the
-// place where it is to halt, and once more to halt there.
+// Reverse execution of a run that can be saved and restored. The driver of the run stores snapshots of it. A
+// halted debug port that must go back leaves the run. The driver restores the run and runs it twice: to find
+// the place where it should halt, and to halt there.
 //
 //   gdb: bs, bc ──► DebugPort ── throws LeftRun ──► driver ── Search: look, restored, runs ──► DebugPort
 //                                                         ◄── found ──────────────────────────
@@ -17,10 +17,10 @@
 
 namespace robosim::exec::gdb {
 
-/// Out of a run that is to be restored: nothing in it goes on from here.
+/// Thrown to leave a run that will be restored: nothing in it continues from here.
 struct LeftRun {};
 
-/// Between two instructions.
+/// A place between two instructions.
 struct Place {
   SimTime t = 0;  ///< of the world
   Stop stop;      ///< why it halts there
@@ -28,20 +28,20 @@ struct Place {
   std::uint32_t pc = 0;
 };
 
-/// What a run is run again for.
+/// The purpose for which a run is run again.
 struct Search {
   enum class Goal { none, look, seek };
   Goal goal = Goal::none;
-  /// Instructions run one by one in ticks that begin then or later: places are known there.
+  /// Instructions run one by one in ticks that begin at this time or later: places are known there.
   SimTime closely_from = 0;
 
-  // --- look: for the last place before `present` that has a breakpoint, or whose instruction changes what is
-  // watched; or, if it steps, for that of the instruction before.
+  // --- look: for the last place before `present` that has a breakpoint, or whose instruction changes watched
+  // bytes. If it steps, for the place of the previous instruction.
   SimTime present = 0;
   bool steps = false;
-  std::size_t depth = 0;  ///< of handlers; what is deeper is no instruction of the sketch's
+  std::size_t depth = 0;  ///< of handlers; deeper instructions are not the sketch's
   std::optional<Place> found;
-  std::optional<Place> before;  ///< what was found before that
+  std::optional<Place> before;  ///< the place found before that
 
   // --- seek
   Place target;
@@ -49,11 +49,12 @@ struct Search {
 
 class History {
  public:
-  /// Whether there are snapshots to go back to.
+  /// Returns whether there are snapshots to go back to.
   virtual bool reaches_back() const = 0;
-  /// Whether the run has come as far as ever: nothing that it has told lies ahead of it.
+  /// Returns whether the run is at its latest time, so that nothing already reported lies ahead of it.
   virtual bool is_at_front() const = 0;
-  /// The debugger has changed something: run again from before, it would not come here any more.
+  /// Drops the snapshots: the debugger has changed something, and a run from earlier would not come here any
+  /// more.
   virtual void forget() = 0;
 
   Search search;

@@ -22,7 +22,7 @@ std::string to_hex(std::string_view bytes) {
   return text;
 }
 
-/// What a packet's text holds, from its front. All is 0 or empty when it is malformed.
+/// Reads the fields of a packet's text from its front. If it is malformed, all results are 0 or empty.
 class Fields {
  public:
   explicit Fields(std::string_view text) : text_(text) {}
@@ -140,7 +140,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
-/// What has been told cannot be taken back: no other run follows in its place.
+/// Writes, unless the run has gone back: its earlier reports cannot be withdrawn, so no other run may follow.
 std::string Server::write(Processor& processor, const std::string& packet) {
   if (history_ && !history_->is_at_front()) return kRefused;
   const std::string said = write_to(processor, packet);
