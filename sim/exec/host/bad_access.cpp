@@ -18,13 +18,13 @@ struct Object {
 
 std::string count(std::uintptr_t bytes) { return fmt::format("{} byte{}", bytes, bytes == 1 ? "" : "s"); }
 
-/// How far `object` is from `address`.
+/// Returns the distance of `object` from `address`.
 std::uintptr_t distance(const Object& object, std::uintptr_t address) {
   if (address < object.begin) return object.begin - address;
   return address < object.begin + object.bytes ? 0 : address - (object.begin + object.bytes);
 }
 
-/// Memory of the firmware's, even where a sanitizer forbids it to others.
+/// Reads the firmware's memory, even where a sanitizer forbids it.
 template <typename Word>
 __attribute__((no_sanitize("address"))) Word word_at(std::uintptr_t address) {
   return *reinterpret_cast<const volatile Word*>(address);
@@ -43,7 +43,8 @@ std::optional<Object> global_near(std::uintptr_t address, const std::vector<host
   return nearest;
 }
 
-/// gcc's text on a frame: how many variables, then of each its offset, size, length of name, and "name:line".
+/// Parses gcc's text on a frame: the number of variables, then for each its offset, size, length of name, and
+/// "name:line".
 std::vector<Object> variables(std::uintptr_t frame, const char* text) {
   std::vector<Object> found;
   std::istringstream in(text);
@@ -63,7 +64,7 @@ std::vector<Object> variables(std::uintptr_t frame, const char* text) {
 }
 
 std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std::uintptr_t shadow) {
-  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // a frame with notes begins with it, as one word
+  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame with notes
   constexpr std::uintptr_t kGrain = 8;
   const auto bottom = reinterpret_cast<std::uintptr_t>(stack.begin);
   std::uintptr_t at = address / kGrain * kGrain;
@@ -79,7 +80,7 @@ std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std:
   return nearest;
 }
 
-/// Which part of the object, or how far beside it.
+/// Returns which part of the object, or how far outside it.
 std::string relation(const host::BadAccess& access, const Object& object) {
   const std::uintptr_t end = object.begin + object.bytes;
   if (access.address < object.begin) return count(object.begin - access.address) + " before";

@@ -1,5 +1,5 @@
-// An access that an address check has stopped, in words: which variable was meant, and how far outside it the
-// access was.
+// Explains an access that an address check has stopped. Finds the variable that was probably meant, and how
+// far outside it the access was.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robosim::exec {
 
-/// A clause, as in Crash. `stack` is the firmware's: gcc's notes on the local variables lie in their
+/// Returns a clause, as in Crash. `stack` is the firmware's: gcc's notes on local variables are in their
 /// functions' frames. `shadow` as in host::Image.
 std::string explain(const host::BadAccess& access, const std::vector<host::GlobalRecord>& globals,
                     MemoryRange stack, std::uintptr_t shadow);

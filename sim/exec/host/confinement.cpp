@@ -30,14 +30,14 @@
 namespace robosim::exec {
 namespace {
 
-// In the filter that is made once, what is another number in each process.
+// Placeholders, in the filter that is made once, for numbers that differ between processes.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
-/// Bytes of a set of signals, as the kernel has it.
+/// Size of a signal set in bytes, in the kernel's format.
 constexpr std::size_t kSignalSet = 8;
-/// Addresses beyond those of kConfinedMemory: pages that are only read, whose tables take memory, too.
+/// Address space in addition to kConfinedMemory: pages that are only read, whose tables take memory, too.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (512 << 20);
-/// Of the process's first stack, which RLIMIT_DATA does not count.
+/// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
@@ -59,11 +59,11 @@ class Filter {
  public:
   Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
     if (!filter_) throw std::runtime_error("no filter of system calls");
-    // A tree: whenever a process takes it, the kernel goes through it for each call that there is.
+    // Uses a tree: when a process installs a filter, the kernel walks through it for each existing call.
     ::seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);
   }
 
-  /// Calls that this machine does not know are left out.
+  /// Adds a rule. Calls that this machine does not know are skipped.
   void add(std::uint32_t action, const char* name, const std::vector<scmp_arg_cmp>& arguments = {}) {
     const int number = ::seccomp_syscall_resolve_name(name);
     if (number == __NR_SCMP_ERROR || number < 0) return;
@@ -92,7 +92,7 @@ class Filter {
   std::unique_ptr<void, End> filter_;
 };
 
-/// Argument `number`, an int, is `value`: the upper half of its register may be anything.
+/// Tests that argument `number`, an int, is `value`: the upper half of its register may be anything.
 scmp_arg_cmp is(unsigned number, std::uint32_t value) {
   return {number, SCMP_CMP_MASKED_EQ, 0xFFFFFFFF, value};
 }
@@ -100,8 +100,8 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
-/// RLIMIT_DATA counts private memory alone, and not what grows downwards. The image is mapped as it is
-/// sealed: what is written to its pages cannot be executed.
+/// Allows memory calls. RLIMIT_DATA counts only private memory, and not what grows downwards. The image is
+/// mapped from its sealed file: pages that were written cannot be executed.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
       ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
@@ -111,9 +111,9 @@ void add_memory(Filter& filter) {
       filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
-  // Names for memory: RE2's library gives some (Debian 13), and does without where the kernel has none.
+  // Names for memory: RE2's library sets some (Debian 13), and tolerates kernels without them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Others reach further than this process: root can take pages away from the whole machine.
+  // Others reach beyond this process: root can take pages away from the whole machine.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
@@ -125,7 +125,7 @@ void add_descriptors(Filter& filter) {
     filter.allow("read", {is(0, static_cast<std::uint32_t>(fd)), is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const std::uint32_t fd : {0u, 1u, 2u}) {
     for (const char* name : {"read", "write", "writev", "lseek", "_llseek"}) filter.allow(name, {is(0, fd)});
-    // What stdio asks before it prints.
+    // Calls that stdio makes before it prints.
     for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
       filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
   }
@@ -140,13 +140,13 @@ void add_descriptors(Filter& filter) {
   filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
-/// A signal to itself and its end are the process's own only with the key: a sketch's are told apart, named,
-/// and never stop the process.
+/// Lets the process send itself signals and end only with the key. So those of a sketch are recognised,
+/// reported, and never stop the process.
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
-    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // a question
+    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // a query
   // SIG_BLOCK is answered by serve_call().
   filter.allow("rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_BLOCK, 0}});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
@@ -163,9 +163,9 @@ void set_limit(int what, rlim_t most) {
 
 Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY | O_CLOEXEC)); }
 
-/// Of the process that has opened `statm`.
+/// Reads the memory use of the process that has opened `statm`.
 MemoryInUse memory_in_use(const Descriptor& statm) {
-  // Without a stream, whose first use in a process takes longer than all the rest.
+  // Does not use a stream, whose first use in a process takes longer than everything else here.
   char text[256];
   const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
   if (bytes <= 0) return {};
@@ -180,14 +180,14 @@ MemoryInUse memory_in_use(const Descriptor& statm) {
   return in_use;
 }
 
-/// A sketch is not shown whose machine this is, nor what its environment holds.
+/// Hides from a sketch whose machine this is, and the content of its environment.
 void forget_environment() {
   for (char** variable = environ; variable && *variable; ++variable)
     ::explicit_bzero(*variable, std::strlen(*variable));
   ::clearenv();
 }
 
-/// To make it takes a millisecond: it is made once, and each process puts its own numbers in.
+/// Makes the filter once, as that takes a millisecond; each process then inserts its own numbers.
 const std::vector<sock_filter>& filter_for_all() {
   static const std::vector<sock_filter> steps = [] {
     Filter filter;
@@ -234,7 +234,7 @@ struct Subject {
   std::vector<std::string_view> beginnings;
 };
 
-/// What a call is about, by how its name begins; the first that fits.
+/// Returns the subject of a call, by the prefix of its name; the first match.
 std::string_view subject_of(std::string_view call) {
   static const std::vector<Subject> subjects = {
       {"programs", {"exec"}},
@@ -267,7 +267,7 @@ std::string_view subject_of(std::string_view call) {
 
 std::string what_kernel_lacks() {
   if (!kKnownMachine) return "on this kind of processor it is not written yet";
-  // Support means that the filter's address, which is none, is looked at.
+  // If filters are supported, the kernel reads the filter at this invalid address.
   static const bool has_filter =
       ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
   return has_filter ? "" : "the kernel has no filter of system calls (seccomp)";
@@ -302,7 +302,7 @@ void confine(const CallKey& key, bool has_grown) {
   key_of_process = key;
   confined = true;
   const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
-  // Nothing secret is in this process: no need for the slower branches that a filter brings by default.
+  // This process holds no secrets: it needs no slower branches, which a filter enables by default.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
       ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
     throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));
@@ -312,8 +312,8 @@ void prepare_to_confine() {
   ensure_signal_stack();
   static const Descriptor statm = open_statm();
   memory_when_prepared = memory_in_use(statm);
-  // What libfmt binds at its first use each process would look for anew, in all libraries: memchr(), for one,
-  // which it asks about texts of 32 bytes and more.
+  // Binds symbols once that libfmt binds at first use, such as memchr() for texts of 32 bytes and more.
+  // Otherwise each process would look them up again, in all libraries.
   static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);
   if (why_not_confined().empty()) filter_for_all();
 }
@@ -357,11 +357,12 @@ bool serve_call(const siginfo_t& info, ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   static std::uint64_t opened = 0;
-  // By this number the loader tells files apart; no memory's own is as high.
+  // The loader identifies files by this number; no memory file's own number is as high.
   constexpr std::uint64_t kFirstNumber = std::uint64_t{1} << 30;
   if (info.si_syscall == SYS_rt_sigprocmask) {
-    // Answers SIG_BLOCK, and blocks nothing: with SIGSYS blocked the kernel would end the process at the next
-    // call that it refuses, and no handler could name that call. glibc 2.41 blocks all in fork() and abort().
+    // Answers SIG_BLOCK, and blocks nothing. With SIGSYS blocked the kernel would end the process at the next
+    // refused call, and no handler could report that call. glibc 2.41 blocks all signals in fork() and
+    // abort().
     if (asked.arguments[3] != kSignalSet) return false;
     if (auto* const before = reinterpret_cast<void*>(asked.arguments[2]))
       std::memcpy(before, &context.uc_sigmask, kSignalSet);

@@ -1,4 +1,4 @@
-// What an image that counts its lines hands over: files for gcov.
+// The files for gcov that an image with line counts provides.
 #pragma once
 
 #include <utility>

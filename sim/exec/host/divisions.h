@@ -1,4 +1,4 @@
-// Where firmware divided by zero: the first lines of it, in the order of time.
+// Records where firmware divided by zero: the first of such lines, by time.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace robosim::exec {
 
 class Divisions {
  public:
-  /// The image lies elsewhere from now on.
+  /// Forgets code addresses, because the image will be loaded elsewhere.
   void forget_addresses() { at_.clear(); }
-  /// Once more at this code address; false if it is not known yet.
+  /// Counts one more at this code address; returns false if it is not known yet.
   bool count(const void* address);
-  /// The first time at this address, a line of the firmware; `t` is now.
+  /// Adds the first one at this address, a line of the firmware; `t` is now.
   void add(const void* address, const SourceLine& place, SimTime t);
   const std::vector<DivisionByZero>& lines() const { return lines_; }
 

@@ -30,7 +30,7 @@ GuardedMemory::GuardedMemory(std::size_t bytes) : page_(static_cast<std::size_t>
 
 GuardedMemory::~GuardedMemory() {
 #ifdef ROBOSIM_ASAN
-  // Those of frames that are abandoned here would hold for an image that is mapped here next.
+  // Marks of frames that are abandoned here would apply to an image that is mapped here next.
   ASAN_UNPOISON_MEMORY_REGION(begin_, bytes_);
 #endif
   munmap(begin_ - page_, bytes_ + 2 * page_);

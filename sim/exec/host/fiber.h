@@ -1,7 +1,7 @@
 // A second stack for firmware, and the switch between it and the simulation.
 //
-// Boost.Context's fcontext is used, not its fiber class: that one unwinds an abandoned stack by an exception,
-// which firmware (compiled without exceptions, possibly crashed) must not see.
+// Uses Boost.Context's fcontext instead of its fiber class. That class unwinds an abandoned stack by an
+// exception, which must not reach firmware (compiled without exceptions, possibly crashed).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class GuardedMemory {
   std::byte* end() const { return begin_ + bytes_; }
   std::size_t size() const { return bytes_; }
   bool contains(const void* address) const { return address >= begin() && address < end(); }
-  /// Whether `address` lies in the page before the memory: where a stack that overflows arrives.
+  /// Returns whether `address` is in the page before the memory, which an overflowing stack reaches.
   bool in_guard_before(const void* address) const;
 
  private:
@@ -29,16 +29,16 @@ class GuardedMemory {
   std::byte* begin_;
 };
 
-/// Runs `body` on `stack`. Abandoning it at any moment is allowed: destroying it unwinds nothing.
+/// Runs `body` on `stack`. It may be abandoned at any moment: its destructor unwinds nothing.
 class Fiber {
  public:
   using Body = void (*)(void* argument);
 
   /// `body` must not return. It starts with the first resume().
   Fiber(const GuardedMemory& stack, Body body, void* argument);
-  /// Called from outside: continues the fiber until it suspends.
+  /// Continues the fiber until it suspends. Called from outside.
   void resume();
-  /// Called on the fiber: returns to whoever resumed it.
+  /// Returns to the caller of resume(). Called on the fiber.
   void suspend();
 
  private:

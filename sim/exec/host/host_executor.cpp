@@ -66,7 +66,7 @@ class HostExecutor::Instance final : public host::Host {
     if (image_.entry().counters) image_.entry().counters(sink);
   }
 
-  /// Whether it shall be found out in the next tick if firmware goes round.
+  /// Sets whether the next tick checks if firmware loops for ever.
   void watch(bool wanted) {
     const bool watched = wanted && !image_.entry().may_interrupt(false);
     if (watched && !state_.watched) {
@@ -74,21 +74,21 @@ class HostExecutor::Instance final : public host::Host {
       round_finder_.begin();
     }
     state_.watched = watched;
-    // What counts how often blocks have run never comes round.
+    // If an image counts how often blocks run, its state never repeats.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
-  /// When its firmware called last; while it waits for the time, that is `reached`.
+  /// Returns when its firmware called last; while it waits for the time, that is `reached`.
   [[gnu::always_inline]] SimTime last_call(SimTime reached) const {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and nothing is known
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and no result yet
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
 
-  /// Runs the firmware to `t`; false if it has crashed.
+  /// Runs the firmware to `t`; returns false if it has crashed.
   bool run_until(SimTime t) {
     if (owner_.crash_) return false;
     state_.limit = owner_.clocked_.begin_tick(t);
@@ -98,7 +98,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// Where it only waits it may be asleep since before the limit: runs it to there, as if it had not slept.
+  /// Runs firmware to the limit as if it had not slept: if it only waits, it may be asleep since before.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -106,7 +106,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.called_up = false;
   }
 
-  /// Whether its watchdog has reset it; it runs no further then.
+  /// Returns whether the watchdog has reset it; it does not run any further then.
   bool bitten() const { return bitten_; }
 
   SourceLine place() const {
@@ -115,7 +115,7 @@ class HostExecutor::Instance final : public host::Host {
     return image_.locate(addresses);
   }
 
-  /// Of the call that is going on, asked from within it.
+  /// Returns the place of the current call; called from within it.
   SourceLine source() {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
     calls_.add_callers(addresses);
@@ -129,7 +129,8 @@ class HostExecutor::Instance final : public host::Host {
   // host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Where it was looked at, a handler ran, or the I flag was clear for a moment, to read what one writes.
+    // Checks again: watch() may have met a handler, or the I flag clear for a moment to read a shared
+    // variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && round_finder_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
@@ -219,7 +220,7 @@ class HostExecutor::Instance final : public host::Host {
     return {{begin, end}, {heap_.begin(), heap_.end()}, {stack_.begin(), stack_.end()}};
   }
 
-  /// A fault that the firmware has noticed itself, on the fiber.
+  /// Reports a fault that the firmware has detected itself, on the fiber.
   void report(const Undefined& fault, const void* where) {
     owner_.crash_ = Crash{fault.reason, place_of(fault, where)};
     owner_.crash_->check = fault.check;
@@ -294,7 +295,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
-    // In code of ours, too, if that was called on the firmware's stack: what it was given was bad.
+    // Faults in our code count, too, if it was called on the firmware's stack: its arguments were bad.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
@@ -307,7 +308,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
     if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
     keyed_exit(kRefusedStatus);
   }
-  // Not the firmware's: the instruction runs again and meets whoever was responsible before.
+  // Not the firmware's: the instruction runs again and reaches the previous handler.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }

@@ -1,8 +1,8 @@
-// The host target: firmware as a shared object, on its own fiber, in virtual time (hal/host).
+// The executor for the host: firmware as a shared object, on its own fiber, in virtual time (hal/host).
 //
-// A fault of the firmware (a signal on its fiber) abandons the fiber and becomes a Crash. For that, handlers
-// of SIGSEGV, SIGBUS, SIGILL and SIGFPE are installed at power-on; a signal that is not the firmware's goes
-// to whoever handled it before.
+// A fault of the firmware (a signal on its fiber) abandons the fiber and becomes a Crash. For that, power-on
+// installs handlers of SIGSEGV, SIGBUS, SIGILL and SIGFPE. A signal that is not the firmware's is passed to
+// the previous handler.
 #pragma once
 
 #include <filesystem>
@@ -31,8 +31,8 @@ class HostExecutor final : public Executor {
   BoardProbe& probe() override { return board_; }
   /// Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
-  /// To be called before the process is confined (confinement.h): what needs files is done now, and what
-  /// needs programs by `lines`. `image`: what the image's file holds, if that is known.
+  /// Does now what needs files, and by `lines` what needs programs. Call it before the process is confined
+  /// (confinement.h). `image`: the content of the image's file, if known.
   void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
@@ -48,8 +48,8 @@ class HostExecutor final : public Executor {
   const std::vector<Lack>& lacks() const override { return lacks_.all(); }
   std::vector<BundledFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
-  /// Whether firmware that only waits may be left asleep, which changes nothing but the time that it takes
-  /// here (hal/host/polling.h); from the next power_on() on.
+  /// Sets whether firmware that only waits is left asleep, from the next power_on() on. This changes only the
+  /// time that the simulation takes (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_lateness(const std::vector<Lateness>& lateness) override { late_times_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
@@ -70,8 +70,8 @@ class HostExecutor final : public Executor {
   Bites bites_;
   Divisions divisions_;
   Lacks lacks_;
-  std::vector<BundledFile> counters_;  ///< of the power cycles before
-  SimTime reached_ = 0;                ///< until when firmware has run
+  std::vector<BundledFile> counters_;  ///< of the earlier power cycles
+  SimTime reached_ = 0;                ///< time up to which firmware has run
   Silence silence_;
   SimTime watch_until_ = 0;
 };

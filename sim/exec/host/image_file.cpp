@@ -24,7 +24,7 @@
 namespace robosim::exec {
 namespace {
 
-/// "f(int) const" -> "f"; names without parameters stay.
+/// Converts "f(int) const" to "f"; names without parameters stay.
 std::string without_parameters(const std::string& name) {
   const std::size_t close = name.rfind(')');
   if (close == std::string::npos) return name;
@@ -41,7 +41,7 @@ struct Segments {
   std::uintptr_t begin = UINTPTR_MAX;  ///< of the code
   std::uintptr_t end = 0;
   std::vector<MemoryRange> variables = {};
-  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< what the loader protects from writes
+  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< protected from writes by the loader
 };
 
 int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
@@ -62,7 +62,7 @@ int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
   return 1;
 }
 
-/// On 32-bit ARM the lowest bit of a code address says which instruction set is meant.
+/// Clears the lowest bit on 32-bit ARM: in a code address it selects the instruction set.
 std::uintptr_t without_mode(const void* pc) {
   const auto address = reinterpret_cast<std::uintptr_t>(pc);
 #if defined(__arm__)
@@ -72,7 +72,7 @@ std::uintptr_t without_mode(const void* pc) {
 #endif
 }
 
-// The handles of what is loaded.
+// The handles of loaded images.
 std::vector<void*>& handles() {
   static std::vector<void*> all;
   return all;
@@ -80,13 +80,13 @@ std::vector<void*>& handles() {
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Reads or writes parts of images, of which nothing stays in memory.
+/// Reads or writes parts of images, none of which stays in memory.
 struct Part {
   static constexpr std::size_t kBytes = 16 * 1024;
   char bytes[kBytes];
   ~Part() { explicit_bzero(bytes, kBytes); }
 
-  /// From there on; how many bytes, 0 at the end.
+  /// Reads from that offset on; returns the number of bytes, 0 at the end.
   std::size_t read(const Descriptor& file, std::size_t at) {
     for (;;) {
       const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
@@ -96,7 +96,7 @@ struct Part {
   }
 };
 
-/// A file in memory that holds the same; and how many bytes these are.
+/// Returns a memory file with the same content, and its size in bytes.
 std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   Descriptor copy(memfd_create("robosim-firmware", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!copy.is_open()) fail("memfd_create");
@@ -110,9 +110,9 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   return {std::move(copy), bytes};
 }
 
-// In a confined process the loader opens nothing, but gets kImageFd, and closes it. It hears of another file
-// each time (serve_call()); so those who load the same image one after the other need one copy of it, and
-// their code is in the same memory.
+// In a confined process the loader opens nothing, but gets kImageFd, and closes it. serve_call() shows it
+// another file each time. So processes that load the same image in turn need one copy of it, and share the
+// memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
@@ -157,8 +157,9 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // A copy without a name: the loader knows files by their identity, and gives one that it knows already
-    // again. The descriptor stays open while the image is loaded, because it also knows them by this name.
+    // A copy without a name: the loader identifies files by their identity, and returns an already loaded one
+    // again. The descriptor stays open while the image is loaded, because the loader also identifies it by
+    // this name.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
                 .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -224,12 +225,12 @@ std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>
 SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const {
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
-    // A call may be the last instruction of all: its return address is then behind the code.
+    // A call may be the last instruction of all: its return address is then after the end of the code.
     const std::uintptr_t pc = without_mode(address.pc) - (address.is_return ? 1 : 0);
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // An instruction that belongs to no line has no folder either, so its owner is not known.
+  // An instruction without a line has no folder either, so its owner is unknown.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

@@ -1,5 +1,6 @@
-// A firmware image in memory: loaded anew for each instance, so that every one has its own variables.
-// Confined (confinement.h), those of one image have their code in the same memory, which keeps it in caches.
+// Loads a firmware image into memory. Each instance loads it again, and so has its own variables. In a
+// confined process (confinement.h) all instances of one image share the memory of its code, which keeps that
+// in caches.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +22,22 @@ struct CodeAddress {
   bool is_return = false;  ///< a return address: its instruction ends just before it
 };
 
-/// The output of `addr2line -f -C -i` for these offsets in the image.
+/// Returns the output of `addr2line -f -C -i` for these offsets in the image.
 using AddressLines = std::function<std::string(const std::filesystem::path& image,
                                                const std::vector<std::uintptr_t>& offsets)>;
-/// By that program, of binutils; empty without it.
+/// Runs that program, of binutils; returns an empty text without it.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
-/// What the file of an image held: in a file in memory that cannot be changed. None of it is in the memory of
+/// The content of an image's file, in a memory file that cannot be changed. None of it is in the memory of
 /// the process itself, where the firmware of a later run would find it.
 class ImageContent {
  public:
-  /// Throws InputError if the file cannot be read, and std::system_error.
+  /// Reads the file. Throws InputError if that fails, and std::system_error.
   explicit ImageContent(const std::filesystem::path& file);
 
-  /// Whether that file holds the same now.
+  /// Returns whether that file still has the same content.
   bool is_like(const std::filesystem::path& file) const;
-  /// The descriptor, at least kFirstSealed, which confined processes load it by.
+  /// Returns the descriptor, at least kFirstSealed, by which confined processes load it.
   const Descriptor& sealed() const { return sealed_; }
 
  private:
@@ -52,27 +53,27 @@ struct ImageFile {
 
 class LoadedImage {
  public:
-  /// Throws InputError if `file` is no image, or one for another version of Robosim. In a confined process no
-  /// file is opened.
+  /// Loads an image. Throws InputError if `file` is not an image, or is one for another version of Robosim.
+  /// In a confined process no file is opened.
   explicit LoadedImage(const ImageFile& file);
   ~LoadedImage();
   LoadedImage(const LoadedImage&) = delete;
   LoadedImage& operator=(const LoadedImage&) = delete;
 
   const host::Image& entry() const { return *entry_; }
-  /// Where its variables are.
+  /// Returns the ranges of its variables.
   const std::vector<MemoryRange>& variables() const { return variables_; }
-  /// Whether `address` lies in the image's code.
+  /// Returns whether `address` lies in the image's code.
   bool has_code(const void* address) const;
-  /// The place of the first of `addresses` that lies in the user's code: the sketch or one of its libraries,
-  /// not the core or hal. Empty without addr2line, or if there is no such address.
+  /// Returns the place of the first of `addresses` in the user's code. That is the sketch or one of its
+  /// libraries, not the core or hal. Empty without addr2line, or if there is no such address.
   SourceLine locate(const std::vector<CodeAddress>& addresses) const;
 
  private:
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   const ImageFile& file_;
-  Descriptor copy_;  ///< in memory, without a name; in a confined process none of its own
+  Descriptor copy_;  ///< in memory, without a name; a confined process has no copy
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;
@@ -80,7 +81,7 @@ class LoadedImage {
   std::vector<MemoryRange> variables_;
 };
 
-/// Whether debug information names this file for code that is not the user's.
+/// Returns whether this file, named by debug information, is not the user's.
 bool is_own_file(const std::string& file);
 
 }  // namespace robosim::exec

@@ -9,7 +9,7 @@ namespace robosim::exec {
 namespace {
 
 #ifdef ROBOSIM_ASAN
-// Whatever a sanitizer forbids to others: stacks and heaps have gaps that nobody may read.
+// Compares even where a sanitizer forbids access: stacks and heaps have gaps with restricted access.
 __attribute__((no_sanitize("address"))) bool is_like_copy(KeptState::Memory memory,
                                                           const std::vector<std::byte>& copy) {
   if (memory.size() != copy.size()) return false;
@@ -38,7 +38,7 @@ KeptState::Memory memory_of(const char* begin, const char* end) {
   return {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)};
 }
 
-// What malloc has given, in whole pages: a sketch may write a little past the end of its own.
+// Returns malloc's allocations, in whole pages: a sketch may write a little past the end of its own.
 KeptState::Memory used_heap(const host::FirmwareState& state) {
   constexpr std::size_t kPage = 4096;
   const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;

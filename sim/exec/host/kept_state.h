@@ -1,6 +1,5 @@
-// All that firmware keeps, as it was at one moment: its variables, heap and stack. Registers that outlive a
-// call lie on the stack (hal/host/clock.cpp). Clocks that go on by themselves are left out
-// (host::Image::clockwork_begin).
+// A snapshot of all state of firmware: its variables, heap and stack. Registers that outlive a call lie on
+// the stack (hal/host/clock.cpp). Free-running clocks are not included (host::Image::clockwork_begin).
 #pragma once
 
 #include <cstddef>
@@ -18,11 +17,12 @@ class KeptState {
   explicit KeptState(const LoadedImage& image);
 
   void take(Memory heap, Memory stack);
-  /// Whether all is now as it was taken.
+  /// Returns whether all state is equal to the snapshot.
   bool is_like(Memory heap, Memory stack) const;
 
-  // The same with what malloc has given as the heap. What image.h calls settings is only looked at if it may
-  // have changed since the last of these calls that gave true: there can be one such keeper of an image.
+  // Variants with malloc's allocations as the heap. Settings, as image.h defines them, are compared only if
+  // they may have changed since the last call that returned true. So an image can have only one such
+  // snapshot.
   void take(host::FirmwareState& state, Memory stack);
   bool is_like(host::FirmwareState& state, Memory stack) const;
 
@@ -33,7 +33,7 @@ class KeptState {
     Memory memory;
     std::vector<std::byte> copy = {};
   };
-  std::vector<Part> variables_;  ///< but for the settings
+  std::vector<Part> variables_;  ///< except the settings
   Part settings_;
   std::vector<std::byte> heap_, stack_;
 };

@@ -1,4 +1,4 @@
-// What of the chip firmware has used that its image lacks: each once, in the order of time.
+// The features of the chip that firmware has used and that its image lacks: each once, by time.
 #pragma once
 
 #include <algorithm>

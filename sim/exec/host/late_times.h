@@ -1,4 +1,4 @@
-// When a sketch is late, as if its code took longer, as its image has it.
+// The times at which a sketch is delayed, as if its code took longer, in the form that its image reads.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@ namespace robosim::exec {
 
 class LateTimes {
  public:
-  /// In the order of their times.
+  /// Sets the times, in rising order.
   void set(const std::vector<wire::Lateness>& late) {
     times_.clear();
     for (const wire::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
-  /// Those from `t` on are for the sketch that begins there. They must stay as they are while it runs.
+  /// Passes the times from `t` on to the sketch that begins there. They must not change while it runs.
   void begin(host::FirmwareState& state, SimTime t) const {
     state.lateness = times_.data();
     while (state.lateness->from < t) ++state.lateness;
@@ -24,7 +24,7 @@ class LateTimes {
   }
 
  private:
-  std::vector<host::Lateness> times_{{}};  // the last one never comes
+  std::vector<host::Lateness> times_{{}};  // the last one is never reached
 };
 
 }  // namespace robosim::exec

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
 
-// What is on the stack there, even where a sanitizer forbids it to others.
+// Returns the word on the stack there, even where a sanitizer forbids access.
 __attribute__((no_sanitize("address"))) const void* word_at(const std::byte* address) {
   const void* word = nullptr;
   __builtin_memcpy(&word, address, sizeof word);

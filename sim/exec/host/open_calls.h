@@ -1,4 +1,4 @@
-// The calls of firmware that are open, the innermost first.
+// Lists the open calls of firmware, the innermost first.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ class OpenCalls {
   /// Both outlive this.
   OpenCalls(const LoadedImage& image, const GuardedMemory& stack) : image_(image), stack_(stack) {}
 
-  /// Asked on the fiber, from within one of them. By the unwind tables; where they do not lead through, also
-  /// what looks like calls on the stack.
+  /// Adds the callers. Called on the fiber, from within one of them. Uses the unwind tables; where they lead
+  /// no further, also words on the stack that look like calls.
   void add_callers(std::vector<CodeAddress>& addresses) const;
-  /// Return addresses on the stack from `from` on. Old ones in unused slots may be among them.
+  /// Adds return addresses on the stack from `from` on. Old ones in unused slots may be among them.
   void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const;
 
  private:

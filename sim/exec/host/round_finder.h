@@ -1,5 +1,5 @@
-// Whether firmware goes round for ever, as far as it knows: a basic block finds the stack, the variables and
-// the heap as the same block has left them before. Registers that outlive a call lie on the stack
+// Detects firmware that loops for ever, as far as its own state goes. A basic block then meets the stack,
+// variables and heap that it has met before. Registers that outlive a call lie on the stack
 // (hal/host/clock.cpp).
 #pragma once
 
@@ -11,19 +11,19 @@ class RoundFinder {
  public:
   using Memory = KeptState::Memory;
 
-  /// Variables and `heap` are what firmware keeps, but for its stack.
+  /// Variables and `heap` are the firmware's state, except its stack.
   RoundFinder(const LoadedImage& image, Memory heap) : state_(image), heap_(heap) {}
 
-  /// Forgets what it has seen: something else than firmware has run.
+  /// Forgets the recorded state: code other than firmware has run.
   void begin();
-  /// Whether this has been seen before; `place` names the block.
+  /// Returns whether this state was seen before; `place` identifies the block.
   bool sees(const void* place, Memory stack);
 
  private:
   KeptState state_;
   Memory heap_;
-  // One state is remembered, and given up for a later one after 1, 2, 4 … blocks (Brent, 1980: An improved
-  // Monte Carlo factorization algorithm, section 2).
+  // Stores one state, and replaces it by a later one after 1, 2, 4 … blocks. Source: Brent, 1980: An improved
+  // Monte Carlo factorization algorithm, section 2.
   const void* place_ = nullptr;
   int power_ = 1, since_ = 0;
 };

@@ -34,10 +34,10 @@ ShadowMemory::~ShadowMemory() { allow(memory_); }
 namespace {
 
 constexpr std::uintptr_t kGrain = 8;
-// A function writes about its frame before it touches it: also where the stack is about to overflow.
+// A function marks its frame before it uses it, even if the stack is about to overflow.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// How many hold each page: neighbours in memory share the shadow's pages.
+/// The number of holders of each page: neighbours in memory share pages of the shadow.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;
@@ -75,7 +75,7 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
-    // A page that a neighbour holds too may have marks from whoever was here before.
+    // A page that a neighbour shares may have marks from an earlier holder.
     const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kGrain + offset;
     std::memset(reinterpret_cast<void*>(first), 0,
                 static_cast<std::size_t>(range.end - range.begin) / kGrain);

@@ -1,5 +1,5 @@
 // The shadow memory of address checks (hal/host/addresses.h), mapped only for memory that firmware may
-// access; gcc's own runtime would reserve 16 TB.
+// access. gcc's own runtime would reserve 16 TB.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,12 @@ struct MemoryRange {
   const std::byte* end;
 };
 
-/// All zero at the beginning: everything may be accessed. Where Robosim itself runs under AddressSanitizer
-/// the shadow is there already, and is left as it was found.
+/// Initially all zero: everything may be accessed. If Robosim itself runs under AddressSanitizer, the shadow
+/// exists already, and is restored at the end.
 class ShadowMemory {
  public:
-  /// `offset` as in host::Image::shadow; 0 = there is none. Throws std::runtime_error if its place is taken.
+  /// `offset` as in host::Image::shadow; 0 = there is none. Throws std::runtime_error if its address range is
+  /// taken.
   ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory);
   ~ShadowMemory();
   ShadowMemory(const ShadowMemory&) = delete;

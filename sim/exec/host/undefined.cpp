@@ -52,13 +52,13 @@ std::string a(const Type& type) { return with_article(name(type)); }
 int bits(const Type& type) { return type.kind == Type::integer ? 1 << (type.info >> 1) : type.info; }
 bool is_signed(const Type& type) { return type.info & 1; }
 
-/// A whole number of up to 64 bits.
+/// An integer of up to 64 bits.
 struct Whole {
-  std::uint64_t bits;  // those above the type's own repeat its sign
+  std::uint64_t bits;  // the bits above the type's width repeat its sign
   bool is_signed;
 };
 
-/// Values wider than a register are handed over by their address.
+/// Values wider than a register are passed by address.
 template <typename T>
 T stored(std::uintptr_t handle, int bits) {
   T result = 0;
@@ -102,7 +102,7 @@ std::string number(const Type& type, std::uintptr_t handle) {
   return "number";
 }
 
-// sim/build/target.cpp has local variables filled with bytes FE.
+// sim/build/target.cpp fills local variables with bytes FE.
 std::string if_never_set(const Type& type, std::uintptr_t handle) {
   constexpr std::uintptr_t kFilling = 0xFE;
   const int width = std::min(bits(type), 64);

@@ -1,5 +1,5 @@
-// What a check of gcc's UndefinedBehaviorSanitizer has found, in words. gcc passes a name and the data of its
-// handlers, which are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h describes them).
+// Explains findings of gcc's UndefinedBehaviorSanitizer. gcc passes a name and the data of its handlers,
+// which are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace robosim::exec {
 
-/// The data of gcc's handlers, as far as they have it in common.
+/// The data of gcc's handlers, as far as they are common to all.
 namespace ubsan {
 
 struct Location {
@@ -42,14 +42,15 @@ struct TwoTypes {
 struct Undefined {
   std::string check;   ///< its name
   std::string reason;  ///< a clause, as in Crash
-  std::string file;    ///< as debug information names it; empty where gcc does not tell
+  std::string file;    ///< as debug information names it; empty if gcc does not pass it
   int line = 0;
 };
 
-/// `check` is the handler's name without "__ubsan_handle_"; `data` and the values are what it was given.
+/// `check` is the handler's name without "__ubsan_handle_"; `data` and the values are the handler's
+/// arguments.
 Undefined explain_undefined(std::string_view check, const void* data, std::uintptr_t value,
                             std::uintptr_t other);
-/// File and line of the fault, where it tells them and they are the sketch's.
+/// Takes file and line of the fault, if it has them and they are the sketch's.
 void take_place(const Undefined& fault, SourceLine& place);
 
 }  // namespace robosim::exec
