@@ -107,10 +107,10 @@ class AvrExecutor::Running final : public RunningChip {
   const BoardSpec& board_;
   avr::Machine machine_;
   std::vector<std::unique_ptr<avr::Detector>> detectors_;
-  std::optional<avr::DrivenLines> lines_;  ///< nothing = nobody asks
-  avr::DebugPort* debugger_;               ///< null = nobody debugs
-  avr::Causes* causes_;                    ///< null = nobody asks
-  robosim::avr::Chip*& chip_;              ///< who else wants to know that there is one
+  std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
+  avr::DebugPort* debugger_;               ///< null without a debugger
+  avr::Causes* causes_;                    ///< null unless causes are sought
+  robosim::avr::Chip*& chip_;              ///< the executor's copy of the pointer
 };
 
 class AvrExecutor::Firmware final : public ChipFirmware {
@@ -156,7 +156,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   bool runs_waiting_loops = false;
   bool traces_drives = false;
   bool detects = false;
-  std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
+  std::unique_ptr<LineCounts> lines;  ///< null = lines are not counted
 
  private:
   const Image image_;

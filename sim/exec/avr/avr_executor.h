@@ -1,4 +1,4 @@
-// The target avr: the very ELF that is flashed, in an emulated chip (sim/avr).
+// The executor for AVR boards: runs the flashed ELF file itself, in an emulated chip (sim/avr).
 //
 //   ELF ──► WatchedChip ── Chip of sim/avr ──► Outside ──► FirmwarePort
 //
@@ -17,13 +17,13 @@ namespace robosim::exec {
 
 class AvrExecutor final : public ChipExecutor {
  public:
-  /// Throws InputError if `image` is no ELF that this board's chip can run.
+  /// Loads `image`. Throws InputError if it is not an ELF file that this board's chip can run.
   AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// From the next power-on on, loops that wait are run, too, and nothing is left out (robosim::avr::Idle).
+  /// From the next power-on on, runs waiting loops, too, and skips nothing (robosim::avr::Idle).
   void run_waiting_loops();
-  /// null while the power is off.
+  /// Returns the chip; null while the power is off.
   const robosim::avr::Chip* chip() const;
 
  private:
@@ -31,7 +31,7 @@ class AvrExecutor final : public ChipExecutor {
   class Firmware;
   class Running;
 
-  AvrExecutor(const BoardSpec& spec, Firmware* firmware);  ///< which becomes its own
+  AvrExecutor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of it
 
   Firmware& firmware_;
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr reg::Address kWord = 2, kLocation = 3 * kWord;
 
-/// The chip's memory, as gcc's data lies in it.
+/// The chip's memory, in the layout of gcc's data.
 class Memory {
  public:
   explicit Memory(const WatchedChip& chip) : chip_(chip) {}
@@ -35,13 +35,13 @@ class Memory {
   const WatchedChip& chip_;
 };
 
-/// "'int [6]'" to "'int'": avr-gcc 5 lets values of a type share the description of the first array of it.
+/// Converts "'int [6]'" to "'int'": in avr-gcc 5, values of a type share the description of its first array.
 std::string without_lengths(std::string name) {
   const std::size_t length = name.find(" [");
   return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");
 }
 
-/// A type's description, as it would lie in this program's memory.
+/// A type's description, in the layout of this program's memory.
 class Type {
  public:
   enum class Of { value, array };
@@ -57,7 +57,7 @@ class Type {
   const ubsan::Type* get() const { return reinterpret_cast<const ubsan::Type*>(storage_.data()); }
   unsigned bits() const { return bits_; }
 
-  /// A value of this type; what is wider than a pointer was handed over by its address.
+  /// Returns a value of this type; if it is wider than a pointer, it was passed by address.
   std::uint64_t value(const Memory& memory, std::uint16_t handle) const {
     return bits_ <= 8 * kWord ? handle : memory.bytes(handle, bits_ <= 64 ? bits_ / 8 : 8);
   }
@@ -67,13 +67,13 @@ class Type {
   unsigned bits_ = 0;
 };
 
-/// As this program's gcc hands over a value of so many bits.
+/// Passes a value of that width like this program's gcc.
 std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
   return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
                                             : reinterpret_cast<std::uintptr_t>(&value);
 }
 
-/// avr-gcc 5 tells no place for a float that does not fit: its data begins with the float's type.
+/// avr-gcc 5 passes no location for a float that does not fit: its data begins with the float's type.
 bool lacks_location(const Memory& memory, unsigned data) {
   return memory.word(memory.word(data)) == ubsan::Type::floating;
 }

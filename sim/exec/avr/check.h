@@ -1,4 +1,4 @@
-// What a check in an image built for checking (build::Request::sanitize) has found: gcc's data for it, read
+// Explains a failed check of an image built for checking (build::Request::sanitize). Reads gcc's data for it
 // from the chip's memory, where pointers and `unsigned` have 16 bits.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace robosim::exec::avr {
 
-/// If the chip has stopped in a check's handler (hal/avr/undefined.c).
+/// Returns the failed check, if the chip has stopped in a check's handler (hal/avr/undefined.c).
 std::optional<Undefined> failed_check(const Firmware& firmware, const WatchedChip& chip, const Fault& fault);
 
 }  // namespace robosim::exec::avr

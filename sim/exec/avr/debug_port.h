@@ -1,9 +1,9 @@
-// The emulated chip as avr-gdb sees it (gdb::DebugPort says how it halts, steps and watches):
+// The debug port of the emulated chip, for avr-gdb. gdb::DebugPort describes how it halts, steps and watches.
 //
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
 //   addresses   flash from 0, data memory from kAvrData, EEPROM from kAvrEeprom (sim/elf/avr_addresses.h)
 //
-// Breakpoints cost nothing: they are traps in the core's decoded flash.
+// Breakpoints take no time: they are traps in the core's decoded flash.
 #pragma once
 
 #include "sim/exec/avr/machine.h"
@@ -16,7 +16,7 @@ class DebugPort final : public gdb::DebugPort {
   DebugPort(gdb::Server& server, const Firmware& firmware, ClockedBoard& board)
       : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
-  /// At power-on.
+  /// Connects it at power-on.
   void plug_into(Machine& machine);
   void unplug() { machine_ = nullptr; }
 

@@ -1,4 +1,4 @@
-// What can be found out about firmware from its chip's state and its debug information.
+// Derives facts about firmware from its chip's state and its debug information.
 #pragma once
 
 #include "sim/exec/avr/machine.h"
@@ -13,26 +13,28 @@ class Diagnosis {
       : firmware_(firmware), debug_(debug), machine_(machine) {}
 
   Crash crash(const Fault& fault) const;
-  /// But for its last_call.
+  /// Returns the activity, except its last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Of the instruction that is running, or the calls that led there: the sketch's own line, not a library's.
+  /// Returns the line of the running instruction, or of the calls that led there: the sketch's line, not a
+  /// library's.
   SourceLine sketch_line() const;
-  /// The first of these calls that is the user's.
+  /// Returns the first of these calls that is the user's.
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
 
  private:
   SourceLine place_of_check(const Undefined& found) const;
-  /// Where the jump at `pc` leads (`jmp`, `rjmp`); none of any other instruction.
+  /// Returns the target of the jump at `pc` (`jmp`, `rjmp`); nothing for any other instruction.
   std::optional<std::uint32_t> jump_target(std::uint32_t pc) const;
-  /// The interrupt whose vector leads to address 0 at once, as avr-libc's for interrupts without a handler.
+  /// Returns the interrupt whose vector leads directly to address 0, like avr-libc's for interrupts without a
+  /// handler.
   std::optional<int> unhandled(const Fault& fault) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
-  /// The core's function that the sketch has called and is in: "delay()", not what delay() calls. Empty if it
-  /// is in none.
+  /// Returns the core's function that the sketch has called and is in: "delay()", not what delay() calls.
+  /// Empty if it is not in one.
   std::string api_call_now() const;
   std::string stopped_by() const;
   std::vector<SourceLine> call_chain(std::uint32_t pc) const;

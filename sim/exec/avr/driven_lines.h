@@ -1,8 +1,8 @@
-// Which line of the sketch has driven a pin, asked while the chip tells that it is driven.
+// Finds the line of the sketch that has driven a pin, while the chip reports the change.
 //
-//   an instruction writes to I/O    it has driven the pin: its line, or that of the call which led there
-//   a timer takes a new duty over   at the end of a period, so it is the line that has written OCRnx
-//   a timer or handler of the core  switches the pin by itself: no line has
+//   an instruction writes to I/O      its line, or that of the call which led there
+//   a timer starts a new duty cycle   at the end of a period, so the line is the one that has written OCRnx
+//   a timer or handler of the core    switches the pin by itself: no line
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ class DrivenLines {
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// `pin`: the chip's; `pwm`: it is driven by PWM from now on. Empty where no line is known.
+  /// Returns the line. `pin`: the chip's; `pwm`: PWM drives it from now on. Empty if no line is known.
   const SourceLine& line_of(int pin, bool pwm) const;
 
  private:

@@ -1,5 +1,5 @@
-// A finished program for an AVR, from an ELF file: what goes into the chip's memories, and where its names
-// are. Or from an Intel HEX file, which is the flash alone.
+// A finished program for an AVR, from an ELF file: the contents of the chip's memories, and the addresses of
+// its names. An Intel HEX file provides flash only.
 #pragma once
 
 #include <cstdint>
@@ -21,30 +21,30 @@ constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 struct Firmware {
   std::string file;
   const ChipSpec* chip = nullptr;
-  std::vector<std::uint8_t> flash;   ///< as it is flashed: code, constants, initial values of variables
-  std::vector<std::uint8_t> eeprom;  ///< what the EEPROM begins with; may be shorter
+  std::vector<std::uint8_t> flash;   ///< content of flash: code, constants, initial values of variables
+  std::vector<std::uint8_t> eeprom;  ///< initial content of the EEPROM; may be shorter
   bool named = true;                 ///< false: of a .hex; `symbols` is empty
   std::uint32_t code_end = 0;        ///< end of .text
-  std::uint16_t globals_end = 0;     ///< data address just behind the variables: where the heap begins
+  std::uint16_t globals_end = 0;     ///< data address after the last variable: the start of the heap
   std::uint32_t ram_bytes = 0;       ///< variables
   Symbols symbols;                   ///< functions and variables: flash from 0, data memory from kAvrData
-  /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip: it
-  /// gets RAM up to where it has its stack begin, and 64 KB of flash.
+  /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip. It
+  /// gets RAM up to the start of its stack, and 64 KB of flash.
   std::uint16_t last_ram = 0;
   bool needs_larger_chip() const { return last_ram + 1u != ram_end(*chip); }
 
-  /// The instruction word at an even flash address.
+  /// Returns the instruction word at an even flash address.
   int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
 
-  /// Throws InputError: no such file, no AVR executable or Intel HEX file, larger than the board's flash, not
-  /// linked for the board's chip.
+  /// Reads a program. Throws InputError if the file is missing, or not an AVR executable or Intel HEX file.
+  /// The same applies if it is larger than the board's flash, or not linked for the board's chip.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 
-  /// Address of a symbol, if the image has it.
+  /// Returns the address of a symbol, if the image has it.
   std::optional<std::uint32_t> find(const std::string& name) const;
-  /// Data address of a variable.
+  /// Returns the data address of a variable.
   std::optional<std::uint16_t> find_variable(const std::string& name) const;
-  /// The function that holds a flash address; null if none does.
+  /// Returns the function that holds a flash address; null if none does.
   const Symbol* function_at(std::uint32_t pc) const;
 };
 

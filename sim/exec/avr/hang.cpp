@@ -23,7 +23,8 @@ bool is_usb(int vector, const ChipSpec& chip) {
   return chip.usb.address && vector >= chip.usb.vector && vector < chip.usb.vector + kVectorsOfUsb;
 }
 
-// The variable whose methods the handler of `vector` calls, if that is a UART's; null if there is none.
+// Returns the variable whose methods the handler of `vector` calls, if that is a UART's; null if there is
+// none.
 const Symbol* serial_of(int vector, const Firmware& firmware) {
   for (int i = 0; i < firmware.chip->uart_count; ++i) {
     const UartSpec& uart = firmware.chip->uarts[i];
@@ -33,10 +34,10 @@ const Symbol* serial_of(int vector, const Firmware& firmware) {
   return nullptr;
 }
 
-// What the handlers of the Arduino core's Serial change; nothing where `vector` is none of theirs.
+// Returns what the handlers of the Arduino core's Serial change; nothing if `vector` is not theirs.
 std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   const ChipSpec& chip = *firmware.chip;
-  // USB's keep their accounts in variables of their own.
+  // USB's handlers have their state in their own variables.
   if (is_usb(vector, chip) && firmware.symbols.find("Serial")) return Stores(cpu.data.size(), true);
   const Symbol* const serial = serial_of(vector, firmware);
   if (!serial || serial->address < kAvrData) return std::nullopt;
@@ -46,7 +47,7 @@ std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu,
   return stores;
 }
 
-// What a handler of the Arduino core changes; nothing where it is the sketch's own, or cannot be told.
+// Returns what a handler of the Arduino core changes; nothing if it is the sketch's, or that is unknown.
 std::optional<Stores> stores_of_core(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   if (vector == overflow_of(firmware.chip->timers[0])) return robosim::avr::stores_of_handler(cpu, vector);
   return stores_of_serial(vector, cpu, firmware);

@@ -1,4 +1,4 @@
-// Whether firmware that is silent will be silent for ever.
+// Proves that silent firmware will be silent for ever.
 #pragma once
 
 #include "sim/exec/avr/firmware.h"
@@ -6,11 +6,11 @@
 
 namespace robosim::exec::avr {
 
-/// Proved, never guessed: the program goes round (sim/avr/recurrence.h), and the interrupts that are enabled
-/// are the Arduino core's, whose handlers cannot change what the round reads. What the clock's may do is read
-/// from its code; of Serial's, which store by pointers, it is known that they touch nothing but Serial. Any
-/// handler of the sketch's own is life, also one that only counts: the host cannot tell those apart. False
-/// where there is no proof. Takes some milliseconds.
+/// Returns whether that is proved: the program loops (sim/avr/recurrence.h), and no enabled handler can
+/// change what the loop reads. All these handlers are the Arduino core's. The effects of the clock's handler
+/// are read from its code. Serial's handlers store by pointers; they are known to change nothing except
+/// Serial. Any enabled handler of the sketch counts as activity, even if it only increments a counter: the
+/// host cannot distinguish those. Returns false without proof. Takes some milliseconds.
 bool hangs(const WatchedChip& chip, const Firmware& firmware);
 
 }  // namespace robosim::exec::avr

@@ -1,4 +1,4 @@
-// The chip's clock against the board's: cycles of the processor, and the time they begin at.
+// Converts between the chip's cycles and the board's time.
 #pragma once
 
 #include "hal/board/cycle_time.h"
@@ -17,19 +17,19 @@ class Link {
   SimTime time_of(Cycle cycle) const {
     return began_ + cycles_.of(static_cast<SimTime>(cycle) - static_cast<SimTime>(first_));
   }
-  /// The first cycle at or after `t`.
+  /// Returns the first cycle at or after `t`.
   Cycle cycle_at(SimTime t) const {
     return t <= began_ ? first_ : first_ + static_cast<Cycle>(cycles_.first_at(t - began_));
   }
   SimTime length_of(Cycle cycles) const { return cycles_.of(static_cast<SimTime>(cycles)); }
-  /// From cycle `at` on the processor's clock is the oscillator's divided by `divisor`.
+  /// Divides the oscillator's clock by `divisor` for the processor, from cycle `at` on.
   void divide(int divisor, Cycle at) {
     began_ = time_of(at);
     first_ = at;
     cycles_ = CycleTime(clock_hz_ / divisor);
     ++divisions_;
   }
-  /// How often it was divided anew.
+  /// Returns how often the divisor was changed.
   int divisions() const { return divisions_; }
 
  private:

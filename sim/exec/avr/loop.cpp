@@ -14,7 +14,7 @@ namespace {
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
-// What gcc calls or jumps to for a switch: it jumps on by a table.
+// Functions that gcc calls or jumps to for a switch: they jump by a table.
 constexpr const char* kTableJumps[] = {"__tablejump2__", "__tablejump__", "__tablejump_elpm__"};
 
 class Code final : public ChipCode {
@@ -26,7 +26,7 @@ class Code final : public ChipCode {
       if (const auto address = firmware.find(name)) table_jumps_.insert(*address / 2);
   }
 
-  /// Calls of a function, and jumps to it from elsewhere.
+  /// Returns the calls of a function, and jumps to it from elsewhere.
   std::vector<std::uint32_t> calls_of(const Symbol& function) const override {
     std::vector<std::uint32_t> calls;
     const std::uint32_t begin = function.address, end = begin + function.size;
@@ -97,7 +97,7 @@ class Code final : public ChipCode {
       if (!goes_on) behind_jumps.insert(2 * next);
       steps.emplace(2 * pc, std::move(step));
     }
-    // Cases of a switch: what nothing else leads to.
+    // Cases of a switch: code to which nothing else leads.
     for (const std::uint32_t from : anywhere)
       for (const std::uint32_t to : behind_jumps)
         if (steps.contains(to) && !reached.contains(to)) steps[from].next.push_back(to);

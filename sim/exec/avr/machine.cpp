@@ -8,7 +8,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-// How often it is looked how far the heap has grown.
+// The period of checks for growth of the heap.
 constexpr Cycle kLookEvery = 1000;
 
 }  // namespace
@@ -41,7 +41,7 @@ void Machine::restore(const Saved& saved) {
 void Machine::look_at_heap(Cycle at) {
   if (!stack_.has_heap()) return;
   stack_.look();
-  // It may come late, as all of those do that could have come while no instruction ran.
+  // The event may be late, like all events that were due while no instruction ran.
   const Cycle missed = (chip_.cycle() - std::min(at, chip_.cycle())) / kLookEvery;
   chip_.chip().core().schedule(look_, at + (missed + 1) * kLookEvery);
 }
@@ -98,7 +98,7 @@ void Machine::trace_bytes(WrittenBytes& bytes) {
 }
 
 void Machine::write_called() {
-  constexpr reg::Address kByte = 22;  // where avr-gcc passes it, `this` being in 24 and 25
+  constexpr reg::Address kByte = 22;  // where avr-gcc passes it; `this` is in 24 and 25
   written_->wrote(chip_.data(kByte), board_.to_world(now()));
 }
 
@@ -109,7 +109,7 @@ void Machine::set_clock(SimTime start) {
 
 void Machine::start_clock() {
   chip_.clear_trap(WatchedChip::kMainTrap, chip_.pc());
-  // The core's (wiring.c): milliseconds, and overflows of timer 0.
+  // From the core (wiring.c): milliseconds, and overflows of timer 0.
   constexpr SimTime kOverflowCycles = 64 * 256;
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);

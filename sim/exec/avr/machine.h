@@ -1,4 +1,4 @@
-// The chip with everything around it that firmware can touch.
+// The chip with everything around it that firmware can access.
 #pragma once
 
 #include "sim/exec/avr/outside.h"
@@ -15,24 +15,25 @@ class InstructionLog;
 
 class Machine final : Outside {
  public:
-  /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
+  /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
   Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);
-  /// Asked before and after instructions run; may be null.
+  /// Sets the debug port, called before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
-  /// From now on each instruction is noted there, which outlives this; null = no longer.
+  /// Records each instruction in `log` from now on, which outlives this; null = stop.
   void log_into(InstructionLog* log);
-  /// What the firmware prints is told to `bytes`, which outlives this.
+  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
   void trace_bytes(WrittenBytes& bytes);
-  /// millis() begins with `start` when main() begins.
+  /// Makes millis() begin with `start` when main() begins.
   void set_clock(SimTime start);
   Resources resources() const;
 
-  /// Data memory as a debugger sees it, without effect on the firmware: PINx and UDR0 hold what it read last.
+  /// Returns data memory as a debugger sees it, without effect on the firmware: PINx and UDR0 hold their last
+  /// read value.
   std::uint8_t peek(reg::Address address);
-  /// As if the firmware had written there.
+  /// Writes as if the firmware had done so.
   void poke(reg::Address address, std::uint8_t value);
 
   WatchedChip& chip() { return chip_; }
@@ -45,7 +46,7 @@ class Machine final : Outside {
     RoundCounter<Cycle> rounds;
     SimTime clock_start = 0;
   };
-  /// All that changes while the chip runs, but for its board.
+  /// All state that changes while the chip runs, except its board's.
   struct Saved {
     State own;
     WatchedChip::Saved chip;

@@ -1,4 +1,4 @@
-// What lies around the chip on a board: its pins are the board's, its cycles the board's time.
+// The surroundings of the chip on a board: maps its pins to the board's, and its cycles to the board's time.
 #pragma once
 
 #include <vector>
@@ -14,28 +14,28 @@ class Outside : public robosim::avr::Surroundings {
  public:
   Outside(ClockedBoard& board, SimTime began);
 
-  /// Before anything else: the chip whose surroundings these are.
+  /// Connects the chip whose surroundings these are. Call it first.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
-  /// What has arrived by now reaches the chip, and it is called when the next input will have.
+  /// Passes the inputs that have arrived by now to the chip, and schedules the call for the next input.
   void take_inputs(Cycle now) {
     state_.expected = kNever;
     if (board_.next_input() != kNever) take_waiting(now);
   }
 
   const Link& link() const { return state_.link; }
-  /// The chip's pin that is led to the board's; -1 = none.
+  /// Returns the chip's pin for a pin of the board; -1 = none.
   int chip_pin(Pin pin) const { return chip_pins_[pin]; }
-  /// The other way round; kNoPin = none.
+  /// Returns the board's pin for a pin of the chip; kNoPin = none.
   Pin board_pin(int pin) const { return pins_[static_cast<std::size_t>(pin)]; }
-  /// The board's pin that the firmware read last, and when; kNoPin = none yet.
+  /// Returns the board's pin that the firmware read last, and when; kNoPin = none yet.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
 
-  /// All that changes while the chip runs.
+  /// All state that changes while the chip runs.
   struct State {
     Link link;
     SimTime expected = kNever;  ///< when the chip is called for the next input
-    Cycle frame = 0;            ///< what a received one takes; 0 = the receiver is off
+    Cycle frame = 0;            ///< duration of a received one; 0 = the receiver is off
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
@@ -69,7 +69,7 @@ class Outside : public robosim::avr::Surroundings {
 
   ClockedBoard& board_;
   robosim::avr::Chip* chip_ = nullptr;
-  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not led out
+  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not connected
   std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
   const int serial_;            ///< the line that leads to the computer
   State state_;

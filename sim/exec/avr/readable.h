@@ -1,4 +1,4 @@
-// A variable's name as it stands in the sketch.
+// Formats a variable's name as it stands in the sketch.
 #pragma once
 
 #include <cxxabi.h>

@@ -1,4 +1,4 @@
-// The registers' names inside the emulated chip, and which of them calls use.
+// Names of registers inside the emulated chip, and the registers that calls use.
 #pragma once
 
 #include "hal/board/avr_registers.h"
@@ -8,11 +8,11 @@ namespace robosim::exec::avr {
 
 namespace reg = robosim::avr::reg;
 
-/// The lower of the two registers that hand a function its first, second and third argument of up to 16 bits;
-/// a result comes back in the first. Source: avr-gcc's ABI, https://gcc.gnu.org/wiki/avr-gcc.
+/// The lower of the two registers for a function's first, second and third argument of up to 16 bits. The
+/// first also returns a result. Source: avr-gcc's ABI, https://gcc.gnu.org/wiki/avr-gcc.
 inline constexpr reg::Address kArgument[] = {24, 22, 20};
 
-/// The vector of a timer's overflow. Timer 0's is the core's clock.
+/// Returns the vector of a timer's overflow. Timer 0's is the core's clock.
 inline int overflow_of(const TimerSpec& timer) {
   return timer.overflow_vector ? timer.overflow_vector : timer.vector + channels(timer);
 }

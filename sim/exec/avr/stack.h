@@ -1,9 +1,9 @@
-// The stack: how deep it has been, whether it has met the variables, and who called whom.
+// Observes the stack: its depth, whether it has met the variables, and the open calls.
 //
 //   0x0100 variables | heap -> ...        ... <- stack | 0x08FF      addresses of an ATmega328P
 //
-// The chip follows the stack pointer at every change, so that neither a short deep call nor a large array
-// that is never written to is missed.
+// The chip checks the stack pointer at every change. So it misses neither a short deep call nor a large array
+// that is never written.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,26 @@ class Stack {
   Stack(WatchedChip& chip, const Firmware& firmware);
 
   bool has_heap() const { return heap_pointer_ != 0; }
-  /// Looks how far the heap has grown: the stack must not cross it.
+  /// Updates the limit by the heap's present end: the stack must not cross it.
   void look();
-  /// The most bytes that were in use.
+  /// Returns the largest number of bytes that were in use.
   std::uint32_t most_bytes() const {
     return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
   }
-  /// What variables and heap leave.
+  /// Returns the room between variables and heap, and the end of RAM.
   std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - state_.heap_end; }
-  /// Whether the stack has reached the variables or the heap.
+  /// Returns whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
 
-  /// An instruction in the code that called something.
+  /// An instruction that has called code which is still running.
   struct Call {
     std::uint32_t pc = 0;     ///< of the call instruction
     bool by_pointer = false;  ///< icall, eicall
   };
-  /// The calls that are open now, innermost first: every word on the stack that is the address behind a call.
-  /// Saved registers may happen to look like one.
+  /// Returns the open calls, innermost first: every word on the stack that is the address after a call. Saved
+  /// registers may happen to look like one.
   std::vector<Call> open_calls() const;
-  /// Tells `visit` the pc of each, and stops where that returns true; or, unless it is 0, at the word
-  /// `until`.
+  /// Passes the pc of each to `visit`. Stops where that returns true, or at the word `until`, unless it is 0.
   template <typename Visit>
   void each_call(std::uint32_t until, Visit visit) const {
     Call call;
@@ -53,12 +52,12 @@ class Stack {
     }
   }
   struct State {
-    std::uint16_t heap_end = 0;  ///< the highest it has been
+    std::uint16_t heap_end = 0;  ///< the highest so far
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 
-  /// The word that the last `ret` has taken, as a flash address.
+  /// Returns the word that the last `ret` has taken, as a flash address.
   std::uint32_t last_return() const;
 
  private:
@@ -67,7 +66,7 @@ class Stack {
 
   WatchedChip& chip_;
   const Firmware& firmware_;
-  const std::uint16_t heap_pointer_;  ///< where malloc keeps the heap's end; 0 = there is no heap
+  const std::uint16_t heap_pointer_;  ///< where malloc stores the heap's end; 0 = there is no heap
   State state_;
 };
 

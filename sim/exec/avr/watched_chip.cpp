@@ -17,9 +17,10 @@ constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
 constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // WDCE and WDE
-// Between the writes of the two halves of the stack pointer lies at most a write of SREG.
+// Between the writes of the stack pointer's two halves is at most one write of SREG.
 constexpr Cycle kHalvesApart = 6;
-// How far in front of a write to the stack pointer its value is computed, in instructions.
+// The largest distance, in instructions, from a write to the stack pointer back to the computation of its
+// value.
 constexpr std::uint32_t kLooksBack = 8;
 
 bool is_load(Op op) { return (op >= Op::ld_x && op <= Op::lds) || op == Op::pop; }
@@ -30,7 +31,7 @@ std::vector<std::uint8_t> flash_of(const Firmware& firmware) {
   return flash;
 }
 
-/// Where the jump at the reset vector leads, in words.
+/// Returns the target of the jump at the reset vector, in words.
 std::uint32_t reset_target(const robosim::avr::Cpu& cpu) {
   const Instruction& first = cpu.instruction(0);
   if (first.op == Op::jmp) return static_cast<std::uint32_t>(first.k);
@@ -87,7 +88,7 @@ void WatchedChip::run_to(Cycle cycle) {
     const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
     switch (why) {
       case Chip::Stop::reached:
-      case Chip::Stop::sleep:  // which a chip sleeps through by itself
+      case Chip::Stop::sleep:  // through which a chip sleeps by itself
         break;
       case Chip::Stop::off:
         state_.off = true;
@@ -112,7 +113,7 @@ void WatchedChip::run_to(Cycle cycle) {
         if (data(reg::kSpmcsr) & 1) fail(Fault::Kind::flash_write, last, cpu().pair(30));
         break;
       case Chip::Stop::break_:
-        break;  // without a debugger in the chip, it does nothing
+        break;  // no effect without a debugger in the chip
       case Chip::Stop::stopped:
         return;
     }
@@ -162,7 +163,7 @@ void WatchedChip::was_browned_out(const std::vector<std::uint8_t>& ram) {
 
 namespace {
 
-// In the order of their places.
+// Sorted by place.
 template <class Traps>
 auto first_from(Traps& traps, std::uint32_t pc) {
   return std::lower_bound(traps.begin(), traps.end(), pc,
@@ -313,7 +314,7 @@ void WatchedChip::stack_pointer_written() {
   stack_moved();
 }
 
-/// A new stack may begin right behind its variable, at the first byte of another.
+/// A new stack may begin directly after its variable, at the first byte of another.
 const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) const {
   const Symbol* const here = firmware_.symbols.variable_at(kAvrData + at);
   if (is_in_use || (here && here->address < kAvrData + at)) return here;
@@ -321,8 +322,8 @@ const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) c
   return below ? below : here;
 }
 
-/// Whether the value that was just written to the stack pointer was made from it, as a function makes room
-/// for its variables; otherwise it was kept elsewhere, as the stack of another task is.
+/// Returns whether the value just written to the stack pointer was computed from it, as when a function
+/// reserves variables. Otherwise it was stored elsewhere, like the stack of another task.
 bool WatchedChip::is_computed_from_itself() const {
   const auto& cpu = chip_.cpu();
   const std::uint32_t pc = cpu.last_pc();
@@ -336,7 +337,7 @@ bool WatchedChip::is_computed_from_itself() const {
   return false;
 }
 
-/// Whether it was read from memory, as where the stack of another task ends is.
+/// Returns whether it was read from memory, like the stack pointer of another task.
 bool WatchedChip::was_loaded() const {
   const auto& cpu = chip_.cpu();
   const std::uint32_t pc = cpu.last_pc();
@@ -348,8 +349,8 @@ bool WatchedChip::was_loaded() const {
   return false;
 }
 
-/// A handler may leave the task that it has interrupted, and another go on that had left by itself: it does
-/// so by RET, not RETI.
+/// A handler may leave the task that it has interrupted, and continue one that had left by itself: by RET,
+/// not RETI.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
   if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
   const auto left = state_.handlers_of_stacks.find(to);

@@ -1,9 +1,9 @@
-// The chip with a sketch in its flash, watched for what goes wrong: wild reads, writes and jumps, a stack
-// that outgrows its place, a watchdog that bites again and again. sim/avr has the chip itself.
+// The chip with a sketch in its flash, watched for faults: wild reads, writes and jumps, stack overflow,
+// repeated watchdog resets. sim/avr has the chip itself.
 //
-// It starts where the boot loader would jump to, and takes the watchdog's resets as the Uno's boot loader
-// does (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader WDRF is set, and the
-// watchdog bites again in 16 ms unless the sketch switches it off.
+// It starts where the boot loader would jump to. It handles the watchdog's resets like the Uno's boot loader
+// (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader WDRF is set, and the watchdog
+// resets again in 16 ms unless the sketch turns it off.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@
 
 namespace robosim::exec::avr {
 
-/// Why the firmware can run no further. Addresses of flash are in bytes.
+/// The reason why the firmware cannot continue. Flash addresses are in bytes.
 struct Fault {
   enum class Kind { bad_read, bad_write, bad_opcode, bad_jump, restart, stack, watchdog, flash_write, torn };
   Kind kind = Kind::bad_jump;
-  std::uint32_t pc = 0;       ///< of the instruction; of a jump, where it led
+  std::uint32_t pc = 0;       ///< of the instruction; for a jump, its target
   std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
 };
 
@@ -40,27 +40,27 @@ class WatchedChip final : robosim::avr::Visitor {
   std::uint32_t clock_hz() const { return clock_hz_; }
   Cycle cycle() const { return chip_.cycle(); }
   std::uint32_t pc() const { return 2 * cpu().pc(); }
-  /// Of the instruction that runs, or ran last.
+  /// Returns the address of the instruction that runs, or ran last.
   std::uint32_t last_pc() const { return 2 * cpu().last_pc(); }
   std::uint16_t sp() const { return cpu().sp(); }
   std::uint8_t status() const { return cpu().sreg(); }
-  /// As it lies in memory, without effect on the firmware.
+  /// Returns the byte in memory, without effect on the firmware.
   std::uint8_t data(reg::Address address) const { return cpu().data[address]; }
   bool in_handler() const { return cpu().open_handlers() > 0; }
   int open_handlers() const { return cpu().open_handlers(); }
-  /// That a call or interrupt has put on the stack, as a flash address; its first byte is at `at`.
+  /// Returns an address that a call or interrupt has pushed, as a flash address; its first byte is at `at`.
   std::uint32_t return_address(reg::Address at) const;
 
-  /// Runs until `cycle` or a few cycles later; returns sooner after a fault, before an instruction with a
-  /// trap, when the firmware has switched itself off, or when somebody has called Cpu::stop().
+  /// Runs until `cycle` or a few cycles later. Returns sooner after a fault, before an instruction with a
+  /// trap, when the firmware has stopped itself, or after Cpu::stop().
   void run_to(Cycle cycle);
   const std::optional<Fault>& fault() const { return state_.fault; }
-  /// The firmware sleeps with interrupts off: nothing will ever wake it.
+  /// Returns whether the firmware sleeps with interrupts off, so that nothing will ever wake it.
   bool is_off() const { return state_.off; }
   bool is_asleep() const { return chip_.is_asleep() && !state_.off; }
 
   // --- traps: run_to() returns before an instruction
-  /// Who wants to know that an instruction is about to run.
+  /// The purposes of a trap.
   enum Trap : unsigned {
     kLoopTrap = 1,
     kMainTrap = 2,
@@ -73,50 +73,49 @@ class WatchedChip final : robosim::avr::Visitor {
     kDetectorTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
-  /// Where lines begin has kLineTraps: it is counted how often they run.
+  /// Counts how often lines run: sets kLineTraps where they begin.
   void count(LineCounts& lines);
-  /// From the second round on, rounds are counted at a kLoopTrap, and run_to() runs on if nobody else wants
-  /// to know.
+  /// Counts rounds from the second on at a kLoopTrap; run_to() continues unless there is another trap.
   void count(RoundCounter<Cycle>& rounds) { rounds_ = &rounds; }
-  /// Torn reads and writes are faults.
+  /// Makes torn reads and writes faults.
   void look_for_tearing(const DebugInfo& debug);
   const std::optional<Tearing>& tearing() const { return tearing_; }
-  /// `detector`, which outlives the chip's use, is told when the instruction at `pc` is about to run.
+  /// Calls `detector`, which outlives the chip's use, before the instruction at `pc` runs.
   void show(Detector& detector, std::uint32_t pc);
-  /// It is told when a handler is entered and when one returns.
+  /// Calls it when a handler begins and when one returns.
   void show_handlers(Detector& detector);
   void clear_trap(Trap trap, std::uint32_t pc);
-  /// The traps, as a sum, that run_to() returned for.
+  /// Returns the traps, as a sum, for which run_to() returned.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
-  /// run_to() returns after every instruction, and after every jump of time while the chip sleeps.
+  /// Makes run_to() return after every instruction, and after every jump of time while the chip sleeps.
   void step_singly(bool singly);
   void set_status(std::uint8_t value) { chip_.cpu().set_sreg(value); }
   void set_pc(std::uint32_t pc);
 
   // --- the stack
   std::uint16_t lowest_sp() const { return state_.lowest_sp; }
-  /// Where variables and heap end: the sketch's stack must not go below.
+  /// Sets where variables and heap end: the sketch's stack must not go below.
   void set_stack_limit(std::uint16_t limit);
-  /// Whether the stack in use is one that the sketch has loaded, a task's of its own, and the variable that
-  /// holds it; null = it lies in the heap.
+  /// Return whether the stack in use is one that the sketch has loaded, such as a task's; and the variable
+  /// that holds it. Null = it lies in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
-  /// Not between the writes of its two halves.
+  /// Returns false between the writes of its two halves.
   bool is_stack_pointer_whole() const { return state_.pointer_written == 0; }
-  /// Addresses of the calls, returns and interrupted instructions that ran last, the last first.
+  /// Returns the addresses of the calls, returns and interrupted instructions that ran last, the last first.
   std::vector<std::uint32_t> last_jumps() const;
 
-  // --- accounts, in cycles
+  // --- statistics, in cycles
   Cycle last_io() const;  ///< last access to an I/O register outside handlers
   std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
   Cycle handler_cycles() const { return cpu().handler_cycles(); }
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
-  /// Where the firmware was when the handler that runs now, or ran last, interrupted it.
+  /// Returns where the firmware was when the handler that runs now, or ran last, interrupted it.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
-  /// The number of that handler's interrupt, as avr-libc has it (`TIMER0_OVF_vect_num`), and where its vector
-  /// is.
+  /// Return the number of that handler's interrupt, as in avr-libc (`TIMER0_OVF_vect_num`), and the address
+  /// of its vector.
   int vector() const { return cpu().state.vector; }
   std::uint32_t vector_address() const { return 2 * cpu().entry_of(cpu().state.vector); }
 
@@ -125,7 +124,7 @@ class WatchedChip final : robosim::avr::Visitor {
     std::uint32_t pc = 0;
     unsigned traps = 0;  ///< a sum
   };
-  /// All that changes while the chip runs, but for the chip itself.
+  /// All state that changes while the chip runs, except the chip's own.
   struct State {
     std::vector<TrapPlace> traps;  ///< by their places
     unsigned trapped = 0;
@@ -133,12 +132,12 @@ class WatchedChip final : robosim::avr::Visitor {
     bool off = false;
     std::uint16_t lowest_sp = 0;
     std::uint16_t stack_limit = 0;
-    bool own_stack = false;                ///< the sketch has loaded another stack, a task's of its own
-    const Symbol* own_variable = nullptr;  ///< that holds it; null = it lies in the heap
+    bool own_stack = false;                ///< the sketch has loaded another stack, such as a task's
+    const Symbol* own_variable = nullptr;  ///< the variable that holds it; null = it lies in the heap
     std::uint16_t own_limit = 0;
-    std::uint16_t pointer_before = 0;  ///< the stack pointer, before its first half was written
-    std::map<std::uint16_t, int> handlers_of_stacks;  ///< handlers that tasks were in when they were left
-    Cycle pointer_written = 0;                        ///< when the first half of the stack pointer was
+    std::uint16_t pointer_before = 0;                 ///< the stack pointer before its first half was written
+    std::map<std::uint16_t, int> handlers_of_stacks;  ///< open handlers of the tasks that were left
+    Cycle pointer_written = 0;                        ///< when its first half was
     int watchdog_resets = 0;
     Cycle last_bite = 0;
   };
@@ -147,17 +146,17 @@ class WatchedChip final : robosim::avr::Visitor {
     Kept::Copy chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
-  /// But for breakpoints, which are the debugger's, and the traps of detectors: they stay.
+  /// Restores, except breakpoints, which are the debugger's, and the traps of detectors: they stay.
   void restore(const Saved& saved);
 
-  /// When the watchdog has reset it last; 0 = never.
+  /// Returns when the watchdog has reset it last; 0 = never.
   Cycle last_bite() const { return state_.last_bite; }
-  /// The surroundings say that the chip has reset itself.
+  /// Notes that the chip has reset itself, as its surroundings report.
   void was_reset();
   std::vector<std::uint8_t> ram() const;
-  /// The supply had sunk, before it has run: MCUSR says so in place of power-on, and RAM is what it was,
-  /// which no reset touches (DS40002061B, Resetting the AVR). A boot loader leaves both there (optiboot from
-  /// its version 7 on).
+  /// Makes this start a brown-out reset, before it has run. MCUSR reports that instead of power-on, and RAM
+  /// has its old content, which no reset changes (DS40002061B, Resetting the AVR). A boot loader preserves
+  /// both (optiboot from its version 7 on).
   void was_browned_out(const std::vector<std::uint8_t>& ram);
 
  private:
@@ -181,13 +180,13 @@ class WatchedChip final : robosim::avr::Visitor {
   bool was_loaded() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
   unsigned traps_at(std::uint32_t pc) const;
-  /// The first place of a trap that is not before `pc`.
+  /// Returns the first place of a trap that is not before `pc`.
   std::vector<TrapPlace>::iterator trap_from(std::uint32_t pc);
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
   const std::uint32_t clock_hz_;
-  const bool has_boot_loader_;  ///< the sketch may not have all of the flash
+  const bool has_boot_loader_;  ///< it occupies a part of the flash
   RoundCounter<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<Tearing> tearing_;

@@ -1,4 +1,4 @@
-// Who has called the function that is about to begin.
+// Finds the caller of a function that is about to begin.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace robosim::exec::avr {
 
-/// Its call, a flash address: or the middle of it, of a `call`, which is the same place for debug
-/// information.
+/// Returns the flash address of its call. For a `call` it is the middle of the instruction, which debug
+/// information treats as the same place.
 inline std::uint32_t call_site(const robosim::avr::Cpu& cpu) {
   std::uint32_t words = 0;
   for (int i = 1; i <= cpu.chip().return_address_bytes; ++i)

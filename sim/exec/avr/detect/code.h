@@ -1,4 +1,4 @@
-// What can be told of a sketch's instructions without running them. Addresses are words.
+// Static analysis of a sketch's instructions. Addresses are in words.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace robosim::exec::avr {
 
-/// Behind it runs the next instruction, whatever it does.
+/// Returns whether the next instruction always runs after this one.
 bool is_straight(robosim::avr::Op op);
 bool is_store_by_pointer(robosim::avr::Op op);
-/// Where the processor may go on behind the instruction at `pc`, as far as that stands in the code, is put
-/// behind `next`; of a call, behind it, and with `into_calls` into it.
+/// Appends to `next` where the processor may continue after the instruction at `pc`, as far as the code
+/// determines it. For a call that is the following instruction, and with `into_calls` also its target.
 void add_next(const robosim::avr::Cpu& cpu, std::uint32_t pc, bool into_calls,
               std::vector<std::uint32_t>& next);
-/// By word, up to `code_end` in bytes: whether interrupts are off there, as a CLI stands before it, with no
-/// way in between.
+/// For each word, up to `code_end` in bytes: returns whether interrupts are off there, since every way there
+/// passes a CLI.
 std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
-/// By word: whether it is a handler's own, which the main program never runs; what handlers call is not.
+/// For each word: returns whether it belongs to a handler, so that the main program never runs it. Functions
+/// that handlers call are not included.
 std::vector<bool> of_handlers(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
 
-/// Where a value is that was read from memory, register by register: as it was read, or changed.
+/// Tracks the registers that hold a value read from memory, unchanged or changed.
 class Trail {
  public:
   explicit Trail(int reg) : read_(bit(reg)) {}

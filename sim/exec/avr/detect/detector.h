@@ -1,5 +1,5 @@
-// Who looks on while a sketch runs on the chip as it is flashed, and tells what breaks on a real robot
-// (docs/sanitizers.md). The run is the same whether they look or not.
+// The base class of detectors. They watch a sketch on the chip as it is flashed, and report what would fail
+// on a real robot (docs/sanitizers.md). They do not change the run.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace robosim::exec::avr {
 class Detector {
  public:
   virtual ~Detector() = default;
-  /// An instruction is about to run where it has asked for that (WatchedChip::show); in bytes.
+  /// Called before an instruction runs, at each address requested by WatchedChip::show; in bytes.
   virtual void visited(std::uint32_t pc, robosim::avr::Cycle at) {
     static_cast<void>(pc), static_cast<void>(at);
   }
-  /// The processor has entered a handler, or returned from one (WatchedChip::show_handlers).
+  /// Called when the processor has entered a handler, or returned from one (WatchedChip::show_handlers).
   virtual void entered(int vector, robosim::avr::Cycle at) {
     static_cast<void>(vector), static_cast<void>(at);
   }
@@ -28,20 +28,20 @@ class Detector {
   virtual std::vector<Detected> found() const = 0;
 };
 
-/// What runs on the chip. All outlive their use.
+/// The program that runs on the chip. All outlive their use.
 struct Program {
   const Firmware& firmware;
   const DebugInfo& debug;
   const BoardSpec& board;
 };
 
-/// Where in the sketch the firmware is now. Costly.
+/// Returns the firmware's present place in the sketch. Costly.
 using WhereNow = std::function<SourceLine()>;
 
-/// What a detector has seen, a place each: the first few.
+/// The findings of a detector, one for each place: the first few.
 class Sightings {
  public:
-  /// One more of the same kind there, or the first.
+  /// Adds a finding, or counts one more if that place has the same kind already.
   void add(Detected seen) {
     for (Detected& known : all_) {
       if (known.detector != seen.detector || known.where.file != seen.where.file ||

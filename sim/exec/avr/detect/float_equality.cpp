@@ -15,7 +15,7 @@ using robosim::avr::Op;
 
 constexpr std::uint8_t kLeft = 22, kRight = 18, kResult = 24, kZero = 1;  // registers
 constexpr std::uint8_t kFlagZ = 2;
-constexpr std::uint32_t kWordsOfTest = 6;  // how far behind the call its result is tested
+constexpr std::uint32_t kWordsOfTest = 6;  // how far after the call its result is tested
 constexpr int kMany = 10, kLongAway = 20;
 
 float float_of(std::uint32_t bits) {
@@ -24,14 +24,14 @@ float float_of(std::uint32_t bits) {
   return value;
 }
 
-/// Where the call at `pc` leads, in words; nothing if it is none.
+/// Returns the target of the call at `pc`, in words; nothing if there is no call.
 std::optional<std::uint32_t> target_of(const Instruction& i, std::uint32_t pc) {
   if (i.op == Op::call) return static_cast<std::uint32_t>(i.k);
   if (i.op == Op::rcall) return pc + 1 + static_cast<std::uint32_t>(i.k);
   return std::nullopt;
 }
 
-/// Whether what is called before `pc`, a word's address, is tested for 0, not for its sign.
+/// Returns whether the result of the call before `pc`, a word's address, is tested for 0, not for its sign.
 bool is_tested_for_zero(const robosim::avr::Cpu& cpu, std::uint32_t pc) {
   bool compared = false;  // with 0
   for (const std::uint32_t end = pc + kWordsOfTest; pc < end; pc += cpu.instruction(pc).words) {

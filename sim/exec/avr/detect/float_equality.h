@@ -34,17 +34,17 @@ class FloatEquality final : public Detector {
   std::vector<Detected> found() const override;
 
  private:
-  /// One in the program.
+  /// A comparison in the program.
   struct Comparison {
     std::uint32_t pc = 0;
-    std::uint32_t left = 0, right = 0;  ///< the first time, bits of floats
+    std::uint32_t left = 0, right = 0;  ///< bits of the floats of the first comparison
     bool left_varies = false, right_varies = false;
-    bool met = false;  ///< once, or never to be looked at
+    bool met = false;  ///< was equal once, or must not be examined
     std::int64_t times = 0;
-    float before = 0.0f;  ///< right - left, last time
+    float before = 0.0f;  ///< right - left of the last comparison
     bool has_passed = false;
-    int away = 0;           ///< comparisons on end since it passed
-    SimTime found_at = -1;  ///< below 0: not yet
+    int away = 0;           ///< consecutive comparisons since it passed
+    SimTime found_at = -1;  ///< below 0: not found yet
   };
 
   static float constant(const Comparison& one);

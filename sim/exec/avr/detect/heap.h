@@ -1,25 +1,26 @@
-// A heap that grows until it meets the stack, one that lies in pieces, and memory that was not there.
+// Detects a heap that grows until it meets the stack, a fragmented heap, and failed allocations.
 //
 //   log += String(position) + ' ';          each pass of loop(): the text is longer, and so is the heap
-//   Motor* m = new Motor(5);                each time, and nobody gives it back
+//   Motor* m = new Motor(5);                each time, and never deleted
 //
-// The chip has 2 KB. What grows with each pass fills them in a minute, not on the bench: then malloc() finds
-// nothing, a String silently becomes empty, `new` gives a null pointer; or the stack grows into the heap and
-// returns to nowhere. What is given back leaves a hole between what is kept, and serves only for what is no
-// larger: a heap in pieces (String s of many lengths, some kept and some not) grows though enough is free.
+// The chip has 2 KB. Growth in each pass fills them in a minute, but not on the bench. Then malloc() fails, a
+// String silently becomes empty, and `new` returns a null pointer. Or the stack grows into the heap, and a
+// function returns to nowhere. A freed block leaves a hole between used ones, which serves only for
+// allocations of at most its size. So a fragmented heap (strings of many lengths, some freed, some not) grows
+// although enough is free.
 //
-//   heap_grows      in each third of the run, the first second aside, the heap's end has moved on, again and
-//                   again
-//   heap_in_pieces  the first second aside, and without heap_grows, its end has moved on three times though
-//                   as many bytes as were asked for were free, in pieces each of which was too small
-//   no_memory       malloc() or realloc() has given nothing; and whether it was for that reason
+//   heap_grows      in each third of the run, without its first second, the heap's end has risen several
+//                   times
+//   heap_in_pieces  after the first second, and without heap_grows: the end has risen three times although
+//                   the requested number of bytes was free, in pieces each of which was too small
+//   no_memory       malloc() or realloc() has failed; reports whether fragmentation was the reason
 //
-// What it cannot see: a heap that grows by a step now and then; pieces that something small will need soon.
+// Not detected: a heap that rises by an occasional step; pieces that a small object will soon need.
 //
-// Mended by text that is printed, not kept; a buffer of fixed size (char line[32]); reserve() once, in
-// setup(); objects that are made once.
+// Fix it by printing text without storing it, or by a buffer of fixed size (char line[32]). One reserve() in
+// setup() helps, too, as do objects that are created once.
 //
-// avr-libc keeps the free pieces in a list, `__flp`: of each its bytes, then where the next one is
+// avr-libc stores the free pieces in a list, `__flp`. Each has its size, then the address of the next one
 // (avr-libc's stdlib_private.h, struct __freelist).
 #pragma once
 
@@ -42,14 +43,14 @@ class Heap final : public Detector {
  private:
   struct Asked {
     std::uint32_t returns_to = 0;
-    std::uint16_t sp = 0;  ///< behind the return
+    std::uint16_t sp = 0;  ///< after the return
     std::uint16_t bytes = 0;
   };
-  /// What is free below the heap's end.
+  /// The free pieces below the heap's end.
   struct Pieces {
     int count = 0, bytes = 0, largest = 0;
   };
-  /// The heap's end has moved on.
+  /// A rise of the heap's end.
   struct Growth {
     SimTime at = 0;
     std::uint16_t end = 0;
@@ -67,12 +68,12 @@ class Heap final : public Detector {
   const std::uint32_t malloc_, realloc_;  ///< 0 = there is none
   const std::uint16_t end_;               ///< the variable that holds the heap's end
   const std::uint16_t free_;              ///< the one that holds the first free piece
-  std::vector<std::uint32_t> returns_;    ///< places where they come back to
-  std::optional<Asked> asked_;            ///< by the outer of the two
+  std::vector<std::uint32_t> returns_;    ///< addresses to which they return
+  std::optional<Asked> asked_;            ///< from the outer of the two
   std::vector<Growth> growths_;
-  SourceLine grown_at_;                ///< last
-  std::optional<Detected> in_pieces_;  ///< the worst time that it grew for that reason, and how often
-  int worst_bytes_ = 0;                ///< that were free then
+  SourceLine grown_at_;                ///< last time
+  std::optional<Detected> in_pieces_;  ///< the worst rise for that reason, and their number
+  int worst_bytes_ = 0;                ///< that were free at that rise
   Sightings seen_;
 };
 

@@ -39,7 +39,7 @@ Losses::Losses(Machine& machine, const Firmware& firmware, const DebugInfo& debu
 
 Losses::~Losses() { machine_.chip().chip().core().on_lost = nullptr; }
 
-/// "because interrupts were off", as it is now.
+/// Returns the present reason: "because interrupts were off".
 std::string Losses::held_off() const {
   return machine_.chip().in_handler() ? "because a handler was still running"
                                       : "because interrupts were off (noInterrupts(), cli())";
@@ -68,7 +68,7 @@ void Losses::lost(int vector) {
       place->second, 1);
 }
 
-/// Cycles from one overflow of timer 0 to the next; 0 where it counts in another way than the core lets it.
+/// Returns the cycles between overflows of timer 0; 0 if it does not count as the core has set it up.
 Cycle Losses::tick() const {
   const std::uint8_t a = cpu_.data[timer_.control];
   const std::uint8_t b = cpu_.data[timer_.control_b ? timer_.control_b : timer_.control + 1];
@@ -90,10 +90,10 @@ void Losses::entered(int vector, Cycle at) {
 }
 
 void Losses::ticks_lost(std::int64_t ticks, Cycle at) {
-  // The handler that has come in between has just returned; its RETI is the last jump but this interrupt's.
+  // The handler that ran in between has just returned; its RETI is the last jump except this interrupt's.
   const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
   const bool handler = jumps.size() > 1 && cpu_.instruction(jumps[1] / 2).op == robosim::avr::Op::reti;
-  // Of the core's handlers the place in what they have called.
+  // For the core's handlers, uses the place in what they have called.
   SourceLine where = handler ? SourceLine{} : debug_.place(machine_.chip().interrupted_pc());
   for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
     where = debug_.place(jumps[i]);

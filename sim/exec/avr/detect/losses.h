@@ -1,20 +1,21 @@
-// What was lost while interrupts were off, or while one handler ran.
+// Detects what was lost while interrupts were off, or while another handler ran.
 //
-// The chip remembers that an interrupt was requested, not how often. What comes a second time before its
-// handler has come is gone for good:
+// The chip remembers that an interrupt was requested, not how often. A second request before the handler runs
+// is lost for good:
 //
-//   an edge at a pin of attachInterrupt()   the encoder's count stays behind, the robot turns too far
-//   a received byte, behind three others    a message without its middle
+//   an edge at a pin of attachInterrupt()   the encoder's count is too low, the robot turns too far
+//   a received byte, after three others     a message without its middle
 //   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
 //
-// Counted is what was really lost, with the place that held the handler off: a stretch between noInterrupts()
-// and interrupts(), or another handler that takes its time: one that prints, waits, or computes with floats.
-// An encoder of 1200 edges a second needs its handler within 0.8 ms; bytes at 115200 within 0.26 ms.
+// Counts the actual losses, with the place that delayed the handler. That is a section between noInterrupts()
+// and interrupts(), or another slow handler: one that prints, waits, or computes with floats. An encoder with
+// 1200 edges per second needs its handler within 0.8 ms; bytes at 115200 within 0.26 ms.
 //
-// What it cannot see: edges at pin change interrupts, which several pins share; matches of the other timers;
-// bytes that have found Serial's buffer of 64 full; ticks in runs that sleep, or change timer 0.
+// Not detected: edges at pin change interrupts, which several pins share; matches of the other timers. Nor
+// bytes that did not fit in Serial's buffer of 64, and ticks in runs that sleep, or change timer 0.
 //
-// Mended by keeping interrupts off for a copy of a number only, and by handlers that note and return: the
+// Fix it by disabling interrupts only to copy a number, and by handlers that record and return: loop() does
+// the work.
 // work is loop()'s.
 #pragma once
 
@@ -31,7 +32,7 @@ namespace robosim::exec::avr {
 
 class Losses final : public Detector {
  public:
-  /// `counted`: pins of the board each edge of which counts, as an encoder's does.
+  /// `counted`: pins of the board of which each edge counts, such as an encoder's.
   Losses(Machine& machine, const Firmware& firmware, const DebugInfo& debug, WhereNow where,
          const std::vector<Pin>& counted);
   ~Losses() override;
@@ -55,7 +56,7 @@ class Losses final : public Detector {
   const TimerSpec& timer_;
   std::map<int, Pin> pins_;                                     ///< by vector
   std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place in the code
-  Cycle flagged_ = 0;  ///< when timer 0 overflowed last, or a little earlier; 0 = not known
+  Cycle flagged_ = 0;  ///< last overflow of timer 0, or a little earlier; 0 = unknown
   Cycle period_ = 0, slept_ = 0, bitten_ = 0;
   Sightings seen_;
 };

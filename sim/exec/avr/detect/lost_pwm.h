@@ -1,6 +1,6 @@
-// analogWrite() on a pin without PWM, on the chip (sim/exec/core/lost_pwm.h): the function's arguments lie in
-// registers when it begins (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not seen are calls that
-// the compiler has put in place of the function, as it does where a sketch has only one.
+// Detects analogWrite() on a pin without PWM, on the chip (sim/exec/core/lost_pwm.h). The function's
+// arguments are in registers when it begins (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not
+// detected: calls that the compiler has inlined, as it does if a sketch has only one.
 #pragma once
 
 #include <cstdint>

@@ -7,12 +7,12 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::size_t kFewest = 3, kMost = 64;  // open at once: told; looked at
+constexpr std::size_t kFewest = 3, kMost = 64;  // open at once: reported; examined
 
 }  // namespace
 
 NestedLoop::NestedLoop(Machine& machine, const Program& program) : machine_(machine), program_(program) {
-  // Where nobody but main() calls it, it is a part of that.
+  // If only main() calls it, it is inlined there.
   if (const auto begin = program.firmware.find("loop")) machine.chip().show(*this, *begin);
 }
 

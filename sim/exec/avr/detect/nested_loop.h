@@ -1,17 +1,17 @@
-// A loop() that is called out of itself, and does not come back.
+// Detects a loop() that calls itself, directly or not, and does not return.
 //
 //   void goTo(int n) { drive(n); for (;;) loop(); }      each destination begins a loop() in the last one
 //
-// Each call takes a return address, saved registers and local variables of the stack, for ever. The chip has
-// 2 KB: after some calls, which may take a minute or a week, the stack reaches the variables, a threshold or
-// a pointer is overwritten, and the sketch goes astray or starts again.
+// Each call takes a return address, saved registers and local variables from the stack, for ever. The chip
+// has 2 KB. After some calls, which may take a minute or a week, the stack reaches the variables. A threshold
+// or a pointer is overwritten, and the sketch misbehaves or restarts.
 //
-//   nested_loop   three loop() are open at once, each in the one before
+//   nested_loop   three loop() are open at once, each within the previous one
 //
-// One loop() within another is none: some wait for a button that way, and come back.
-// What it cannot see: other functions that call themselves; a loop() that the compiler has made a jump of.
+// One loop() within another is not a finding: some sketches wait for a button that way, and return. Not
+// detected: other functions that call themselves; a loop() whose call the compiler has turned into a jump.
 //
-// Mended by return: main() calls loop() again and again.
+// Fix it by return: main() calls loop() repeatedly.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class NestedLoop final : public Detector {
  private:
   Machine& machine_;
   const Program program_;
-  std::vector<std::uint16_t> open_;  ///< the stack pointer at the beginning of each, the outermost first
+  std::vector<std::uint16_t> open_;  ///< stack pointers at the beginning of each, the outermost first
   std::size_t deepest_ = 0;
   Detected seen_;
 };

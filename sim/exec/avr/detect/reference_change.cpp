@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kReference = 0xC0;  // REFS1 and REFS0
 constexpr int kManyChanges = 4, kManyUsed = 3;
-constexpr SimTime kAgain = 50 * kMillisecond;  // in which a second reading makes the first one void
+constexpr SimTime kAgain = 50 * kMillisecond;  // within which a second reading discards the first
 
 }  // namespace
 

@@ -42,7 +42,7 @@ class ReferenceChange final : public Detector {
     std::uint8_t pin = 0;
     SimTime at = 0;
     std::uint32_t pc = 0;                   ///< of the call
-    std::optional<std::uint8_t> reference;  ///< bits of ADMUX; not known before it is over
+    std::optional<std::uint8_t> reference;  ///< bits of ADMUX; unknown until it ends
   };
 
   const Machine& machine_;

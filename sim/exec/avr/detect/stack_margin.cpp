@@ -44,7 +44,8 @@ int StackMargin::heap_end() const {
   return std::max<int>(end, firmware_.globals_end);
 }
 
-/// The instruction that ran last; calls behind the return to `until` are others'.
+/// Returns the instruction that ran last, and its calls up to the return to `until`; later ones belong to
+/// others.
 StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   Chain chain = {machine_.chip().last_pc()};
   machine_.stack().each_call(until, [&](const Stack::Call& call) {
@@ -54,7 +55,7 @@ StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   return chain;
 }
 
-/// The innermost line that is the user's; empty if none is.
+/// Returns the innermost line that is the user's; empty if none is.
 SourceLine StackMargin::place(const Chain& chain) const {
   for (const std::uint32_t pc : chain)
     if (const SourceLine& where = debug_.place(pc); !where.file.empty()) return where;
@@ -128,8 +129,8 @@ void StackMargin::left() {
   await_deeper();
 }
 
-/// look() is called when the stack is deeper than it was; or, of the main program, as deep, while handlers
-/// are known that were not enabled there.
+/// Sets when look() is called: when the stack is deeper than before. For the main program an equal depth is
+/// enough, if known handlers were not enabled at the deepest moment.
 void StackMargin::await_deeper() {
   int watch = 0;
   if (open_.empty()) {
@@ -137,12 +138,12 @@ void StackMargin::await_deeper() {
   } else {
     watch = open_.back().began - handlers_[static_cast<std::size_t>(open_.back().vector)].bytes;
   }
-  // Who watches the stack itself wants to know of what is deeper than ever.
+  // The stack's own watcher needs calls for new depths, too.
   watch = std::clamp<int>(watch, machine_.chip().lowest_sp(), 0xFFFF);
   cpu_.state.sp_watch = static_cast<std::uint16_t>(watch);
 }
 
-/// "the handler at Count.ino:3"; "the core's handler __vector_16, in wiring.c"
+/// Returns "the handler at Count.ino:3"; "the core's handler __vector_16, in wiring.c"
 std::string StackMargin::name(int vector) const {
   const Handler& handler = handlers_[static_cast<std::size_t>(vector)];
   const SourceLine where = place(handler.where);

@@ -18,10 +18,11 @@ using robosim::avr::Interrupts;
 using robosim::avr::Op;
 
 constexpr std::uint32_t kLargestNumber = 8;
-// How far apart the bytes of one access are, and how far behind it the number is read again, in words.
+// The largest distances, in words: between bytes of one access, and from an access to the next read of the
+// number.
 constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
 constexpr int kMostOfHandler = 5000;  // instructions
-constexpr int kZeroRegister = 1;      // which avr-gcc keeps at 0
+constexpr int kZeroRegister = 1;      // which avr-gcc holds at 0
 constexpr std::int64_t kSoon_hz = 20'000;
 
 bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
@@ -50,8 +51,8 @@ Tearing::Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim
     if (may_write_numbers(vector)) writers_ |= Interrupts::bit(vector);
 }
 
-/// Whether a handler, or what it calls, stores to one of the numbers or where a pointer leads, or nobody can
-/// tell.
+/// Returns whether a handler, or its callees, may store to one of the numbers: also by a pointer, or if
+/// unknown.
 bool Tearing::may_write_numbers(int vector) const {
   const Cpu& cpu = chip_.cpu();
   std::vector<bool> seen(firmware_.code_end / 2 + 2);
@@ -108,7 +109,7 @@ void Tearing::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Whether behind a byte's access at `pc`, a word's address, another byte of the number is touched.
+/// Adds a number if another of its bytes is accessed after the access at `pc`, a word's address.
 void Tearing::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -125,7 +126,7 @@ void Tearing::add_group(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Whether behind the reading of a byte at `pc`, a word's address, what was made of it is written back.
+/// Adds an update if a byte is read at `pc`, a word's address, changed, and written back.
 void Tearing::add_update(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -145,7 +146,8 @@ void Tearing::add_update(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Whether near `pc`, in the same function, the number is read twice, and then compared with a way back.
+/// Returns whether the number is read twice near `pc`, in the same function, and then compared with a jump
+/// back.
 bool Tearing::is_read_again(std::uint32_t pc, std::size_t number) const {
   const Cpu& cpu = chip_.cpu();
   std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;
@@ -159,7 +161,7 @@ bool Tearing::is_read_again(std::uint32_t pc, std::size_t number) const {
   for (std::uint32_t at = begin; at < end; ++at) {
     const Instruction& i = cpu.instruction(at);
     if (i.op == Op::lds && i.k == numbers_[number].begin) ++first_bytes;
-    // avr-gcc 14 tests a register for 0 by comparing it with r1.
+    // avr-gcc 14 tests a register for 0 by a comparison with r1.
     const bool compares_two =
         (i.op == Op::cp || i.op == Op::cpc) && i.a != kZeroRegister && i.b != kZeroRegister;
     compares = compares || (compares_two && first_bytes > 0);
@@ -190,12 +192,12 @@ Cycle Tearing::soon() const { return static_cast<Cycle>(chip_.core().clock_hz / 
 void Tearing::touch(std::size_t access) {
   const std::size_t number = accesses_[access].number;
   std::erase_if(armed_, [&](const Armed& armed) { return accesses_[armed.access].number == number; });
-  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler comes before
+  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler runs before
   const std::uint64_t vectors = chip_.may_interrupt();
   if (vectors) armed_.push_back({access, vectors, chip_.cycle(), chip_.cpu().data, chip_.cpu().state});
 }
 
-/// Where the handler, had it come then, would have changed the number; nothing if it would not have.
+/// Returns where the handler, had it run then, would have changed the number; nothing if it would not have.
 std::optional<std::uint32_t> Tearing::would_have_changed(const Armed& armed, int vector) {
   const Number& number = numbers_[accesses_[armed.access].number];
   alone_.data = armed.data;

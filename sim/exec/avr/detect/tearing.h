@@ -1,21 +1,21 @@
-// Torn reads and writes: the main program is between the bytes of a number when a handler comes that writes
-// it, and has half of the old one and half of the new one. And lost updates: the main program has read a byte
-// and is about to write it back, changed (flags |= 2), when a handler comes that writes it: that is undone.
+// Detects torn reads and writes. A handler writes a number while the main program is between its bytes, and
+// so old and new values are mixed. Also detects lost updates: the main program has read a byte, and is about
+// to write it back changed (flags |= 2). A handler that writes it in between is undone.
 //
-// Seldom does it come just there. So what is looked for is shown to be possible, step by step:
+// Such a moment is rare. So a finding proves that it is possible, step by step:
 //
-//   the program touches two bytes of a number, or writes back a byte, interrupts being on
-//   an interrupt that is enabled has a handler which, run there by itself, would change the number
-//   that handler did come, within 50 µs, and changed it
-//   of a number of several bytes, handlers have changed more than one in this run
+//   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
+//   an enabled interrupt has a handler that would change the number if it ran there
+//   that handler did run within 50 µs, and changed it
+//   for a number of several bytes, handlers have changed more than one of them in this run
 //
-// Nobody looks at a number's accesses before a handler has changed it once: most numbers are the program's
-// own, and to be told of each access costs time.
+// A number's accesses are not examined before a handler has changed it once. Most numbers belong to the main
+// program alone, and reporting each access takes time.
 //
-// A number that is read again until it is the same twice, one that a flag hands over, and one whose interrupt
-// is masked meanwhile are none; nor is a byte that is written, and not made of what it held. Looked at are
-// global numbers of the sketch and its libraries whose addresses stand in its instructions. The core's own
-// are not: that tone() writes its counter while the tone before still counts it down is no fault of a sketch.
+// A number is not a finding if it is read again until two reads agree, if a flag hands it over, or if its
+// interrupt is masked meanwhile. Nor is a byte that is written without regard to its old value. Examined are
+// global numbers of the sketch and its libraries whose addresses are in its instructions. The core's own are
+// not. When tone() writes its counter while the previous tone counts it down, the sketch is not to blame.
 #pragma once
 
 #include <cstdint>
@@ -31,23 +31,24 @@ namespace robosim::exec::avr {
 
 class Tearing {
  public:
-  /// What the main program does.
+  /// The kind of access by the main program.
   enum class Deed { reads, writes, writes_back };
   struct Found {
     const Symbol* number = nullptr;
     Deed deed = Deed::reads;
     std::uint32_t pc = 0;           ///< of the main program, at a later byte; in bytes
     std::uint32_t handler_pc = 0;   ///< where the handler writes
-    robosim::avr::Cycle later = 0;  ///< by how much the handler came too late
+    robosim::avr::Cycle later = 0;  ///< delay of the handler after that moment
   };
 
-  /// Asks by `show` for visited() at a place, in bytes, once a handler has changed what is touched there.
+  /// Requests visited() through `show` for a place, in bytes, once a handler has changed what is accessed
+  /// there.
   Tearing(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
           std::function<void(std::uint32_t pc)> show);
 
-  /// The instruction there is about to run.
+  /// Called before the instruction there runs.
   void visited(std::uint32_t pc);
-  /// The processor has entered a handler, or returned from one.
+  /// Called when the processor has entered a handler, or returned from one.
   void entered(int vector);
   void left();
   const std::optional<Found>& found() const { return found_; }
@@ -57,18 +58,18 @@ class Tearing {
     const Symbol* symbol = nullptr;
     robosim::avr::Address begin = 0;
     std::uint64_t before = 0;   ///< when the handler began
-    std::uint64_t changed = 0;  ///< bits that handlers have
+    std::uint64_t changed = 0;  ///< bits that handlers have changed
   };
-  /// A later byte of a number is touched, or its only one written back.
+  /// An access to a later byte of a number, or the write-back of its only byte.
   struct Access {
     std::uint32_t pc = 0;
     std::size_t number = 0;
     Deed deed = Deed::reads;
   };
-  /// An access that a handler may have torn, and what held there: to be looked at once one has come.
+  /// An access that a handler may have torn, and the values at that time: examined once a handler has run.
   struct Armed {
     std::size_t access = 0;
-    std::uint64_t vectors = 0;  ///< that are enabled
+    std::uint64_t vectors = 0;  ///< the enabled ones
     robosim::avr::Cycle at = 0;
     std::vector<std::uint8_t> data;
     robosim::avr::Cpu::State state;
@@ -93,9 +94,9 @@ class Tearing {
   robosim::avr::Cpu alone_;
   std::vector<Number> numbers_;
   std::vector<Access> accesses_;  ///< by pc
-  std::vector<Armed> armed_;      ///< the last access to each number that could be torn
-  std::uint64_t writers_ = 0;     ///< handlers that may write a number; a bit a vector
-  int vector_ = 0;                ///< whose handler runs; 0 = none that is looked at
+  std::vector<Armed> armed_;      ///< for each number, the last access that could be torn
+  std::uint64_t writers_ = 0;     ///< handlers that may write a number; one bit per vector
+  int vector_ = 0;                ///< whose handler runs; 0 = none that is examined
   std::optional<Found> found_;
 };
 

@@ -1,6 +1,6 @@
-// Torn reads, torn writes and lost updates (detect/tearing.h), in the sketch as it is flashed: the run goes
-// on. What it cannot see, beside what Tearing cannot: numbers that the compiler reaches by a pointer register
-// there, and not in an image built for checking.
+// Detects torn reads, torn writes and lost updates (detect/tearing.h) in the sketch as it is flashed: the run
+// continues. In addition to Tearing's limits, it misses numbers that the compiler accesses by a pointer
+// register in this image only.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace robosim::exec::avr {
 
-/// "torn_read", "torn_write" or "lost_update".
+/// Returns "torn_read", "torn_write" or "lost_update".
 const char* check_of(Tearing::Deed deed);
-/// What would happen, and where the handler is; without how it is mended.
+/// Returns what would happen, and where the handler is, without the fix.
 std::string torn_text(const Tearing::Found& found, const DebugInfo& debug, std::uint32_t clock_hz);
-/// "copy it with interrupts off …"
+/// Returns the fix: "copy it with interrupts off …"
 std::string mend_of(Tearing::Deed deed);
 
 class TornNumber final : public Detector {

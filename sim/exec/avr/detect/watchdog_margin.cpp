@@ -90,7 +90,7 @@ void WatchdogMargin::fed() {
 }
 
 std::vector<Detected> WatchdogMargin::found() const {
-  // One that has bitten again and again is the run's verdict.
+  // Repeated resets are the run's verdict already.
   std::vector<Detected> all;
   if (!machine_.chip().fault()) all = bite_;
   if (longest_ == 0) return all;

@@ -1,19 +1,19 @@
-// A watchdog that bites, or is fed too late to be sure of it.
+// Detects a watchdog that resets the chip, or is fed too late to be safe.
 //
 //   wdt_enable(WDTO_250MS);  …  void loop() { wdt_reset(); … }       and one pass takes 230 ms, or 270
 //
-// With 270 ms it resets the chip: the robot begins anew in the middle of its way, with its motors' pins as
-// they are after a reset. Told is where the sketch was, the first time and how often. Not told is a reset on
-// purpose, a watchdog that is waited for in a loop that does nothing: while (true) {}.
+// With 270 ms it resets the chip: the robot restarts in the middle of its course, with its motors' pins as
+// after a reset. The finding has the sketch's place at the first reset, and the number of resets. A reset on
+// purpose is not a finding: it waits for the watchdog in a loop that does nothing: while (true) {}.
 //
-// With 230 ms all is well here: the watchdog's 256 ms are counted by the chip's clock. A real one counts them
-// by an oscillator of its own, of 128 kHz at 3 V and 25 °C: it is some 10 % off from chip to chip, and with
-// heat and a falling supply. Then the chip resets on the way, now and then, on one robot of ten. Told is the
-// longest time between two feeds, if it was more than 80 % of what the watchdog waits.
+// With 230 ms all is well here: the watchdog's 256 ms are counted by the chip's clock. A real one uses its
+// own oscillator, of 128 kHz at 3 V and 25 °C. It differs by some 10 % from chip to chip, and with heat and a
+// falling supply. Then the chip resets occasionally while driving, on one robot of ten. The finding is the
+// longest time between two feeds, if it was more than 80 % of the watchdog's period.
 //
-// What it cannot see: a pass that takes longer in another world.
+// Not detected: a pass that takes longer in another world.
 //
-// Mended by the next longer time, or a wdt_reset() within what takes so long.
+// Fix it by the next longer period, or a wdt_reset() within the slow part.
 #pragma once
 
 #include "sim/avr/cpu.h"
@@ -35,19 +35,19 @@ class WatchdogMargin final : public Detector {
  private:
   void fed();
   void bites(std::uint8_t flags);
-  /// The chip does nothing but wait.
+  /// Returns whether the chip only waits.
   bool waits() const;
   double now_s() const { return 1e-9 * static_cast<double>(machine_.now()); }
 
   Machine& machine_;
   const WhereNow where_;
   robosim::avr::Cpu& cpu_;
-  const robosim::avr::Cpu::Call watchdog_;  ///< who else is told
-  /// Who else hears of a reset.
+  const robosim::avr::Cpu::Call watchdog_;  ///< previous listener, called as well
+  /// Another listener for resets, called as well.
   void (*const reset_)(void* self, std::uint8_t flags);
   void* const reset_self_;
   Cycle last_ = 0, longest_ = 0;
-  std::uint32_t longest_power_ = 0;  ///< of the time that the watchdog waited then
+  std::uint32_t longest_power_ = 0;  ///< of the watchdog's period at that time
   Detected seen_;
   std::vector<Detected> bite_;  ///< none, or the first
 };

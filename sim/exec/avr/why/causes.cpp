@@ -56,7 +56,7 @@ void Causes::forget() {
   steps_.clear();
 }
 
-// --- what the log has of calls
+// --- calls in the log
 
 void Causes::find_frames() {
   if (!frames_.empty() || !log_) return;
@@ -102,14 +102,14 @@ std::vector<Causes::Line> Causes::lines_of(Index index) const {
   return lines;
 }
 
-// --- what is asked
+// --- questions
 
 void Causes::set_out(SimTime t) {
   forget();
   find_frames();
   from_ = static_cast<Index>(frames_.size()) - 1;
   Index first = 0;
-  while (first < from_) {  // the last that began by then
+  while (first < from_) {  // the last one that had begun by then
     const Index middle = first + (from_ - first + 1) / 2;
     if (time_of(middle) <= t)
       first = middle;
@@ -147,7 +147,7 @@ void Causes::ask_place(SimTime t) {
     note(lines[i], static_cast<int>(i), CauseStep::Kind::computes, time_of(from_));
   const Want want{0, lines.empty() ? nullptr : lines[0]};
   want_branch(from_, want);
-  // Who waits goes round: nothing decides that he is there, but the last branch that he does not go on.
+  // Waiting code loops: nothing decides that it is there, except the last branch that it does not pass.
   Index index = from_;
   const auto pc = [&] { return log_->entries()[static_cast<std::size_t>(index)].pc; };
   while (sketch_.at(pc()).lines.empty() && frames_[static_cast<std::size_t>(index)] != kNone &&
@@ -156,11 +156,11 @@ void Causes::ask_place(SimTime t) {
   pending_[frames_[static_cast<std::size_t>(index)]].push_back({kLast, want});
 }
 
-// --- back
+// --- backward
 
 void Causes::follow(bool adjoins) {
   if (!log_) return;
-  if (frames_.empty()) {  // begun since
+  if (frames_.empty()) {  // begun after that
     find_frames();
     from_ = static_cast<Index>(frames_.size()) - 1;
     pending_.clear();
@@ -221,7 +221,7 @@ void Causes::take(Index index, Want want, CauseStep::Kind kind) {
   const Entry& e = log_->entries()[static_cast<std::size_t>(index)];
   const std::vector<Line> lines = lines_of(index);
   if (lines.empty() && frames_[static_cast<std::size_t>(index)] == kNone && e.touch == Touch::store)
-    return note_variable(kAvrData + e.address, want);  // the start-up code: what it begins with
+    return note_variable(kAvrData + e.address, want);  // the start-up code: its initial value
   if (!lines.empty()) {
     if (want.line && lines[0] != want.line) ++want.far;
     want.line = lines[0];
@@ -278,7 +278,7 @@ bool Causes::comes_from_outside(Index index, Want want) {
   return true;
 }
 
-// --- what was found
+// --- results
 
 void Causes::note(Line line, int far, CauseStep::Kind kind, SimTime t, Pin pin) {
   if (!line) return;

@@ -1,12 +1,12 @@
-// exec::CauseFinder for an AVR: a backward slice of the instructions that ran.
+// Implements exec::CauseFinder for an AVR: a backward slice of the instructions that ran.
 //
-//   wanted      registers, flags and bytes whose value at this moment matters
-//   an instruction that has made something of what is wanted belongs to it; now what it read is wanted
-//   a branch that decided that an instruction of it ran belongs to it, too
-//   what was read from outside (pins, converter, clock, received bytes) is where it ends
+//   wanted             registers, flags and bytes whose value at this moment matters
+//   an instruction     that has computed a wanted value belongs to the slice; its operands are wanted now
+//   a branch           that decided that an instruction of the slice ran belongs to it, too
+//   external inputs    (pins, converter, clock, received bytes) end the slice
 //
-// Each goes back to the line of the sketch that it stands in, or that has called what it stands in, and to
-// the lines that have called that. How far it is from what was asked is counted in lines.
+// Each instruction maps to its line of the sketch, or to the line that has called it, and to that line's
+// callers. The distance from the question is counted in lines.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ class Causes final : public CauseFinder {
   Causes(const Firmware& firmware, const DebugInfo& debug, ClockedBoard& board)
       : firmware_(firmware), sketch_(debug), board_(board) {}
 
-  /// At power-on and power-off.
+  /// Connects it at power-on and power-off.
   void plug_into(Machine& machine);
   void unplug();
 
@@ -56,19 +56,19 @@ class Causes final : public CauseFinder {
   using Index = std::int32_t;  ///< of an entry of the log
   static constexpr Index kNone = -1;
   static constexpr Index kLater = std::numeric_limits<Index>::max();
-  using Line = SketchLines::Line;  ///< null = none of the sketch's
+  using Line = SketchLines::Line;  ///< null = not in the sketch
   struct Want {
     int far = 0;
     Line line = nullptr;
-    Index by = kLater;  ///< of what reads it, the last; kLater = it is behind what is noted
+    Index by = kLater;  ///< last entry that reads it; kLater = after the record
   };
-  /// An instruction whose branch is looked for.
+  /// An instruction whose deciding branch is not found yet.
   struct Pending {
     std::uint32_t pc = 0;  ///< kLast = the last branch of all
     Want want;
   };
   static constexpr std::uint32_t kLast = ~0u;
-  static constexpr int kFarthest = 14;  ///< lines further away are not looked for
+  static constexpr int kFarthest = 14;  ///< lines further away are not followed
 
   void forget();
   void find_frames();
@@ -97,15 +97,15 @@ class Causes final : public CauseFinder {
   Machine* machine_ = nullptr;
   std::optional<InstructionLog> log_;
   std::optional<Branches> branches_;
-  std::vector<std::uint32_t> calls_before_;  ///< that were open when the log began, innermost first; in words
-  std::vector<Index> frames_;  ///< by entry: the call, or first of a handler, that it runs in; kNone = older
-  Index from_ = kNone;         ///< where the next follow() sets out
+  std::vector<std::uint32_t> calls_before_;  ///< open when the log began, innermost first; in words
+  std::vector<Index> frames_;                ///< by entry: its call, or first of its handler; kNone = older
+  Index from_ = kNone;                       ///< where the next follow() starts
 
   std::array<std::optional<Want>, 32> registers_;
   std::array<std::optional<Want>, 8> flags_;
   std::map<std::uint16_t, Want> bytes_;
-  std::map<std::uint16_t, std::uint8_t> bits_;       ///< of registers of I/O: those that matter
-  std::map<Index, std::vector<Pending>> pending_;    ///< by what they run in
+  std::map<std::uint16_t, std::uint8_t> bits_;       ///< the relevant bits of I/O registers
+  std::map<Index, std::vector<Pending>> pending_;    ///< by the call that they run in
   std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that it has read
 };
 

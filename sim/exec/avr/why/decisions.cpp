@@ -2,7 +2,7 @@
 
 #include "sim/exec/avr/why/causes.h"
 
-// What has decided that an instruction ran, or that a value stayed as it was.
+// Finds what has decided that an instruction ran, or that a value stayed unchanged.
 
 namespace robosim::exec::avr {
 namespace {
@@ -12,8 +12,8 @@ using robosim::avr::Instruction;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
-constexpr int kOfBranch = 2;             // how far a branch is from what it decides
-constexpr std::size_t kTogether = 4000;  // instructions behind a branch; its ways mostly meet within them
+constexpr int kOfBranch = 2;             // distance of a branch from its effect
+constexpr std::size_t kTogether = 4000;  // instructions after a branch; its ways mostly meet within them
 constexpr std::int32_t kPointerBefore = 100;
 
 bool points_by(Op op, unsigned pair) {
@@ -48,7 +48,7 @@ void Causes::add_pending(Index index, Want want) {
   waiting.push_back({pc, want});
 }
 
-/// In routines of the compiler's, which have no lines, branches belong to the line that has called them.
+/// Compiler routines have no lines: their branches belong to the line that has called them.
 int Causes::far_of_branch(std::uint32_t pc) const { return sketch_.at(pc).is_described ? kOfBranch : 0; }
 
 void Causes::visit_branch(Index index) {
@@ -71,8 +71,8 @@ void Causes::visit_branch(Index index) {
   if (best) take(index, {best->far + far_of_branch(e.pc), best->line}, CauseStep::Kind::decides);
 }
 
-/// A branch whose other way would have written what is wanted behind the place where both ways meet, and
-/// which so left it as it was.
+/// Visits a branch that left a wanted value unchanged: its other way would have written it before the meeting
+/// point.
 void Causes::visit_left_out(Index index) {
   const auto& entries = log_->entries();
   const auto at = static_cast<std::size_t>(index);
@@ -103,7 +103,7 @@ void Causes::visit_left_out(Index index) {
   if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
 }
 
-/// The first entry behind the branch that both ways would have come to.
+/// Returns the first entry after the branch that both ways would have reached.
 Causes::Index Causes::meeting_behind(Index branch, std::uint32_t meets) const {
   const auto& entries = log_->entries();
   const Index frame = frames_[static_cast<std::size_t>(branch)];
@@ -120,13 +120,13 @@ Causes::Index Causes::meeting_behind(Index branch, std::uint32_t meets) const {
   return kLater;
 }
 
-/// What a pair of registers holds there, as far as that is told by what was read or written with it before,
-/// or with a copy of it.
+/// Returns the value of a pair of registers there. It is known if memory was accessed with it before, or with
+/// a copy of it.
 std::optional<std::uint16_t> Causes::pointer_at(Index index, unsigned pair) const {
   const auto& entries = log_->entries();
   const auto& cpu = machine_->chip().chip().cpu();
   const Index frame = frames_[static_cast<std::size_t>(index)];
-  std::array<std::optional<std::uint16_t>, 3> used;  // X, Y and Z: where they point to, as used behind this
+  std::array<std::optional<std::uint16_t>, 3> used;  // X, Y and Z: their targets, by later use
   for (Index i = index; i >= 0 && index - i < kPointerBefore; --i) {
     const Entry& e = entries[static_cast<std::size_t>(i)];
     if (frames_[static_cast<std::size_t>(i)] != frame || e.interrupts) continue;

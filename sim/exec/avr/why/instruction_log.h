@@ -1,6 +1,6 @@
-// The instructions that have run, one by one, with what each touched in data memory.
+// Records the instructions that have run, one by one, with their accesses to data memory.
 //
-// The chip steps singly meanwhile, and leaves no waiting loop out; what it does is the same.
+// The chip runs single steps meanwhile, and skips no waiting loops; the results are the same.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 
 namespace robosim::exec::avr {
 
-/// On registers and flags, those of reading flash, too; what it does to data memory is in the log.
+/// Returns effects on registers and flags, including those of reading flash. The log has the effects on data
+/// memory.
 robosim::avr::Effects effects_of_logged(const robosim::avr::Instruction& instruction,
                                         const robosim::avr::Cpu& cpu);
 
@@ -26,9 +27,9 @@ class InstructionLog {
     std::uint16_t sp = 0;       ///< before it
     std::uint8_t bytes = 0;
     Touch touch = Touch::nothing;
-    bool interrupts : 1 = false;  ///< it is the first of a handler, a jump; `pc` is 0
-    bool enables : 1 = false;     ///< behind it, interrupts may come
-    std::uint8_t changed = 0;     ///< bits of the byte at `address` that it has changed
+    bool interrupts : 1 = false;  ///< the jump to a handler; `pc` is 0
+    bool enables : 1 = false;     ///< interrupts may come after it
+    std::uint8_t changed = 0;     ///< changed bits of the byte at `address`
   };
   static_assert(sizeof(Entry) == 16);
 
@@ -36,13 +37,13 @@ class InstructionLog {
   InstructionLog(WatchedChip& chip, const Outside& outside) : chip_(chip), outside_(outside) {}
 
   void begin();
-  // Around what runs next.
+  // Call before() and after() around each step.
   void before();
   void after();
 
   const std::vector<Entry>& entries() const { return entries_; }
   Cycle began() const { return began_; }
-  /// The board's pin that the load `index` has looked at, by the converter or its port; kNoPin = none.
+  /// Returns the board's pin that the load `index` has read, by the converter or its port; kNoPin = none.
   Pin pin_of(std::size_t index) const;
 
  private:
@@ -63,11 +64,11 @@ class InstructionLog {
   Cycle cycle_before_ = 0;
   bool asleep_before_ = false;
   int handlers_before_ = 0;
-  /// All of a port was read, and it is not known yet for which pin.
+  /// A read of a whole port, while the relevant pin is unknown yet.
   struct Port {
     int number = -1;        ///< of the chip; -1 = it is known
     std::size_t index = 0;  ///< of the load
-    std::uint8_t reg = 0;   ///< that has it
+    std::uint8_t reg = 0;   ///< that holds it
   };
   Port port_;
 };

@@ -1,4 +1,4 @@
-// Which lines of the sketch an instruction belongs to, looked up once for each.
+// Maps instructions to the lines of the sketch that they belong to; looks up each once.
 #pragma once
 
 #include <map>
@@ -12,20 +12,20 @@ namespace robosim::exec::avr {
 
 class SketchLines {
  public:
-  using Line = const SourceLine*;  ///< the same for the same file and line, as long as this is there
+  using Line = const SourceLine*;  ///< equal for equal file and line, while this object exists
 
   /// `debug` outlives this.
   explicit SketchLines(const DebugInfo& debug) : debug_(debug) {}
 
   struct Place {
-    bool is_described = false;  ///< by debug information: it is no routine of the compiler's
-    bool is_pause = false;      ///< it stands in delay() or micros(), which decide nothing
-    std::vector<Line> lines;    ///< the sketch's, innermost first
+    bool is_described = false;  ///< by debug information; routines of the compiler are not
+    bool is_pause = false;      ///< in delay() or micros(), which decide nothing
+    std::vector<Line> lines;    ///< in the sketch, innermost first
   };
   /// `pc` in words.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// The lines that declare the variable or constant at an address of the ELF file, and the member of it.
+  /// Returns the lines that declare the variable or constant at an address of the ELF file, and its member.
   const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:

@@ -2,7 +2,7 @@
 
 #include "sim/exec/avr/why/causes.h"
 
-// Where the time went, and who has switched interrupts off.
+// Finds where the time went, and what has disabled interrupts.
 
 namespace robosim::exec::avr {
 SourceLine Causes::busiest(SimTime from, SimTime to) const {
