@@ -44,7 +44,7 @@ Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
 
 // --- conversions
 
-// One channel unless they are scanned, or taken in turns.
+// One channel unless they are scanned, or converted in discontinuous mode.
 int Adc::regular_length() const {
   return state_.control1 & (kScan | kDiscEn) ? static_cast<int>(state_.sequence[0] >> 20 & 15) + 1 : 1;
 }
@@ -87,7 +87,7 @@ void Adc::start_regular(Cycle at) {
     begin(Group::regular, at);
 }
 
-// A regular conversion that it interrupts begins anew behind it (11.3.9).
+// A regular conversion that it interrupts restarts after it (11.3.9).
 void Adc::start_injected(Cycle at) {
   if (state_.converts == Group::injected) return;
   state_.status |= kJstrt;
@@ -148,7 +148,7 @@ void Adc::finish_regular() {
   }
 }
 
-// 11.12.12: a result is signed, for an offset is taken from it.
+// 11.12.12: a result is signed, since an offset is subtracted from it.
 void Adc::finish_injected() {
   watch(state_.control1 & kJawdEn);
   const auto place = static_cast<std::size_t>(state_.injected_at);
@@ -250,7 +250,7 @@ bool Adc::write(Address address, std::uint32_t value) {
 bool Adc::write_control2(std::uint32_t value) {
   const bool was_on = state_.control2 & kAdOn;
   const bool other_bits_same = ((state_.control2 ^ value) & ~(kSwStart | kJswStart)) == 0;
-  // Calibration is over at once.
+  // Calibration ends at once.
   state_.control2 = value & ~(kCal | kRstCal | kSwStart | kJswStart);
   if (!(value & kAdOn)) {
     state_.converts = Group::none;

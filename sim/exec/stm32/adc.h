@@ -1,10 +1,10 @@
-// ADC1 and ADC2 (RM0008 11): a regular and an injected group, one conversion after the other.
+// ADC1 and ADC2 (RM0008 11): a regular and an injected group, converted in sequence.
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
-// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins; 16 is the temperature sensor,
-// at 25 degrees Celsius, and 17 the reference of 1.20 V (DS5319, tables 50 and 12), of ADC1 alone. Refused,
-// as not modelled: dual modes, and the channels 10 to 15, for which this chip has no pins.
+// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has 16, the
+// temperature sensor, at 25 degrees Celsius, and 17, the reference of 1.20 V (DS5319, tables 50 and 12).
+// Refused, as not modelled: dual modes, and the channels 10 to 15, for which this chip has no pins.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -34,7 +34,7 @@ class Adc final : public Peripheral {
 
  private:
   enum class Group { none, regular, injected };
-  /// What a reset of the ADC resets.
+  /// The state that a reset of the ADC resets.
   struct State {
     std::uint32_t status = 0, control1 = 0, control2 = 0, data = 0, high = 0xFFF, low = 0;
     std::array<std::uint32_t, 2> sample_times{};
@@ -43,8 +43,8 @@ class Adc final : public Peripheral {
     std::uint32_t injected_sequence = 0;
 
     Group converts = Group::none;
-    int regular_at = 0, injected_at = 0;  ///< places in the sequences
-    int left = 0;                         ///< of the regular conversions that the last trigger has started
+    int regular_at = 0, injected_at = 0;  ///< positions in the sequences
+    int left = 0;                         ///< number of regular conversions left since the last trigger
     bool regular_waits = false;           ///< for the end of the injected group
     bool dma_asks = false;
     std::uint32_t sampled = 0;
@@ -65,7 +65,7 @@ class Adc final : public Peripheral {
   bool sequences_are_modelled() const;
   void start_regular(Cycle at);
   void start_injected(Cycle at);
-  /// The conversion that is next in the group, at `at`.
+  /// Begins the next conversion of the group, at `at`.
   void begin(Group group, Cycle at);
   void finish();
   void finish_regular();

@@ -77,7 +77,7 @@ void Rtc::set_clock(std::uint32_t hz) {
 
 Cycle Rtc::next_event() const {
   if (state_.hz == 0) return kNoCycle;
-  // Of the alarm, and of each tick if that interrupts.
+  // For the alarm, and for each tick if that interrupts.
   const std::uint32_t present = state_.began_with + static_cast<std::uint32_t>(state_.told);
   std::uint64_t next = state_.told + std::uint64_t{state_.alarm - present - 1} + 1;
   if (state_.enabled & kSecondFlag) next = state_.told + 1;
@@ -137,7 +137,7 @@ std::uint32_t Rtc::read(Address address) {
     case kCntl:
       return counter & 0xFFFF;
     default:
-      return 0;  // the others can only be written
+      return 0;  // the others are write-only
   }
 }
 

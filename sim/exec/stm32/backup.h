@@ -1,11 +1,11 @@
-// Power control and the backup domain (RM0008 5, 6, 18): what a reset of the chip leaves alone.
+// Power control and the backup domain (RM0008 5, 6, 18), which a reset of the chip does not change.
 //
-//   Power    PWR_CR, whose DBP lets the rest be written; the supply is always above the detector's threshold
+//   Power    PWR_CR, whose DBP unlocks the rest; the supply is always above the detector's threshold
 //   Backup   ten registers of 16 bits
 //   Rtc      counts up by 1 each PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
 //
-// All of it loses its content with the power: a Blue Pill's VBAT has no battery. What is written to the RTC
-// is there at once: RTOFF and RSF are always 1.
+// All of it loses its content with the power: a Blue Pill's VBAT has no battery. Writes to the RTC take
+// effect at once: RTOFF and RSF are always 1.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -19,7 +19,7 @@ class Power final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address) override { state_.control = state_.status = 0; }
-  /// Whether the backup domain can be written.
+  /// Returns whether the backup domain can be written.
   bool allows() const { return state_.control & 1u << 8; }
 
  private:
@@ -36,7 +36,7 @@ class Backup final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address) override {}
-  /// RCC_BDCR's BDRST.
+  /// Resets the domain, by RCC_BDCR's BDRST.
   void reset_domain() { state_.data = {}; }
 
  private:
@@ -52,7 +52,7 @@ class Backup final : public Peripheral {
 
 class Rtc final : public Peripheral {
  public:
-  /// `alarmed` is called when the counter reaches the alarm: EXTI's line 17.
+  /// Calls `alarmed` when the counter reaches the alarm: EXTI's line 17.
   Rtc(Link& link, const Power& power, std::function<void()> alarmed)
       : link_(link), power_(power), alarmed_(std::move(alarmed)) {
     link.kept.add(state_);
@@ -60,12 +60,12 @@ class Rtc final : public Peripheral {
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
-  /// Only its interrupts: the rest is the backup domain's.
+  /// Resets only its interrupts: the rest belongs to the backup domain.
   void reset(Address block) override;
   void reset_domain();
   Cycle next_event() const override;
   void update() override;
-  /// Its clock in Hz; 0 = it stands still.
+  /// Sets its clock in Hz; 0 = stopped.
   void set_clock(std::uint32_t hz);
 
  private:
@@ -74,7 +74,7 @@ class Rtc final : public Peripheral {
     bool configures = false;
     std::uint32_t began_with = 0;  ///< the counter
     SimTime began = 0;
-    std::uint64_t told = 0;  ///< ticks since
+    std::uint64_t told = 0;  ///< ticks counted since
   };
 
   SimTime now() const { return link_.clock.time_of(link_.clock.now); }

@@ -143,7 +143,7 @@ bool Bus::dma_store(Address address, unsigned bytes, std::uint32_t value) {
 }
 
 void Bus::serve_dma() {
-  constexpr int kMostItems = 0x10000;  // of a request that nothing takes back
+  constexpr int kMostItems = 0x10000;  // limit for a request that is never withdrawn
   if (dma_.waiting() == 0 || std::exchange(state_.serves_dma, true)) return;
   for (int item = 0; item < kMostItems; ++item) {
     unsigned requests = 0;
@@ -261,7 +261,7 @@ bool Bus::store_private(Address address, std::uint32_t value) {
 std::uint32_t Bus::load_word(Address address) {
   std::uint32_t value = 0;
   if (Block* const block = block_at(address)) {
-    // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and takes nothing.
+    // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and ignores writes.
     if (!block->gate.has_clock()) return 0;
     value = block->peripheral->read(address);
     note_event(*block->peripheral);

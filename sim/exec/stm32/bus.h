@@ -1,7 +1,7 @@
-// Everything behind the processor's loads and stores except flash and RAM: an address is one register of one
-// peripheral. An access to anything that is not modelled is remembered, by its name.
+// The bus: handles the processor's loads and stores, except those of flash and RAM. An address is one
+// register of one peripheral. An access that is not modelled is recorded, by its name.
 //
-// It needs no processor: tests drive the functions of hal/stm32 against it.
+// It needs no processor: tests run the functions of hal/stm32 against it.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@
 namespace robosim::exec::stm32 {
 
 constexpr Address kPeripherals = 0x40000000;
-constexpr Address kBitBand = 0x42000000;  ///< a word for each bit of the peripherals
+constexpr Address kBitBand = 0x42000000;  ///< one word for each bit of the peripherals
 
-/// An access that the model has no answer to.
+/// An access that is not modelled.
 struct Unmodelled {
   Address address = 0;
   std::uint32_t value = 0;  ///< of a write
@@ -43,59 +43,59 @@ class Bus : DmaBus {
  public:
   Bus(ClockedBoard& board, FlashMemory& memory, SimTime began);
 
-  /// `size` is 1, 2 or 4 bytes.
+  /// Loads from an address; `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
-  /// Whether a store goes on: what happens now is its doing.
+  /// Returns whether a store is in progress, and so causes what happens now.
   bool is_storing() const { return state_.storing; }
-  /// Whom to call before each store.
+  /// Sets a function that is called before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
-  /// Of load(), as Peripheral::same_until() has it.
+  /// Returns how long load() stays the same; see Peripheral::same_until().
   Cycle same_until(Address address);
 
-  /// When a peripheral next does something by itself; kNoCycle if none will.
+  /// Returns when a peripheral next acts by itself; kNoCycle if none will.
   Cycle next_event() const { return state_.next_event; }
   /// Lets all peripherals do what is due at the present time.
   void update();
-  /// Whether a store to flash programs it (Flash::programs).
+  /// Returns whether a store to flash programs it (Flash::programs).
   bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
   const FlashMemory& flash() const { return flash_.memory(); }
   const RamMemory& ram() const { return ram_; }
-  /// The page of flash that has changed since the last call; nothing if none has.
+  /// Returns the page of flash that has changed since the last call; nothing if none has.
   std::optional<Address> take_changed_page() { return flash_.take_changed(); }
   /// Takes what the robot has sent by now.
   void take_inputs();
 
-  /// Resets all but what the backup supply keeps, for link().reset_cause, which is none then.
+  /// Resets everything except the backup domain, for link().reset_cause, and clears that.
   void reset();
 
-  /// All that changes of it while it runs, RAM too, but for what flash holds.
+  /// Saves all state that changes during a run, including RAM, except the content of flash.
   Kept::Copy save() const { return link_.kept.copy(); }
   void restore(const Kept::Copy& saved) { link_.kept.put_back(saved); }
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
-  /// A watchdog runs that no interrupt comes before.
+  /// Returns whether the watchdog that has no early interrupt runs.
   bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
   const std::optional<Unmodelled>& unmodelled() const { return state_.unmodelled; }
-  /// Of the last access.
+  /// Returns the address of the last access.
   Address last_address() const { return state_.last_address; }
 
-  /// What of the chip is at an address (RM0008 3.3, table 3): "I2C1"; empty if nothing.
+  /// Returns the name of the block at an address (RM0008 3.3, table 3): "I2C1"; empty if there is none.
   static const char* name_at(Address address);
 
  private:
   static constexpr Address kBlockBytes = 0x400, kEnd = 0x40024000;
-  /// A peripheral's place; several may be one's.
+  /// The address range of a peripheral; one may have several.
   struct Block {
     Peripheral* peripheral = nullptr;
     Gate gate;
   };
 
   struct State {
-    std::vector<Cycle> events;    ///< their next_event(), as far as it is known
-    Cycle next_event = kNoCycle;  ///< the least of those
+    std::vector<Cycle> events;    ///< their next_event(), as far as known
+    Cycle next_event = kNoCycle;  ///< the earliest of those
     std::optional<Unmodelled> unmodelled;
     Address last_address = 0;
     bool serves_dma = false, storing = false;
@@ -148,8 +148,8 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;       ///< each once; who comes first has a pin
-  std::function<void(Address)> before_store_;  ///< empty = nobody
+  std::vector<Peripheral*> peripherals_;       ///< each once; the first one that claims a pin has it
+  std::function<void(Address)> before_store_;  ///< may be empty
   State state_;
 };
 

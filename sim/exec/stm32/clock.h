@@ -1,4 +1,5 @@
-// The chip's time, by its own clock: processor cycles, whose length changes when firmware switches the clock.
+// The chip's time, by its own clock: processor cycles, whose duration changes when firmware switches the
+// clock.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +17,10 @@ class Clock {
   explicit Clock(SimTime began) : base_time_(began) {}
 
   Cycle now = 0;           ///< cycles since power-on
-  SimTime limit = kNever;  ///< end of the tick: an instruction may begin before it and end behind it
+  SimTime limit = kNever;  ///< end of the tick: an instruction may begin before it and end after it
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// From now on a cycle takes 1/hz. Rounds down to a nanosecond; until the next switch nothing drifts.
+  /// Makes a cycle last 1/hz from now on. Rounds down to a nanosecond; until the next switch nothing drifts.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);
@@ -31,7 +32,7 @@ class Clock {
     const auto cycles = static_cast<SimTime>(cycle - base_cycle_);
     return base_time_ + cycles / hz_ * kSecond + cycles % hz_ * kSecond / hz_;
   }
-  /// The first cycle at or after `t`.
+  /// Returns the first cycle at or after `t`.
   Cycle cycle_at(SimTime t) const {
     if (t <= base_time_) return base_cycle_;
     if (t == kNever) return kNoCycle;

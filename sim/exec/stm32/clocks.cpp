@@ -128,7 +128,7 @@ bool Clocks::write(Address address, std::uint32_t value) {
       return switch_clock();
     case kRccCir:
       state_.interrupts = 0;
-      return (value & 0x1F00) == 0;  // no interrupt of it is modelled
+      return (value & 0x1F00) == 0;  // none of its interrupts is modelled
     case kRccApb2Rstr:
       state_.apb2_reset = value;
       return true;
@@ -150,7 +150,7 @@ bool Clocks::write(Address address, std::uint32_t value) {
       state_.backup = value & kDomainReset ? kDomainReset : value & ~kLseReady;
       return true;
     case kRccCsr:
-      state_.status = value & kLsiOn;  // there at once
+      state_.status = value & kLsiOn;  // ready at once
       if (value & kRemoveFlags) state_.reset_flags = 0;
       return true;
     default:

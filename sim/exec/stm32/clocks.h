@@ -1,17 +1,17 @@
-// RCC: where the clock comes from, and which peripherals have one (RM0008 7).
+// RCC: the source of the clock, and which peripherals are clocked (RM0008 7).
 //
-// Modelled: HSI (8 MHz), HSE (an 8 MHz crystal, as on a Blue Pill, there after 2 ms: DS5319 table 22), the
-// PLL (locks within 200 us: table 27), and all prescalers.
+// Modelled are HSI (8 MHz), HSE, the PLL, and all prescalers. HSE is an 8 MHz crystal, as on a Blue Pill,
+// ready after 2 ms (DS5319 table 22). The PLL locks within 200 us (table 27).
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-/// From here on peripherals are on the AHB, below on the APBs (RM0008 3.3).
+/// From this address on peripherals are on the AHB, below on the APBs (RM0008 3.3).
 constexpr robosim::stm32::Address kAhb = 0x40018000;
 
-/// Whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in its reset (7.3.3,
+/// Whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in reset (7.3.3,
 /// 7.3.4).
 struct Gate {
   const std::uint32_t* enabled = nullptr;  ///< null = it always has one
@@ -26,38 +26,39 @@ class Power;
 
 class Clocks final : public Peripheral {
  public:
-  /// `power` says whether RCC_BDCR can be written.
+  /// `power` controls whether RCC_BDCR can be written.
   Clocks(Link& link, const Power& power) : link_(link), power_(power) { link.kept.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   Cycle same_until(Address address) const override;
-  /// The chip is reset: RCC_CSR will tell why.
+  /// Records a reset of the chip: RCC_CSR will report its cause.
   void note(Reset cause);
 
-  /// Of the peripheral whose registers begin at `block`.
+  /// Returns the gate of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
-  /// What the processor's frequency is divided by for the bus that begins at a peripheral's address.
+  /// Returns the divisor of the processor's frequency for the bus of a peripheral's address.
   std::uint32_t bus_divider(Address address) const {
     return robosim::stm32::behind_apb2(address) ? divider(state_.configuration >> 11)
                                                 : divider(state_.configuration >> 8);
   }
   std::uint32_t apb1_divider() const { return divider(state_.configuration >> 8); }
-  /// And for the timers of that bus: twice as fast as it, where it is divided (7.2, figure 8).
+  /// Returns the divisor for the timers of that bus: half of the bus's, if that is divided (7.2, figure 8).
   std::uint32_t timer_divider(Address address) const { return std::max(bus_divider(address) / 2, 1u); }
-  /// What the processor's frequency is divided by for the ADC.
+  /// Returns the divisor of the processor's frequency for the ADC.
   std::uint32_t adc_divider() const {
     return divider(state_.configuration >> 11) * 2 * ((state_.configuration >> 14 & 3) + 1);
   }
-  /// Of the RTC; 0 if it has none (7.3.9).
+  /// Returns the RTC's frequency; 0 if it has no clock (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return state_.backup & 1u << 16; }
-  /// Flash's wait states are set elsewhere; too few for the frequency make a real chip fail.
+  /// Returns the processor's frequency. Flash's wait states are set elsewhere; too few for the frequency make
+  /// a real chip fail.
   std::uint32_t hz() const;
 
  private:
-  /// What a reset resets.
+  /// The registers that a reset resets.
   struct Registers {
     std::uint32_t control = robosim::stm32::kHsiOn | 0x80;
     std::uint32_t configuration = 0, interrupts = 0, status = 0;
@@ -70,7 +71,7 @@ class Clocks final : public Peripheral {
     std::uint32_t reset_flags = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
   };
 
-  /// Of PPRE1 or PPRE2.
+  /// Returns the divisor of PPRE1 or PPRE2.
   static std::uint32_t divider(std::uint32_t bits) { return (bits & 7) < 4 ? 1 : 2u << ((bits & 7) - 4); }
   bool pll_ready() const;
   std::uint32_t pll_hz() const;

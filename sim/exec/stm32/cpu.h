@@ -1,9 +1,9 @@
 // The Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
-// Instructions are taken apart once (thumb.h, step.h) and executed by one loop (cpu_run.cpp); the few that
-// are not, and those that go wrong, are libunicorn's, one at a time. Before each of them cycles are counted
-// (cycles.h), so that an interrupt comes at its instruction and a tick ends at its cycle, at most one
-// instruction (and what follows an IT) late. Exceptions are entered and left as PM0056 2.3.7 says.
+// Instructions are decoded once (thumb.h, step.h) and executed by one loop (cpu_run.cpp). libunicorn runs the
+// few others, and those that fault, one at a time. Cycles are counted before each instruction (cycles.h). So
+// an interrupt comes at its instruction, and a tick ends at its cycle. It is at most one instruction (and
+// what follows an IT) late. Exceptions are entered and left as in PM0056 2.3.7.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ namespace robosim::exec::stm32 {
 
 class Engine;
 
-/// Why the firmware can run no further.
+/// The reason why the firmware cannot continue.
 struct Fault {
   enum class Kind {
     bad_read,
@@ -47,28 +47,28 @@ struct Fault {
     unmodelled
   };
   Kind kind = Kind::bad_jump;
-  std::uint32_t pc = 0;       ///< of the instruction; of a jump, where it led
-  std::uint32_t address = 0;  ///< of a read or write; the opcode; the exception that has no handler
+  std::uint32_t pc = 0;       ///< of the instruction; for a jump, its target
+  std::uint32_t address = 0;  ///< of a read or write; the opcode; the exception without a handler
 };
 
 class Cpu {
  public:
   enum Register { kSp = 13, kLr = 14, kPc = 15 };
 
-  /// `engine` is that of the chip, and no other Cpu's as long as this one lasts.
+  /// `engine` is the chip's, and used by no other Cpu during this one's life.
   Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop);
   ~Cpu();
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
-  /// As after power-on, but RAM and what is counted.
+  /// Resets everything as after power-on, except RAM and statistics.
   void reset();
-  /// Takes the exception that is due, if one is.
+  /// Takes the exception that is due, if any.
   void take_exception();
-  /// Runs until `cycle`, or to where something may have changed that matters outside.
+  /// Runs until `cycle`, or until something may have changed that matters outside.
   void run_to(Cycle cycle);
   bool is_asleep() const { return state_.asleep; }
-  /// Until `cycle`, or the interrupt that is there already.
+  /// Sleeps until `cycle`, or until an interrupt that is pending already.
   void sleep_to(Cycle cycle);
 
   const std::optional<Fault>& fault() const { return state_.fault; }
@@ -77,13 +77,13 @@ class Cpu {
   std::uint32_t reg(int number) const { return state_.r[static_cast<std::size_t>(number)]; }
   std::uint32_t status() const;
   std::uint32_t pc() const { return state_.pc; }
-  /// A word of RAM; 0 outside of it.
+  /// Returns a word of RAM; 0 outside of it.
   std::uint32_t word(Address address) const;
   void set_word(Address address, std::uint32_t value);
 
   bool in_handler() const { return !state_.handlers.empty(); }
   std::size_t open_handlers() const { return state_.handlers.size(); }
-  /// Where the firmware was when the outermost handler that runs interrupted it.
+  /// Returns where the firmware was when the outermost running handler interrupted it.
   std::uint32_t interrupted_pc() const { return state_.interrupted_pc; }
   std::uint32_t lowest_sp() const { return state_.lowest_sp; }
   void set_stack_limit(Address limit) {
@@ -91,56 +91,56 @@ class Cpu {
     watch_stack();
   }
   Address stack_limit() const { return state_.stack_limit; }
-  /// Addresses of the instructions that jumped last, the last first; in a handler only its own.
+  /// Returns the addresses of the instructions that jumped last, the last first; in a handler only its own.
   std::vector<std::uint32_t> last_jumps() const;
 
-  /// From now on libunicorn executes all that it can: a referee for tests.
+  /// Lets libunicorn execute everything that it can from now on: a reference for tests.
   void use_referee();
 
-  /// Leaves out loops that wait.
+  /// Returns the object that skips waiting loops.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }
 
   // --- for debuggers
-  /// run_to() returns before the instruction at `pc` runs, which it does in the call behind that; within an
-  /// IT block, behind the block.
+  /// Makes run_to() return before the instruction at `pc`, which the next call runs. Within an IT block it
+  /// returns after the block.
   void set_breakpoint(std::uint32_t pc, bool set);
-  /// The next instruction runs though there is a breakpoint.
+  /// Runs the next instruction even if there is a breakpoint.
   void pass_breakpoint() { passing_ = state_.next; }
-  /// Whether run_to() has returned for a breakpoint; asked once.
+  /// Returns once whether run_to() has returned for a breakpoint.
   bool take_breakpoint() { return std::exchange(at_breakpoint_, false); }
-  /// Of the instruction that comes next.
+  /// Returns the address of the next instruction.
   std::uint32_t next_pc() const { return state_.next; }
-  /// False for a pc where there is no code.
+  /// Returns false for a pc without code.
   bool write_register(int number, std::uint32_t value);
-  /// RAM or flash; null elsewhere.
+  /// Returns RAM or flash; null elsewhere.
   const std::uint8_t* memory(Address address, unsigned bytes) const;
   void set_byte(Address address, std::uint8_t value);
 
   struct Saved;
   Saved save() const;
   void restore(const Saved& saved);
-  /// The page of flash that begins at `page` has changed.
+  /// Notes that the page of flash that begins at `page` has changed.
   void forget(Address page);
 
-  // --- accounts
+  // --- statistics
   Cycle last_io() const {
     return state_.last_io;
   }  ///< last access to a register, or call of millis(), outside handlers
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
-  /// When the handler that is open, or that ran last, began.
+  /// Returns when the handler that is open, or that ran last, began.
   Cycle handler_began() const { return state_.handler_began; }
-  /// Neither PRIMASK nor FAULTMASK holds interrupts back.
+  /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }
   const RoundCounter<SimTime>& rounds() const { return state_.rounds; }
 
-  /// Where lines begin, it is counted how often they run.
+  /// Counts how often lines run, where they begin.
   void count(LineCounts& lines);
-  /// Whom to call whenever the instruction at `pc` is about to run.
+  /// Calls `watcher` whenever the instruction at `pc` is about to run.
   void watch(std::uint32_t pc, std::function<void()> watcher);
-  /// Once, when the instruction at `pc` is about to run, the word at `variable` becomes `value`.
+  /// Sets the word at `variable` to `value` once, when the instruction at `pc` is about to run.
   void set_at(std::uint32_t pc, Address variable, std::uint32_t value);
 
  private:
@@ -152,20 +152,20 @@ class Cpu {
   friend class Idle;
   friend class Engine;
   struct Hooks;
-  /// What happens before the instruction at `pc` runs.
+  /// The actions before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
          breaks = false, head = false;
     Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
-    /// Whether somebody wants to know, before the instruction runs.
+    /// Returns whether there is any action before the instruction runs.
     bool is_told() const { return starts || loop || call || sets || watched || counted; }
     bool is_set() const { return is_told() || breaks || head; }
   };
   struct Handler {
     Exception exception;
     std::uint32_t interrupted;
-    std::uint32_t jumps;  ///< how many there had been
+    std::uint32_t jumps;  ///< number of jumps before it
   };
   struct EarlySet {
     std::uint32_t pc = 0;
@@ -173,19 +173,19 @@ class Cpu {
     std::uint32_t value = 0;
   };
 
-  /// All that changes while it runs, but for the monitor of LDREX and STREX, which libunicorn has.
+  /// All state that changes during a run, except the monitor of LDREX and STREX, which libunicorn has.
   struct State {
-    std::array<std::uint32_t, 17> r{};  ///< and one that is always 0; r[15] is what an instruction reads
+    std::array<std::uint32_t, 17> r{};  ///< the last is always 0; r[15] is the value that instructions read
     Flags flags;
     bool saturated = false;
     std::uint32_t it = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
     std::uint32_t primask = 0, faultmask = 0, basepri = 0;
-    std::uint32_t other_sp = 0;  ///< of MSP and PSP the one that is not r[13]
+    std::uint32_t other_sp = 0;  ///< the inactive one of MSP and PSP
     bool on_process_stack = false;
     std::uint32_t pc = 0;    ///< of the instruction that runs
-    std::uint32_t next = 0;  ///< and behind it
+    std::uint32_t next = 0;  ///< the one after it
     bool returning = false, asleep = false;
-    bool waits_for_event = false;  ///< asleep by WFE
+    bool waits_for_event = false;  ///< sleeps by WFE
     int predicated = 0;            ///< instructions left of an IT block
     std::vector<Handler> handlers;
     std::uint32_t interrupted_pc = 0;
@@ -193,7 +193,7 @@ class Cpu {
     std::array<std::uint32_t, 32> jumps{};
     std::uint32_t jump_count = 0;
     std::uint32_t lowest_sp = 0, stack_limit = 0;
-    std::uint32_t stack_watch = 0;  ///< below it check_stack() has something to say
+    std::uint32_t stack_watch = 0;  ///< below it check_stack() must be called
     std::optional<EarlySet> early;
     Cycle last_io = 0;
     std::uint32_t last_io_pc = 0;
@@ -201,29 +201,29 @@ class Cpu {
     RoundCounter<SimTime> rounds;
   };
 
-  /// The interpreter's loop: until stop_.
+  /// Runs the interpreter's loop until stop_.
   void run();
   /// Runs the instruction at state_.pc by libunicorn.
   void emulate();
-  /// libunicorn goes on with the instruction at `pc`; false if it shall not.
+  /// Returns whether libunicorn may continue with the instruction at `pc`.
   bool begins(std::uint32_t pc);
-  /// Null where no code can be.
+  /// Returns the Step at `pc`; null where no code can be.
   const Step* step_at(std::uint32_t pc);
-  /// What has not been made yet; null where no code can be.
+  /// Makes a Step that has not been made yet; null where no code can be.
   const Step* fetched(const Step& at);
   bool make(std::uint32_t pc, Step& step) const;
 
   std::optional<std::uint32_t> load_elsewhere(Address address, unsigned bytes);
   bool store_elsewhere(Address address, unsigned bytes, std::uint32_t value);
-  /// Where a load into the program counter leads; false if libunicorn must say.
+  /// Returns the target of a load into the program counter; false if libunicorn must determine it.
   bool load_target(Address address, std::uint32_t& target) const;
   bool load_two(const Step& step);
   bool store_two(const Step& step);
-  /// `registers`: a bit each, of those that the Step has.
+  /// `registers`: a set of those in the Step, one bit each.
   bool load_many(const Step& step, std::uint32_t registers);
   bool store_many(const Step& step);
   void multiply_long(const Step& step);
-  /// `b` is the second operand, `carry` what made it has shifted out.
+  /// `b` is the second operand, `carry` the last bit shifted out of it.
   void compute(Op op, const Step& step, std::uint32_t b, std::uint32_t carry, bool sets, Flags& flags);
   void change_masks(std::uint32_t value);
   void masks_changed();
@@ -236,23 +236,23 @@ class Cpu {
   void check_stack();
   void watch_stack();
   void note_jump() { state_.jumps[state_.jump_count++ % state_.jumps.size()] = state_.pc; }
-  /// Those behind the first `count`.
+  /// Drops the jumps after the first `count`.
   void forget_jumps(std::uint32_t count);
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
   void enter(Exception exception);
   void leave();
   std::uint32_t opcode(std::uint32_t pc) const;
-  /// 0 where no code can be.
+  /// Returns 0 where no code can be.
   std::uint16_t half(Address address) const;
   Mark* mark_at(std::uint32_t pc);
   void mark(std::uint32_t pc, bool Mark::*flag, bool set = true);
-  /// Where the branch at `pc` leads, if that is back; else 0.
+  /// Returns the target of the branch at `pc` if it leads back; else 0.
   std::uint32_t leads_back_to(std::uint32_t pc);
-  /// Each store to RAM shall be told to idle_, or no longer.
+  /// Starts or stops reporting each store to RAM to idle_.
   void records(bool recording);
   std::uint8_t* ram(Address address, unsigned bytes) const;
-  /// Whether the bus takes a load or store.
+  /// Returns whether the bus handles a load or store.
   static bool has_registers(Address address);
   void set_reg(int number, std::uint32_t value) { state_.r[static_cast<std::size_t>(number)] = value; }
 
@@ -264,29 +264,29 @@ class Cpu {
   uc_struct* const uc_;
   std::uint8_t* const flash_;
   std::uint8_t* const ram_;
-  std::vector<Step> code_;  ///< one for each half of a word of flash, and two that are none
-  /// Of code outside of flash: an instruction, and what leads on behind it. Those made last are kept.
+  std::vector<Step> code_;  ///< one per halfword of flash, and two empty ones
+  /// Code outside of flash: an instruction, and what follows it. The last ones made are stored.
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
-  std::vector<Mark> marks_;                     ///< by their addresses
-  std::array<std::uint16_t, 8> known_marks_{};  ///< where among them those are that were sought last
+  std::vector<Mark> marks_;                     ///< sorted by address
+  std::array<std::uint16_t, 8> known_marks_{};  ///< indices of those that were looked up last
   LineCounts* lines_ = nullptr;
   Idle idle_{*this};
-  std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write by itself
+  std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write directly
   State state_;
 
-  std::uint32_t after_ = 0;        ///< where the instruction that runs leads
+  std::uint32_t after_ = 0;        ///< the target of the instruction that runs
   bool first_ = false;             ///< libunicorn has not begun its instruction
   std::uint32_t block_bytes_ = 0;  ///< of the IT block that it runs; 0 = none
   bool ends_ = false, falls_asleep_ = false;
   Cycle stop_ = 0;
   std::function<void()> watcher_;
-  std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; no instruction's address if none is
+  std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; else not an instruction's address
   bool halting_ = false, at_breakpoint_ = false;
   bool referee_ = false;
 };
 
-/// Of what its debugger has set it is without.
+/// Does not include the debugger's settings.
 struct Cpu::Saved {
   State own;
   std::shared_ptr<const uc_context> monitor;

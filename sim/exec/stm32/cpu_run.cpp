@@ -1,5 +1,5 @@
-// The interpreter's loop: what instructions do (ARMv7-M ARM, A7.7), each of which ends with a jump to the
-// next one's code. One that cannot be done here has changed nothing, and goes to libunicorn.
+// The interpreter's loop: the effects of instructions (ARMv7-M ARM, A7.7), each of which ends with a jump to
+// the next one's code. An instruction that cannot run here has changed nothing, and is passed to libunicorn.
 #include "sim/exec/stm32/cpu_steps.h"
 
 namespace robosim::exec::stm32 {
@@ -12,7 +12,7 @@ void Cpu::run() {
       ROBOSIM_STM32_STEPS(LABEL)
 #undef LABEL
   };
-  // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
+  // Registers hold what every instruction needs: a store to `r` could be a store to any member.
   std::uint32_t* const r = state_.r.data();
   std::uint8_t *const ram = ram_, *const flash = flash_;
   Step* const code = code_.data();
@@ -229,7 +229,7 @@ void Cpu::run() {
   STEP(tbh, 2) TABLE(2);
 
   STEP(it_one, 1) {
-    // A block of one. Whatever runs next, in it or behind it, runs without a look at what is left.
+    // A block of one. What runs next, in it or after it, runs without a check of the cycles left.
     if (held != 0 || halting_) goto block;
     const bool passes = flags.passes(i->value >> 4);
     ADVANCE;
@@ -289,7 +289,7 @@ L_reads_pc:
   GO_TO_STEP(i->shift);
 
 jump:
-  // To anywhere: the next instruction, too, which is no jump.
+  // Jumps anywhere, also to the next instruction, which is not a jump.
   if (target != i->next()) {
     there = target - kFlash < kFlashBytes ? code + (target - kFlash) / 2 : step_at(target);
     if (!there) [[unlikely]] {
@@ -354,7 +354,7 @@ leave:
     const std::uint32_t it = state_.it;
     const std::uint32_t rest = it & 7 ? (it & 0xE0) | (it << 1 & 0x1F) : 0;
     if (it != 0 && !flags.passes(it >> 4)) {
-      // It takes no time, but the pipeline is filled anew behind it.
+      // It takes no time, but the pipeline is refilled after it.
       state_.it = rest;
       left_out = true;
       i = BEHIND;

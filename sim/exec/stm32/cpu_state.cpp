@@ -1,4 +1,4 @@
-// The processor's special registers (PM0056 2.1.3), and how its state goes to libunicorn and back.
+// The processor's special registers (PM0056 2.1.3), and the transfer of its state to libunicorn and back.
 #include <algorithm>
 #include <utility>
 
@@ -21,7 +21,7 @@ constexpr int kIds[kRegisters] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2, 
                                   UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
                                   UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
                                   UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_XPSR};
-// Of MRS and MSR (ARMv7-M ARM, B5.2.2).
+// Registers of MRS and MSR (ARMv7-M ARM, B5.2.2).
 enum Special : std::uint32_t {
   kXpsr = 3,
   kMsp = 8,
@@ -79,7 +79,7 @@ void Cpu::masks_changed() {
 }
 
 bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
-  // What is of EPSR reads as 0.
+  // The parts of EPSR read as 0.
   constexpr std::uint32_t kIpsrPart = 1, kWithoutApsr = 4, kExceptionMask = 0x1FF;
   if (number < kMsp) {
     value = status() & ((number & kIpsrPart ? kExceptionMask : 0) | (number & kWithoutApsr ? 0 : kFlags));
@@ -154,7 +154,7 @@ void Cpu::emulate() {
     fail(Fault::Kind::division, state_.pc);
   after_ = state_.next;
   idle_.interrupted();
-  // Its condition holds, and no instruction that comes here cares for more of its IT block.
+  // Its condition holds, and no instruction that reaches this depends on the rest of its IT block.
   const std::uint32_t it = std::exchange(state_.it, 0);
   std::uint32_t psr = status();
   for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &state_.r[i] : &psr);

@@ -1,11 +1,11 @@
-// What the interpreter's loop (cpu_run.cpp) is written with: macros over its local variables, since a jump to
-// a label needs them to be where the label is. Nobody else includes this.
+// The parts of the interpreter's loop (cpu_run.cpp): macros over its local variables. A jump to a label needs
+// the label in the same function. No other file includes this.
 //
-//   i, last        the Step that runs, and the one before it
-//   left, end      cycles to `end`, where run_to() is to stop; what is left tells the cycle
+//   i, last        the Step that runs, and the previous one
+//   left, end      cycles to `end`, where run_to() should stop; their difference is the present cycle
 //   r, flags       the registers
-//   held           0, or what `left` and `end` are too small by: then nothing is left, and before each
-//                  instruction the loop passes by `leave`, for an IT block and what follows it
+//   held           0, or the amount by which `left` and `end` are reduced: then nothing is left, and before
+//                  each instruction the loop passes `leave`, for an IT block and what follows it
 #pragma once
 
 #include <cstring>
@@ -25,7 +25,7 @@
 #define NEXT \
   ADVANCE;   \
   DISPATCH
-// From here on the instruction has its cycles.
+// From here on the instruction's cycles are counted.
 #define STEP(name, count) L_##name : left -= (count);
 
 #define DO(name, count, what) \
@@ -35,7 +35,7 @@
   STEP(name, count) if (!(done)) goto emulated; \
   NEXT
 
-// What has not been made yet.
+// Makes a Step that has not been made yet.
 #define MAKE                  \
   {                           \
     there = fetched(*i);      \
@@ -44,7 +44,7 @@
   }
 
 #define NOW (end - static_cast<Cycle>(left))
-// What the rest of the processor may look at while an instruction runs; RESUME_TIME for what it may change.
+// Stores what the rest of the processor may read during an instruction; RESUME_TIME loads what it may change.
 #define PUT          \
   clock_.now = NOW;  \
   state_.pc = i->pc; \
@@ -80,7 +80,7 @@
     NEXT;                                \
   }
 
-// The second operand is shifted; no flags.
+// Variants with a shifted second operand; no flags.
 #define OF_SHIFTED(name, expression)  \
   STEP(name##_lsl, 1)                 \
   OF_VALUE(expression, M << i->value) \
@@ -95,7 +95,7 @@
     NEXT;                             \
   }
 
-// Not by the flags that are kept in registers, whose address nobody shall have.
+// Does not pass the flags that are in registers: their address must not be taken.
 #define COMPUTE(op, b, carry, sets)                                       \
   {                                                                       \
     state_.flags = flags;                                                 \
@@ -136,7 +136,7 @@
 #define WRITES(name, bytes, address, source) STEP(name, 2) WRITE(bytes, address, source) NEXT
 #define SIGNED(bits) sign_extended(value, bits)
 #define INDEXED (N + (M << i->shift) + i->value)
-// The forms that move the base: `use` may take `value` and `moved`.
+// Variants that change the base: `use` may read `value` and `moved`.
 #define READ_BACK(bytes, result)                     \
   {                                                  \
     const std::uint32_t moved = N + i->value;        \
@@ -196,7 +196,7 @@
   }
 
 #define NOTE_JUMP(pc) state_.jumps[state_.jump_count++ % state_.jumps.size()] = (pc)
-// To a Step of flash that is not the next one.
+// Jumps to a Step of flash that is not the next one.
 #define JUMP_TO_STEP        \
   {                         \
     left -= kRefill_cycles; \
@@ -213,7 +213,7 @@
     target = (address); \
     goto jump;          \
   }
-// As BX and POP do: the lowest bit says Thumb.
+// Jumps like BX and POP: the lowest bit selects Thumb.
 #define JUMP_AS_BX(address)                             \
   {                                                     \
     target = (address);                                 \
@@ -230,7 +230,7 @@
     std::memcpy(&entry, from, (bytes));                              \
     JUMP(i->next() + 2 * entry);                                     \
   }
-// If what wakes it is there already, and is not taken, it does not sleep at all.
+// If its wake-up is pending already, and is not taken, it does not sleep at all.
 #define WAIT_FOR_INTERRUPT                                                                             \
   {                                                                                                    \
     if (left > 0 && nvic_.wakes() && !nvic_.next(state_.primask | state_.faultmask, state_.basepri)) { \

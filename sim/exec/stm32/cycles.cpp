@@ -7,7 +7,7 @@ std::uint8_t count_bits(unsigned bits) { return static_cast<std::uint8_t>(__buil
 
 std::uint8_t cycles(unsigned n) { return static_cast<std::uint8_t>(n); }
 
-// IT: the lowest set bit of the mask says where the block ends (ARMv7-M ARM, A7.7.37).
+// IT: the lowest set bit of the mask determines the end of the block (ARMv7-M ARM, A7.7.37).
 std::uint8_t length_of_it(unsigned mask) { return static_cast<std::uint8_t>(4 - __builtin_ctz(mask)); }
 
 Instruction decode_short(unsigned op) {

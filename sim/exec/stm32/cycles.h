@@ -1,4 +1,4 @@
-// How long an instruction takes, and what it can do that the emulator must look at.
+// The duration of each instruction, and the effects for which the emulator must check.
 //
 // Source: Cortex-M3 Technical Reference Manual r1p1 (ARM DDI 0337E), 18.2 "Processor instruction timings":
 //
@@ -8,9 +8,9 @@
 //   MUL 1, MLA and MLS 2, UMULL and SMULL 4, UMLAL and SMLAL 6     SDIV, UDIV 7
 //   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1
 //
-// The manual gives ranges for P (1 to 3), long multiplications and divisions (2 to 12, by the operands); here
-// P is 2 and the others are as listed. Loads that follow each other overlap on the chip; here they do not.
-// Wait states of flash are not counted: the prefetch buffer hides most of them.
+// The manual gives ranges for P (1 to 3), long multiplications and divisions (2 to 12, by the operands). Here
+// P is 2 and the others are as listed. Consecutive loads overlap on the chip; here they do not. Wait states
+// of flash are not counted: the prefetch buffer hides most of them.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,11 @@ struct Instruction {
   bool masks = false;        ///< may change PRIMASK or BASEPRI
   bool sleeps = false;       ///< WFI, WFE
   bool divides = false;
-  std::uint8_t divisor = 0;     ///< register that a division divides by
-  std::uint8_t predicates = 0;  ///< IT: how many instructions it is about
+  std::uint8_t divisor = 0;     ///< the register with the divisor of a division
+  std::uint8_t predicates = 0;  ///< IT: the number of its instructions
 };
 
-/// Of the halves of a word at an address and behind it.
+/// Decodes the halfwords at an address and after it.
 Instruction decode(std::uint16_t first, std::uint16_t second);
 
 }  // namespace robosim::exec::stm32

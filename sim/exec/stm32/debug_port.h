@@ -1,9 +1,10 @@
-// The emulated STM32F103 as gdb-multiarch sees it (gdb::DebugPort says how it halts, steps and watches):
+// The debug port of the emulated STM32F103, for gdb-multiarch. gdb::DebugPort describes how it halts, steps
+// and watches.
 //
 //   registers   0-12 r0 to r12, 13 sp, 14 lr, 15 pc, 16 xpsr, 4 bytes each
-//   addresses   those of the chip; of its peripherals none, as reading some of them changes what they do
+//   addresses   the chip's, without peripherals, since reading some of them has side effects
 //
-// Breakpoints cost next to nothing. An IT and all that depends on it are one step.
+// Breakpoints take almost no time. An IT with all its instructions is one step.
 #pragma once
 
 #include "sim/exec/gdb/debug_port.h"
@@ -16,7 +17,7 @@ class DebugPort final : public gdb::DebugPort {
   DebugPort(gdb::Server& server, const Firmware& firmware, const ClockedBoard& board)
       : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
-  /// At power-on.
+  /// Connects it at power-on.
   void plug_into(Machine& machine);
   void unplug() { machine_ = nullptr; }
 

@@ -1,4 +1,4 @@
-// What can be found out about firmware from its chip's state and its debug information.
+// Derives facts about firmware from its chip's state and its debug information.
 #pragma once
 
 #include "sim/exec/elf/debug_info.h"
@@ -12,10 +12,10 @@ class Diagnosis {
       : firmware_(firmware), debug_(debug), machine_(machine), cpu_(machine.cpu()) {}
 
   Crash crash(const Fault& fault) const;
-  /// But for its last_call.
+  /// Returns the activity, except its last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// The first of these calls that is the user's.
+  /// Returns the first of these calls that is the user's.
   SourceLine place_of(const std::vector<std::uint32_t>& calls) const;
 
  private:

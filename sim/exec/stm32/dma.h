@@ -1,18 +1,18 @@
 // DMA1 (RM0008 13): seven channels that move items between memory and peripherals.
 //
-// A peripheral's request is served at once, and takes the processor no time; from memory to memory an item
-// takes 5 cycles (AN2548, 3.3), and is there at the half and at the end of the transfer. Of several requests
-// that with the highest priority is served first.
+// A peripheral's request is served at once, and takes no processor time. From memory to memory an item takes
+// 5 cycles (AN2548, 3.3), and arrives at the half and at the end of the transfer. Of several requests the one
+// with the highest priority is served first.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-/// What DMA moves items from and to; `bytes` is 1, 2 or 4.
+/// The source and target of DMA; `bytes` is 1, 2 or 4.
 class DmaBus {
  public:
-  /// False where there is nothing.
+  /// Returns false if the address is invalid.
   virtual bool dma_load(Address address, unsigned bytes, std::uint32_t& value) = 0;
   virtual bool dma_store(Address address, unsigned bytes, std::uint32_t value) = 0;
 
@@ -32,7 +32,7 @@ class Dma final : public Peripheral {
   Cycle next_event() const override;
   void update() override;
 
-  /// The channels that peripherals' requests would make move something.
+  /// Returns the channels that are ready to move an item on a peripheral's request.
   unsigned waiting() const { return state_.waiting; }
   /// Moves an item by one of `channels`, which are waiting; returns its number, 1 to 7.
   int serve(unsigned channels);
@@ -40,8 +40,8 @@ class Dma final : public Peripheral {
  private:
   struct Channel {
     std::uint32_t control = 0, count = 0, peripheral = 0, memory = 0;
-    std::uint32_t left = 0, next_peripheral = 0, next_memory = 0;  ///< of the transfer that runs
-    Cycle stage_at = kNoCycle;                                     ///< of memory to memory
+    std::uint32_t left = 0, next_peripheral = 0, next_memory = 0;  ///< of the running transfer
+    Cycle stage_at = kNoCycle;                                     ///< from memory to memory
   };
 
   struct State {

@@ -20,7 +20,7 @@ class DrivenLines {
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// `pwm`: it is driven by PWM from now on. Empty where no line is known.
+  /// Returns the line. `pwm`: PWM drives the pin from now on. Empty if no line is known.
   const SourceLine& line_of(const PinSpec& pin, bool pwm) const;
 
  private:

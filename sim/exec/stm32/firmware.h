@@ -1,4 +1,4 @@
-// A finished ELF file for an STM32F103: what goes into the chip's flash, and where its names are.
+// A finished ELF file for an STM32F103: the content of the chip's flash, and the addresses of its names.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@ namespace robosim::exec::stm32 {
 
 struct Firmware {
   std::string file;
-  std::vector<std::uint8_t> flash;          ///< all of it, 0xFF where nothing is
+  std::vector<std::uint8_t> flash;          ///< all of it, gaps are 0xFF
   std::uint32_t flash_bytes = 0;            ///< in use, from its beginning on
   std::uint32_t ram_bytes = 0;              ///< variables
-  robosim::stm32::Address globals_end = 0;  ///< just behind the variables: where the heap begins
+  robosim::stm32::Address globals_end = 0;  ///< after the last variable: the start of the heap
   std::uint32_t code_end = 0;
   Symbols symbols;
 
-  /// The half of a word at an even address in flash.
+  /// Returns the halfword at an even address in flash.
   std::uint16_t half(std::uint32_t address) const {
     const std::size_t at = address - robosim::stm32::kFlash;
     return at + 1 < flash.size() ? static_cast<std::uint16_t>(flash[at] | flash[at + 1] << 8) : 0xFFFF;
@@ -30,8 +30,8 @@ struct Firmware {
     return address >= robosim::stm32::kFlash && address < code_end;
   }
 
-  /// Throws InputError: no such file, no ARM executable, larger than the board's flash, not linked for an
-  /// STM32F103.
+  /// Reads a program. Throws InputError if the file is missing, not an ARM executable, larger than the
+  /// board's flash, or not linked for an STM32F103.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 };
 

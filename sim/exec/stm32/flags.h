@@ -1,5 +1,5 @@
-// The flags of the xPSR, taken apart: an instruction writes down what its flags come from, and only who looks
-// at one makes it (ARMv7-M ARM, A2.2.1, A7.3).
+// The flags of the xPSR in parts. An instruction stores the operands of its flags, and a flag is computed
+// only when it is read (ARMv7-M ARM, A2.2.1, A7.3).
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// By the number of a condition: a bit for each N, Z, C, V, by which it passes.
+/// By the number of a condition: one bit for each value of N, Z, C, V with which it passes.
 inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
   std::array<std::uint16_t, 16> all{};
   for (unsigned flags = 0; flags < 16; ++flags) {
@@ -21,11 +21,11 @@ inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
 }();
 
 struct Flags {
-  std::int64_t sign = 1;       ///< N is set where it is negative, Z where its lower 32 bits are 0
+  std::int64_t sign = 1;       ///< N is set if it is negative, Z if its lower 32 bits are 0
   std::uint32_t carry = 0;     ///< 0 or 1
   std::uint32_t overflow = 0;  ///< V in bit 31
 
-  /// N, Z, C, V in bits 31 to 28, as in the xPSR.
+  /// Returns N, Z, C, V in bits 31 to 28, as in the xPSR.
   std::uint32_t pack() const {
     return (sign < 0 ? 1u << 31 : 0) | (zero() ? 1u << 30 : 0) | carry << 29 | (overflow >> 31) << 28;
   }
@@ -36,11 +36,11 @@ struct Flags {
     overflow = status << 3;
   }
   bool zero() const { return static_cast<std::uint32_t>(sign) == 0; }
-  /// N differs from V.
+  /// Returns whether N differs from V.
   bool less() const {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(sign >> 32) ^ overflow) < 0;
   }
-  /// By the number of a condition (A7.3).
+  /// Returns whether a condition holds, by its number (A7.3).
   bool passes(unsigned condition) const { return kPasses[condition] >> (pack() >> 28) & 1; }
 
   std::uint32_t logic(std::uint32_t result) {

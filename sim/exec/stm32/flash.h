@@ -1,6 +1,6 @@
-// The flash interface (RM0008 3.3.3; PM0075), by which a program may change any half of a word or page of
-// flash, its own code too. The processor stands still while flash is busy, as it does on the chip, where it
-// would fetch from it: 52.5 us for half a word, 30 ms for a page (DS5319, table 28: 20 to 40 ms).
+// The flash interface (RM0008 3.3.3; PM0075), by which a program may change any halfword or page of flash,
+// including its own code. The processor stops while flash is busy. So does the chip, which would fetch from
+// it: 52.5 us for a halfword, 30 ms for a page (DS5319, table 28: 20 to 40 ms).
 #pragma once
 
 #include <optional>
@@ -23,12 +23,12 @@ class Flash final : public Peripheral {
   static bool owns_memory(Address address) {
     return address - robosim::stm32::kFlash < robosim::stm32::kFlashBytes;
   }
-  /// `address` is in flash; 0xFF behind its end.
+  /// Reads flash at `address`; 0xFF after its end.
   std::uint32_t read_memory(Address address, unsigned size) const;
-  /// Whether a store to flash programs it: nothing but half a word does, and that only while FLASH_CR allows.
+  /// Returns whether a store to flash programs it: only halfwords do, while FLASH_CR allows it.
   bool programs(Address address, unsigned size) const;
   void program(Address address, std::uint32_t value);
-  /// The page that has changed since the last call; nothing if none has.
+  /// Returns the page that has changed since the last call; nothing if none has.
   std::optional<Address> take_changed() { return std::exchange(changed_, std::nullopt); }
   const FlashMemory& memory() const { return memory_; }
 

@@ -6,8 +6,8 @@ namespace {
 
 using namespace robosim::stm32;
 
-// A loop may mask interrupts for a moment, to read what a handler writes. Where one waits, and none, not even
-// the core's clock of 1 ms, has come for so long, they stay masked.
+// A loop may mask interrupts for a moment, to read what a handler writes. If one is pending, and none, not
+// even the core's clock of 1 ms, has come for this long, they stay masked.
 constexpr SimTime kMaskedFor = kSecond;
 
 bool are_masked_for_good(const Machine& machine) {

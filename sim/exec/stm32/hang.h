@@ -1,4 +1,4 @@
-// Whether firmware that is silent will be silent for ever.
+// Detects silent firmware that will be silent for ever.
 #pragma once
 
 #include "sim/exec/stm32/firmware.h"
@@ -6,10 +6,10 @@
 
 namespace robosim::exec::stm32 {
 
-/// Of firmware with Robosim's core: whether no interrupt is enabled but those of the core's own clock, waits
-/// and Serial, which change nothing that a sketch could see without a call, or they are masked and none has
-/// come for a second though one waits. That it goes round is not proved: it may be computing. False for other
-/// firmware.
+/// For firmware with Robosim's core: returns true if only interrupts of the core's own clock, waits and
+/// Serial are enabled. They change nothing that a sketch could see without a call. Also returns true if
+/// interrupts are masked, and none has come for a second though one is pending. That the firmware loops is
+/// not proved: it may be computing. Returns false for other firmware.
 bool hangs(const Machine& machine, const Firmware& firmware);
 
 }  // namespace robosim::exec::stm32

@@ -26,7 +26,7 @@ I2c::I2c(Link& link, const Clocks& clocks, int number)
   link.kept.add(state_);
 }
 
-// Both lines are open drains, and released.
+// Both lines are open-drain, and released.
 bool I2c::drives(ChipPin pin, PinDrive& drive) const {
   const I2cPins pins = i2c_pins(number_, link_.map);
   if (!(state_.control & kPe) || (pin != pins.clock && pin != pins.data)) return false;
@@ -52,7 +52,7 @@ void I2c::refresh_lines() {
                       state_.status & kErrors && state_.control2 & kIterrEn);
 }
 
-// What CR1 asks for, when nothing else is on the bus.
+// Does what CR1 requests, when nothing else is on the bus.
 void I2c::go_on() {
   if (state_.done_at != kNoCycle || !(state_.control & kPe)) return;
   if (state_.control & kStop && masters())

@@ -1,6 +1,6 @@
-// I2C1 and I2C2 as masters (RM0008 26), with no device on the bus, whose lines are pulled up: nobody answers
-// an address (AF). A bit takes 2, 3 or 25 * CCR cycles of APB1. As slaves they are never addressed. Refused,
-// as not modelled: SMBus. DMA has nothing to move.
+// I2C1 and I2C2 as masters (RM0008 26), with pull-ups but no device on the bus: no address is acknowledged
+// (AF). A bit takes 2, 3 or 25 * CCR cycles of APB1. As slaves they are never addressed. Refused, as not
+// modelled: SMBus. DMA has nothing to move.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -21,7 +21,7 @@ class I2c final : public Peripheral {
 
  private:
   enum class Phase { idle, start, waits_for_address, address, refused, stop };
-  /// What a reset of an I2C resets.
+  /// The state that a reset of an I2C resets.
   struct State {
     std::uint32_t control = 0, control2 = 0, own = 0, own2 = 0, data = 0, status = 0, clock = 0, rise = 2;
     Phase phase = Phase::idle;

@@ -13,9 +13,9 @@ namespace {
 constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostStored = 200;
 constexpr int kMostTries = 5, kMostRounds = 1;
-// Heads of other loops that a pass may come by: else one of those is what it waits in.
+// Heads of other loops that a pass may run through; with more, one of those is the waiting loop.
 constexpr int kMostOthers = 4;
-// What things cost, in cycles that could have been executed meanwhile.
+// Costs, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 5, kCostOfRecord = 40, kCostOfLook = 10;
 constexpr Cycle kWorthwhile = 60;
 
@@ -51,7 +51,7 @@ void Idle::explore() {
   bool found = false;
   const std::vector<std::uint32_t> jumps = cpu_.last_jumps();
   for (std::size_t i = 0; i < jumps.size(); ++i) {
-    // A loop has come by at least twice.
+    // A loop has passed at least twice.
     if (std::find(jumps.begin(), jumps.begin() + static_cast<std::ptrdiff_t>(i), jumps[i]) ==
         jumps.begin() + static_cast<std::ptrdiff_t>(i))
       continue;
@@ -176,8 +176,8 @@ void Idle::moved_in_time() {
 void Idle::skip(Cycle passes, Cycle cycles) {
   Clock& clock = cpu_.clock_;
   if (rounds_ > 0) {
-    // How long they take differs by the nanosecond that the clock rounds to, in the same way again after at
-    // most so many.
+    // Their durations differ by the nanosecond to which the clock rounds, periodically after at most this
+    // number.
     constexpr Cycle kDifferent = 40;
     const Cycle first = round_at_ + cycles;
     const Cycle one_by_one = std::min(passes, kDifferent);

@@ -27,30 +27,31 @@ class Idle {
  public:
   explicit Idle(Cpu& cpu);
 
-  /// Off: every instruction runs.
+  /// With false, every instruction runs.
   void allow(bool allowed);
-  /// Cycles that no instruction has run for.
+  /// Returns the number of cycles for which no instruction has run.
   Cycle skipped() const { return skipped_; }
 
-  /// Now and then, while no instruction runs.
+  /// Looks for loops. Called from time to time, while no instruction runs.
   void explore();
-  /// The processor is at a head, and has not run the instruction there.
+  /// Called when the processor is at a head, before the instruction there.
   void at_head(std::uint32_t pc);
 
   // --- while a pass is recorded
   bool is_recording() const { return recorded_ != nullptr; }
-  /// RAM there is about to change.
+  /// Notes that RAM there is about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
-  /// It reads from a peripheral what stays so until that cycle, exclusive; for now only: not known.
+  /// Notes a read from a peripheral whose value is valid until that cycle, exclusive; the present cycle =
+  /// unknown.
   void looks(Cycle until);
-  /// A round of loop() begins.
+  /// Notes that a round of loop() begins.
   void round_began();
-  /// It does something that cannot be left out.
+  /// Notes an effect that cannot be skipped.
   void interrupted();
-  /// Something has come in between.
+  /// Notes that something has come in between.
   void runs_anew();
 
-  /// The processor is at another time.
+  /// Notes that the processor is at another time.
   void moved_in_time();
 
  private:
@@ -60,9 +61,9 @@ class Idle {
     std::uint32_t pc = 0;
     bool marked = false;
     LoopCredit credit;
-    Cycle cycles = 0;  ///< of the last pass that was recorded
+    Cycle cycles = 0;  ///< of the last recorded pass
   };
-  /// All that a pass may change, but for RAM, and what is only counted.
+  /// All state that a pass may change, except RAM and statistics.
   struct State {
     std::array<std::uint32_t, 15> registers{};
     std::array<std::uint32_t, 6> others{};
@@ -83,14 +84,14 @@ class Idle {
 
   Cpu& cpu_;
   bool allowed_ = true;
-  std::vector<Head> heads_;  ///< that do not move
+  std::vector<Head> heads_;  ///< their addresses are stable
   Cycle explore_at_ = 0, explore_every_ = 0;
-  int tries_ = 0;  ///< passes that were recorded in vain since instructions began to run
+  int tries_ = 0;  ///< passes recorded without success since instructions began to run
   Cycle skipped_ = 0;
 
-  Head* recorded_ = nullptr;  ///< whose pass is being recorded
+  Head* recorded_ = nullptr;  ///< the one whose pass is recorded
   State state_;
-  std::vector<Word> stored_;         ///< what was there before
+  std::vector<Word> stored_;         ///< with the earlier values
   std::vector<std::uint32_t> seen_;  ///< by word of RAM: the last pass that stored there
   std::uint32_t number_ = 0;
   Cycle began_ = 0, until_ = 0, round_at_ = 0;

@@ -1,4 +1,4 @@
-// What the chip's peripherals share: the time, the interrupt controller, the board behind the pins.
+// State that the chip's peripherals share: the time, the interrupt controller, the board behind the pins.
 #pragma once
 
 #include <functional>
@@ -10,19 +10,20 @@
 
 namespace robosim::exec::stm32 {
 
-/// A pin as the chip calls it: port 0 = A, 1 = B, 2 = C.
+/// A pin by the chip's numbering: port 0 = A, 1 = B, 2 = C.
 struct ChipPin {
   int port = 0;
   int bit = 0;
   bool operator==(const ChipPin&) const = default;
 };
 
-/// What resets the chip while it runs (RM0008 7.1.1).
+/// The causes of resets during a run (RM0008 7.1.1).
 enum class Reset { none, software, independent_watchdog, window_watchdog };
 
-/// What a peripheral tells others of: a set of bits.
+/// The signals from a peripheral to others: a set of bits.
 using Signals = std::uint32_t;
-/// Of a timer, 1 to 4: 0 = its trigger output TRGO, 1 to 4 = its channels' compare events.
+/// Returns the signals of a timer, 1 to 4: 0 = its trigger output TRGO, 1 to 4 = its channels' compare
+/// events.
 constexpr Signals signal_of(int timer, int output) { return 1u << (5 * (timer - 1) + output); }
 constexpr Signals kExti11 = 1u << 20, kExti15 = 1u << 21;
 
@@ -33,19 +34,19 @@ struct Link {
   Clock clock;
   Nvic nvic{};
   Reset reset_cause = Reset::none;  ///< of the reset that is due
-  Signals listened_to = 0;          ///< somebody does something at these
+  Signals listened_to = 0;          ///< signals with a listener
   std::function<void(Signals)> signal{};
   std::uint32_t map = 0;  ///< AFIO_MAPR
-  /// Which pins peripherals watch has changed.
+  /// Called when the set of pins that peripherals watch has changed.
   std::function<void()> watch_changed{};
   std::function<bool(ChipPin)> pin_level{};
-  /// The peripheral that has a pin drives it differently from now on.
+  /// Called when the peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
-  /// What of the chip changes while it runs, but for its processor.
+  /// The chip's state that changes during a run, except its processor's.
   Kept kept{};
 };
 
-/// An interrupt of two peripherals: its line is high while either holds it high.
+/// An interrupt line of two peripherals: it is high while either holds it high.
 class SharedLine {
  public:
   SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) { link.kept.add(state_); }

@@ -14,7 +14,7 @@ std::uint32_t extended(std::uint32_t value, int bits) {
   return (value ^ sign) - sign;
 }
 
-/// Where a B without condition or a BL leads (ARMv7-M ARM, A7.7.12, A7.7.18).
+/// Returns the target of an unconditional B or of a BL (ARMv7-M ARM, A7.7.12, A7.7.18).
 std::optional<std::uint32_t> target_of(std::uint32_t pc, unsigned first, unsigned second) {
   const std::uint32_t here = pc + 4;
   if ((first & 0xF800) == 0xE000) return here + extended((first & 0x7FF) << 1, 12);
@@ -38,7 +38,7 @@ class Code final : public ChipCode {
     }
     return calls;
   }
-  // Where loop() is inlined, as our core does not do, nothing is counted.
+  // If loop() is inlined, which our core avoids, nothing is counted.
   Steps steps_of(const Symbol&) const override { return {}; }
 
  private:

@@ -1,4 +1,4 @@
-// Where a round of loop() begins in an image for this chip.
+// Finds where a round of loop() begins in an image for this chip.
 #pragma once
 
 #include "sim/exec/elf/debug_info.h"
@@ -7,7 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// As sim/exec/elf/loop.h has it.
+/// See sim/exec/elf/loop.h.
 Rounds rounds_of_loop(const Firmware& firmware, const DebugInfo& debug);
 
 }  // namespace robosim::exec::stm32

@@ -61,7 +61,7 @@ void Machine::trace_bytes(WrittenBytes& bytes) {
 }
 
 void Machine::write_called(WrittenBytes& bytes) {
-  constexpr int kByte = 1;  // the argument behind `this`
+  constexpr int kByte = 1;  // the argument after `this`
   bytes.wrote(static_cast<std::uint8_t>(cpu_.reg(kByte)), board_.to_world(bus_.link().clock.time()));
 }
 
@@ -91,7 +91,7 @@ void Machine::run_until(SimTime t) {
     if (bus_.link().reset_cause != Reset::none) restart();
     cpu_.take_exception();
     const Cycle next = std::min(bus_.next_event(), clock.cycle_at(std::min(board_.next_input(), t)));
-    // Asleep there are no instructions, and only what was due may have changed RAM.
+    // During sleep no instructions run, and only due events may have changed RAM.
     const bool singly = debug_port_ && (!cpu_.is_asleep() || is_due) && debug_port_->steps_singly();
     const Cycle stop = singly ? clock.now + 1 : std::max(std::min(next, clock.cycle_at(t)), clock.now + 1);
     if (cpu_.is_asleep())

@@ -1,4 +1,4 @@
-// The chip with everything around it that firmware can touch.
+// The chip with everything around it that firmware can access.
 #pragma once
 
 #include "sim/exec/core/bites.h"
@@ -12,28 +12,28 @@ class DebugPort;
 
 class Machine {
  public:
-  /// `loop`: the rounds of loop(). Here as everywhere in the chip, times are by its own clock.
+  /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
   Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
           Engine& engine, SimTime t);
 
   void run_until(SimTime t);
-  /// millis() begins with `start` when main() begins.
+  /// Makes millis() begin with `start` when main() begins.
   void set_clock(SimTime start);
-  /// What the firmware prints is told to `bytes`, which outlives this.
+  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
   void trace_bytes(WrittenBytes& bytes);
-  /// Whom to call before each store to a register.
+  /// Sets a function that is called before each store to a register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
-  /// The calls that are open: words on the stack that are the address behind a BL or BLX, innermost first.
+  /// Returns the open calls, innermost first: words on the stack that are the address after a BL or BLX.
   std::vector<std::uint32_t> open_calls() const;
-  /// The firmware sleeps, and nothing will ever wake it.
+  /// Returns whether the firmware sleeps for ever.
   bool is_off() const { return state_.off; }
 
   struct State {
     bool off = false;
     Bites bites;
   };
-  /// All that changes while the chip runs, but for its board and what flash holds.
+  /// All state that changes while the chip runs, except its board's and the content of flash.
   struct Saved {
     State own;
     Kept::Copy bus;
@@ -42,7 +42,7 @@ class Machine {
   Saved save() const { return {state_, bus_.save(), cpu_.save()}; }
   void restore(const Saved& saved);
 
-  /// Asked before and after instructions run; may be null.
+  /// Sets the debug port, called before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
 
   Cpu& cpu() { return cpu_; }
@@ -61,7 +61,7 @@ class Machine {
   Bus bus_;
   Cpu cpu_;
   const std::uint32_t stack_top_;
-  Address heap_pointer_ = 0;  ///< where the heap's end is kept; 0 = unknown
+  Address heap_pointer_ = 0;  ///< the variable with the heap's end; 0 = unknown
   DebugPort* debug_port_ = nullptr;
   State state_;
 };

@@ -14,7 +14,7 @@ namespace robosim::exec::stm32 {
 
 using robosim::stm32::Address;
 
-/// Bytes that begin at a multiple of 4096, as libunicorn wants them.
+/// Bytes that begin at a multiple of 4096, as libunicorn requires.
 class AlignedBytes {
  public:
   /// `size` is a multiple of 4096. Throws std::bad_alloc.
@@ -25,39 +25,39 @@ class AlignedBytes {
   std::unique_ptr<std::uint8_t[], void (*)(void*)> bytes_;
 };
 
-/// What flash holds; outlives the power.
+/// The content of flash; outlives the power.
 class FlashMemory : public AlignedBytes {
  public:
-  /// 0xFF behind `program`.
+  /// Fills the rest after `program` with 0xFF.
   explicit FlashMemory(const std::vector<std::uint8_t>& program = {});
 
   // --- `offset` is from the flash's beginning
   void program(Address offset, std::uint16_t half);
-  /// The page there.
+  /// Erases the page there.
   void erase(Address offset);
 
   using Page = std::array<std::uint8_t, robosim::stm32::kPageBytes>;
   /// The pages that firmware has changed, by their offsets. Copies share pages.
   using State = std::map<Address, std::shared_ptr<const Page>>;
   State save() const;
-  /// Returns the offsets of the pages that hold something else now.
+  /// Returns the offsets of the pages whose content has changed.
   std::vector<Address> restore(const State& saved);
 
  private:
   const std::vector<std::uint8_t> program_;
-  mutable State state_;                ///< but for
-  mutable std::set<Address> unsaved_;  ///< these pages, which have changed since
+  mutable State state_;                ///< except
+  mutable std::set<Address> unsaved_;  ///< these pages, which have changed since then
 };
 
-/// What the maker has written (RM0008 30, PM0075 2.5): how much flash there is, the chip's unique number,
-/// which is the same for all of ours, and the option bytes as when new. Null elsewhere.
+/// Returns the manufacturer's data (RM0008 30, PM0075 2.5): flash size, unique number (equal for all chips
+/// here), and factory option bytes. Null elsewhere.
 const std::uint8_t* chip_facts(Address address, unsigned bytes);
 
-/// What RAM holds.
+/// The content of RAM.
 class RamMemory : public AlignedBytes {
  public:
   RamMemory() : AlignedBytes(robosim::stm32::kRamBytes, 0) {}
-  /// Null outside of it.
+  /// Returns null outside of it.
   std::uint8_t* at(Address address, unsigned bytes) const {
     using namespace robosim::stm32;
     return address - kRam <= kRamBytes - bytes ? data() + (address - kRam) : nullptr;

@@ -1,8 +1,8 @@
-// Which exception the processor takes next: NVIC and SCB (PM0056 4.3, 4.4; exceptions 2.3).
+// Selects the exception that the processor takes next: NVIC and SCB (PM0056 4.3, 4.4; exceptions 2.3).
 //
-// A lower number is a higher priority; of the 8 bits the chip has the upper four, all of them for preemption.
-// An exception preempts what runs if its priority is strictly higher; of several the highest wins, then the
-// lowest number.
+// A lower number is a higher priority. Of the 8 bits the chip has the upper four, all of them for preemption.
+// An exception preempts running code if its priority is strictly higher. Of several the highest wins, then
+// the lowest number.
 #pragma once
 
 #include <array>
@@ -25,16 +25,16 @@ class Nvic {
   Nvic();
 
   static bool owns(Address address);
-  /// False for a register that is not modelled.
+  /// Returns false for a register that is not modelled.
   bool read(Address address, std::uint32_t& value) const;
   bool write(Address address, std::uint32_t value);
 
   void pend(Exception exception);
   void unpend(Exception exception) { pending_ &= ~bit(exception); }
-  /// A peripheral's interrupt line. While it is high its interrupt comes again and again.
+  /// Sets a peripheral's interrupt line. While it is high, its interrupt repeats.
   void set_line(robosim::stm32::Irq irq, bool high);
 
-  /// Whether firmware has asked for a reset since the last call.
+  /// Returns whether firmware has requested a reset since the last call.
   bool take_reset_request() { return std::exchange(reset_requested_, false); }
 
   // --- the event register, for which WFE waits (PM0056 2.5.2)
@@ -43,14 +43,14 @@ class Nvic {
 
   bool is_enabled(robosim::stm32::Irq irq) const { return enabled_ & bit(kFirstIrq + irq); }
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
-  /// The exception that preempts what runs, PRIMASK and BASEPRI aside; 0 = none.
+  /// Returns the exception that preempts running code, regardless of PRIMASK and BASEPRI; 0 = none.
   Exception wakes() const { return candidate(0); }
-  /// The one that is taken now; 0 = none.
+  /// Returns the one that is taken now; 0 = none.
   Exception next(bool primask, std::uint32_t basepri) const { return primask ? 0 : candidate(basepri); }
 
   void enter(Exception exception);
   void leave(Exception exception);
-  /// Of handlers that have begun and not ended.
+  /// Returns whether a handler has begun and not ended.
   bool in_handler() const { return active_ != 0; }
 
   std::uint32_t vectors() const { return vtor_; }

@@ -1,12 +1,12 @@
-// What the bus sees of a peripheral: registers at addresses, and when it next does something by itself.
+// The bus's interface to a peripheral: registers at addresses, and the time of its next own action.
 #pragma once
 
 #include "sim/exec/stm32/link.h"
 
 namespace robosim::exec::stm32 {
 
-/// What somebody who looks at a pin that makes PWM sees: its level now, and the cycle up to which, exclusive,
-/// that stays so if nothing is written; the present one or one before: not known.
+/// The view of a pin with PWM: its level now, and the cycle up to which, exclusive, it stays unless something
+/// is written. The present cycle or an earlier one: unknown.
 struct Pulse {
   bool level = false;
   Cycle until = 0;
@@ -22,44 +22,45 @@ class Peripheral {
   Peripheral& operator=(const Peripheral&) = delete;
   virtual ~Peripheral() = default;
 
-  /// The word at `address`, at the present time; 0 where there is no register.
+  /// Returns the word at `address`, at the present time; 0 where there is no register.
   virtual std::uint32_t read(Address address) = 0;
-  /// False for what is not modelled.
+  /// Returns false for what is not modelled.
   virtual bool write(Address address, std::uint32_t value) = 0;
-  /// As after power-on: what of it begins at `block`.
+  /// Resets the part that begins at `block`, as after power-on.
   virtual void reset(Address block) = 0;
 
-  /// When update() next has something to do; kNoCycle if it will not.
+  /// Returns when update() next has work; kNoCycle if never.
   virtual Cycle next_event() const { return kNoCycle; }
-  /// Until which cycle, exclusive, read() surely gives what it gives now, and changes nothing, so that nobody
-  /// misses reads that are left out: as long as nothing is written, no input comes, and update() has nothing
-  /// to do. The present cycle, or one before: that is not known.
+  /// Returns until which cycle, exclusive, read() surely returns its present value without side effects, so
+  /// that reads can be skipped. Holds while nothing is written, no input comes, and update() has no work. The
+  /// present cycle, or an earlier one: unknown.
   virtual Cycle same_until(Address) const { return 0; }
   /// Brings it up to the present time.
   virtual void update() {}
-  /// Whether what update() does changes no other's next_event(), but by a signal or a DMA request.
+  /// Returns whether update() changes no other peripheral's next_event(), except by a signal or a DMA
+  /// request.
   virtual bool acts_alone() const { return false; }
 
-  /// The DMA channels whose service it asks for: dma_channel() of each.
+  /// Returns the DMA channels whose service it requests: dma_channel() of each.
   virtual unsigned dma_requests() const { return 0; }
   virtual void dma_served(int) {}
 
-  /// At which signals heard() has something to do.
+  /// Returns the signals for which heard() has work.
   virtual Signals listens() const { return 0; }
   virtual void heard(Signals) {}
 
-  /// Whether it has that pin, by AFIO_MAPR as it is; then `drive` is how it drives it.
+  /// Returns whether it has that pin, by the present AFIO_MAPR; sets `drive` to how it drives the pin.
   virtual bool drives(ChipPin, PinDrive&) const { return false; }
 
-  /// Of a pin that drives() tells PWM of.
+  /// Returns the pulse of a pin for which drives() reports PWM.
   virtual Pulse pulse(ChipPin) const { return {}; }
 
-  /// Whether it wants to hear of the pin's edges; then edge() tells it.
+  /// Returns whether it needs the pin's edges; edge() then reports them.
   virtual bool watches(ChipPin) const { return false; }
   virtual void edge(ChipPin, bool, Cycle) {}
 
-  std::size_t bus_index = 0;  ///< among the bus's
-  Signals noted_signals = 0;  ///< listens(), as the bus knows it
+  std::size_t bus_index = 0;  ///< index in the bus
+  Signals noted_signals = 0;  ///< listens(), as stored in the bus
 };
 
 }  // namespace robosim::exec::stm32

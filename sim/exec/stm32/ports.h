@@ -1,10 +1,10 @@
 // Ports A, B and C with AFIO and EXTI: how each pin is driven, what it reads, which edges interrupt (RM0008
 // 9, 10).
 //
-// A read of GPIOx_IDR asks the robot for all inputs of the port; one through the bit-band region
-// (PM0056 2.2.5) asks for one pin only. Open-drain outputs that are high count as inputs. EXTI and timers
-// hear an output of the chip's own as they hear the robot. PWM is told as a duty, never as edges; a program
-// that reads the pin sees its level.
+// A read of GPIOx_IDR samples all inputs of the port from the robot. One through the bit-band region (PM0056
+// 2.2.5) samples one pin only. Open-drain outputs that are high count as inputs. EXTI and timers receive
+// edges of the chip's own outputs like those of the robot. PWM is reported as a duty cycle, never as edges; a
+// program that reads the pin gets its level.
 #pragma once
 
 #include <array>
@@ -16,40 +16,39 @@ namespace robosim::exec::stm32 {
 
 class Ports final : public Peripheral {
  public:
-  /// `alternate` says how the peripheral that has the pin drives it.
-  /// `pulse`: what the pin's PWM does now.
-  /// `watched`: whether a peripheral wants to hear of its edges.
+  /// `alternate` returns how the peripheral that has the pin drives it. `pulse`: the present PWM of the pin.
+  /// `watched`: whether a peripheral needs its edges.
   Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
         std::function<bool(ChipPin)> watched);
 
-  /// Whether it is a port's, not of AFIO or EXTI.
+  /// Returns whether the register is a port's, not AFIO's or EXTI's.
   static bool owns_port(Address address) {
     using namespace robosim::stm32;
     return address >= kGpioA && address < kGpioA + kPorts * kPortBytes;
   }
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
-  /// A port, AFIO or EXTI.
+  /// Resets a port, AFIO or EXTI.
   void reset(Address block) override;
   Cycle same_until(Address address) const override;
-  /// One bit of GPIOx_IDR.
+  /// Returns one bit of GPIOx_IDR.
   bool read_input(ChipPin pin);
   Cycle input_same_until(ChipPin pin) const;
 
-  /// As it is now; asks the robot.
+  /// Returns the present level; samples the robot.
   bool level(ChipPin pin) const;
-  /// The RTC's alarm: line 17.
+  /// Handles the RTC's alarm: line 17.
   void alarmed();
-  /// The pins whose edges somebody wants to hear of have changed.
+  /// Handles a change in the set of pins with listeners for edges.
   void watch();
 
-  /// The peripheral drives the pin differently.
+  /// Handles a change of the peripheral's drive.
   void refresh(ChipPin pin);
   void deliver(const BoardInput& edge);
 
   Pin last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
-  /// The port's letter and the offset of a register of it.
+  /// Convert a register's address to the port's number and the offset.
   static int port_of(Address address) {
     return static_cast<int>((address - robosim::stm32::kGpioA) / robosim::stm32::kPortBytes);
   }
@@ -59,7 +58,7 @@ class Ports final : public Peripheral {
   struct Port {
     std::array<std::uint32_t, 2> configuration{0x44444444, 0x44444444};  ///< CRL, CRH
     std::uint32_t output = 0;
-    std::uint32_t pwm = 0;  ///< a bit for each pin that makes PWM
+    std::uint32_t pwm = 0;  ///< one bit for each pin with PWM
   };
 
   struct State {
@@ -78,16 +77,16 @@ class Ports final : public Peripheral {
   bool makes_pwm(ChipPin pin) const {
     return state_.ports[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1;
   }
-  /// Its number; kNoPin if nothing can be read there.
+  /// Returns its number; kNoPin if nothing can be read there.
   Pin note_read(ChipPin pin);
   void refresh_port(int port);
   bool write_port(int port, Address offset, std::uint32_t value);
   bool write_exti(Address address, std::uint32_t value);
   void interrupts_changed();
   void change_map(std::uint32_t map);
-  /// Something has come by these lines.
+  /// Handles events on these lines.
   void came(std::uint32_t lines);
-  /// The port that line `line` listens to.
+  /// Returns the port that line `line` is connected to.
   int source(int line) const;
 
   Link& link_;

@@ -99,7 +99,7 @@ std::uint32_t Spi::read(Address address) {
       return state_.control2;
     case kSpiSr: {
       const std::uint32_t value = state_.status;
-      // A read of the data before this one, and OVR is gone.
+      // Reading the data before this register clears OVR.
       if (!(state_.status & kSpiRxne)) state_.status &= ~kOvr;
       return value;
     }

@@ -1,7 +1,7 @@
-// SPI1 and SPI2 as masters (RM0008 25), with nothing connected: what they receive is the level of MISO's pin
-// when a frame ends, in each of its bits. A frame takes 8 or 16 * 2^(BR + 1) cycles of its bus. SCK and MOSI
-// are told as at rest. Refused, as not modelled: I2S, the hardware CRC, and masters that only receive. A
-// slave waits for ever.
+// SPI1 and SPI2 as masters (RM0008 25), with nothing connected. Each bit of a received frame is the level of
+// MISO's pin at the frame's end. A frame takes 8 or 16 * 2^(BR + 1) cycles of its bus. SCK and MOSI are
+// reported as idle. Refused, as not modelled: I2S, the hardware CRC, and masters that only receive. A slave
+// waits for ever.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -22,7 +22,7 @@ class Spi final : public Peripheral {
   unsigned dma_requests() const override;
 
  private:
-  /// What a reset of an SPI resets.
+  /// The state that a reset of an SPI resets.
   struct State {
     std::uint32_t control = 0, control2 = 0, status = 2, crc = 7;
     std::uint32_t waiting = 0, received = 0;

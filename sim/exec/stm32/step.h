@@ -1,5 +1,6 @@
-// An instruction as the interpreter's loop wants it (cpu_run.cpp): which piece of that to jump to, and what
-// with. It is made from a Thumb (thumb.h) when it is first run, and each 16 bits of flash have room for one.
+// An instruction in the form that the interpreter's loop needs (cpu_run.cpp): the piece of that to jump to,
+// and its operands. It is made from a Thumb (thumb.h) when it first runs. Each 16 bits of flash have room for
+// one.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 
 namespace robosim::exec::stm32 {
 
-// A name that ends with s sets flags; with _i or _r the second operand is `value` or r[m] alone, otherwise
-// it is r[m] + value.
+// A name that ends with s sets flags. With _i or _r the second operand is `value` or r[m] alone, otherwise it
+// is r[m] + value.
 // clang-format off
 #define ROBOSIM_STM32_STEPS(X)                                                                           \
   X(fetch) X(mark) X(emulate) X(reads_pc) X(nop) X(mov_i) X(mov_r) X(movs_i) X(movs_r) X(add_i) X(add_r) \
@@ -37,9 +38,9 @@ struct alignas(16) Step {
   };
 
   Kind kind = Kind::fetch;           ///< `fetch`: it has not been made yet
-  Kind within = Kind::fetch;         ///< the kind within an IT block, where less instructions set flags
+  Kind within = Kind::fetch;         ///< the kind within an IT block, where fewer instructions set flags
   std::uint8_t d = 0, n = 0, m = 0;  ///< as in Thumb
-  std::uint8_t shift = 0;            ///< as there; of what sets flags, the carry
+  std::uint8_t shift = 0;            ///< as there; if flags are set, the carry
   std::uint8_t ahead = 16;           ///< bytes from here to the next one
   std::uint8_t cycles = 1;
   std::uint32_t value = 0;
@@ -50,9 +51,9 @@ struct alignas(16) Step {
 
 static_assert(sizeof(Step) == 16);
 
-/// But for its `pc`. A branch is of the kind `branch`: its target is its value, its `shift` an Op.
+/// Does not set its `pc`. A branch has the kind `branch`: its target is its value, its `shift` an Op.
 Step step_of(const Thumb& thumb, const Instruction& instruction);
-/// The kind of a `branch` whose value is an index among all Steps, and differs from the next one's.
+/// Returns the kind of a `branch` whose value is an index among all Steps, and differs from the next one's.
 Step::Kind direct_kind(const Step& branch);
 
 }  // namespace robosim::exec::stm32

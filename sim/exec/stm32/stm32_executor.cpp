@@ -51,7 +51,7 @@ class Stm32Executor::Running final : public RunningChip {
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine& before) const override {
-    // The jump that led out of the sketch, as a function's last call leaves no trace on the stack.
+    // Uses the jump that led out of the sketch, as a function's last call leaves no trace on the stack.
     SourceLine line = diagnosis().place_of(machine_.cpu().last_jumps());
     if (line.file.empty()) line = before;
     return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;
@@ -73,9 +73,9 @@ class Stm32Executor::Running final : public RunningChip {
 
   const Image& image_;
   stm32::Machine machine_;
-  std::optional<stm32::DrivenLines> lines_;  ///< nothing = nobody asks
-  stm32::DebugPort* debugger_;               ///< null = nobody debugs
-  stm32::Machine*& seen_;                    ///< by whom else wants to know that there is one
+  std::optional<stm32::DrivenLines> lines_;  ///< unset without a listener
+  stm32::DebugPort* debugger_;               ///< null without a debugger
+  stm32::Machine*& seen_;                    ///< the executor's copy of the pointer
 };
 
 class Stm32Executor::Firmware final : public ChipFirmware {
@@ -114,7 +114,7 @@ class Stm32Executor::Firmware final : public ChipFirmware {
 
   stm32::Machine* machine = nullptr;  ///< null while the power is off
   bool runs_waiting_loops = false, traces_drives = false;
-  std::unique_ptr<LineCounts> lines;  ///< null = nobody counts
+  std::unique_ptr<LineCounts> lines;  ///< null = lines are not counted
 
  private:
   const Image image_;

@@ -1,4 +1,4 @@
-// The target stm32: an emulated STM32F103 (libunicorn, see stm32/unicorn.h about its licence).
+// The executor for STM32 boards: an emulated STM32F103 (libunicorn, see stm32/unicorn.h about its licence).
 //
 //   ELF ──► Cpu (libunicorn) ──► Bus: Clocks, Ports, Adc, Timers, Usart, Flash ──► FirmwarePort
 //
@@ -17,13 +17,13 @@ class Machine;
 
 class Stm32Executor final : public ChipExecutor {
  public:
-  /// Throws InputError if `image` is no ELF that this board's chip can run.
+  /// Loads `image`. Throws InputError if it is not an ELF file that this board's chip can run.
   Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// From the next power-on on, loops that wait are run, too, and nothing is left out (stm32::Idle).
+  /// From the next power-on on, runs waiting loops, too, and skips nothing (stm32::Idle).
   void run_waiting_loops();
-  /// null while the power is off.
+  /// Returns the chip; null while the power is off.
   const stm32::Machine* machine() const;
 
  private:
@@ -31,7 +31,7 @@ class Stm32Executor final : public ChipExecutor {
   class Firmware;
   class Running;
 
-  Stm32Executor(const BoardSpec& spec, Firmware* firmware);  ///< which becomes its own
+  Stm32Executor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of it
 
   Firmware& firmware_;
 };

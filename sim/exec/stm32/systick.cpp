@@ -51,7 +51,7 @@ bool SysTick::write(Address address, std::uint32_t value_written) {
       return true;
     case kStkLoad:
       if (value_written != 0 && state_.load != 0 && runs()) {
-        state_.load = value_written & 0xFFFFFF;  // counts from the next round on
+        state_.load = value_written & 0xFFFFFF;  // takes effect in the next round
         return true;
       }
       state_.load = value_written & 0xFFFFFF;

@@ -1,4 +1,4 @@
-// SysTick, the processor's own timer (PM0056 4.5): counts from LOAD down to 0, and begins anew.
+// SysTick, the processor's own timer (PM0056 4.5): counts from LOAD down to 0, and repeats.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
@@ -16,17 +16,17 @@ class SysTick final : public Peripheral {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
 
-  /// When it next reaches 0; kNoCycle if it does not, or nobody hears of it.
+  /// Returns when it next reaches 0; kNoCycle if it does not, or has no listener.
   Cycle next_event() const override;
   Cycle same_until(Address address) const override;
-  /// Reaches 0 as often as it has by now.
+  /// Catches up with the times that it has reached 0 by now.
   void update() override;
 
  private:
   struct State {
     std::uint32_t control = 0, load = 0;
-    std::uint32_t held = 0;  ///< the value while it stands still
-    Cycle zero_at = 0;       ///< when the counter reaches 0 next, if it runs
+    std::uint32_t held = 0;  ///< the value while it is stopped
+    Cycle zero_at = 0;       ///< when the counter next reaches 0, if it runs
     bool counted = false;    ///< COUNTFLAG
   };
 

@@ -1,5 +1,4 @@
-// An instruction of the Cortex-M3, taken apart once (ARMv7-M ARM, A5 to A7): what to do, with which
-// registers.
+// A decoded instruction of the Cortex-M3 (ARMv7-M ARM, A5 to A7): its operation and registers.
 //
 // Most operations take their second operand as `r[m] + value`: register 16 is always 0, so one form is for
 // immediate values and registers alike.
@@ -10,7 +9,7 @@
 namespace robosim::exec::stm32 {
 
 enum class Op : std::uint8_t {
-  other,  ///< not executed by us: libunicorn's
+  other,  ///< executed by libunicorn, not by us
   // r[d] = r[n] op (r[m] + value)
   mov,
   mvn,
@@ -28,7 +27,7 @@ enum class Op : std::uint8_t {
   teq,
   cmp,
   cmn,
-  // the same with r[m] shifted by value, kind `shift`; in the order of the above
+  // As above, with r[m] shifted by value, kind `shift`; in the same order
   mov_shifted,
   mvn_shifted,
   and_shifted,
@@ -61,12 +60,12 @@ enum class Op : std::uint8_t {
   sxtb,
   sxth,
   uxtb,
-  uxth,  ///< r[d] = of r[m] rotated by value
+  uxth,  ///< r[d] = extended r[m], which is rotated by value
   clz,
   rbit,
   rev,
   rev16,
-  revsh,  ///< r[d] = of r[m]
+  revsh,  ///< r[d] = reversed r[m]
   sbfx,
   ubfx,
   bfi,  ///< r[d], r[n]; from bit `shift`, of `value` bits
@@ -81,7 +80,7 @@ enum class Op : std::uint8_t {
   str,
   strb,
   strh,
-  // r[d] at r[n] or r[n] + value, which r[n] becomes; `shift`: 1 = the value counts for the access, too
+  // r[d] at r[n] or r[n] + value, which r[n] becomes; `shift`: 1 = the access, too, uses the value
   ldr_back,
   ldrb_back,
   ldrh_back,
@@ -91,7 +90,7 @@ enum class Op : std::uint8_t {
   strb_back,
   strh_back,
   ldrd,
-  strd,  ///< r[d], r[m] at r[n] + value; `shift`: 1 = before, 2 = r[n] becomes it
+  strd,  ///< r[d], r[m] at r[n] + value; `shift`: 1 = pre-indexed, 2 = r[n] is updated
   ldm,
   stm,  ///< the registers of `value`; `shift`: 1 = downwards, 2 = r[n] changes
   b,
@@ -128,16 +127,16 @@ struct Thumb {
   std::uint8_t d = 0, n = kZero, m = kZero;
   std::uint8_t sets = 0;  ///< flags: bit 0 = outside, bit 1 = inside of an IT block
   std::uint8_t shift = 0;
-  std::uint8_t carry = kCarryStays;  ///< that an immediate value brings
-  std::uint32_t value = 0;           ///< of a branch: its target
+  std::uint8_t carry = kCarryStays;  ///< result of an immediate value
+  std::uint32_t value = 0;           ///< for a branch: its target
 };
 
-/// What a hint does (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.
+/// Returns the operation of a hint (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.
 Op hint(std::uint32_t number);
 
-/// Of the halves of a word at `pc` and behind it.
+/// Decodes the halfwords at `pc` and after it.
 Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
-/// The part for the instructions of 32 bits.
+/// Decodes instructions of 32 bits.
 Thumb decode_thumb_long(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
 
 }  // namespace robosim::exec::stm32

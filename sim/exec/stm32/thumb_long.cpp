@@ -1,6 +1,5 @@
-// The instructions of 32 bits (ARMv7-M ARM, A5.3). Whatever uses the stack pointer or the program counter in
-// an unusual place is left to libunicorn, as are exclusive accesses, and saturation of what is shifted to the
-// right.
+// Decodes the instructions of 32 bits (ARMv7-M ARM, A5.3). libunicorn gets those that use the stack pointer
+// or the program counter in an unusual place, exclusive accesses, and saturation of right-shifted values.
 #include <bit>
 
 #include "sim/exec/stm32/thumb.h"
@@ -129,7 +128,7 @@ Thumb branch_or_control(const Halves& h) {
   Thumb t;
   const std::uint32_t s = h.first >> 10 & 1, j1 = h.second >> 13 & 1, j2 = h.second >> 11 & 1;
   const std::uint32_t low = (h.second & 0x7FF) << 1;
-  if (h.second & 0x1000) {  // B, BL; a BLX is none of the Cortex-M3's
+  if (h.second & 0x1000) {  // B, BL; the Cortex-M3 has no BLX
     t.op = h.second & 0x4000 ? Op::bl : Op::b;
     t.value = h.pc + 4 +
               ((s ? 0xFF000000u : 0) | (j1 == s) << 23 | (j2 == s) << 22 | (h.first & 0x3FFu) << 12 | low);

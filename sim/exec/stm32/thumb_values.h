@@ -1,4 +1,4 @@
-// What instructions make of values (ARMv7-M ARM, A2.2, A7.7).
+// Operations on values by instructions (ARMv7-M ARM, A2.2, A7.7).
 #pragma once
 
 #include <bit>
@@ -8,7 +8,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// `value` shifted by `amount`, at least 1; `carry` becomes the last bit that was shifted out.
+/// Returns `value` shifted by `amount`, at least 1; `carry` becomes the last bit that was shifted out.
 inline std::uint32_t shifted(unsigned kind, std::uint32_t value, unsigned amount, std::uint32_t& carry) {
   switch (kind) {
     case kLsl:

@@ -1,4 +1,4 @@
-// What the timers' channels do with pins, and what starts or counts them (RM0008 14.3.5 to 14.3.14, 14.3.16,
+// The timers' channels at pins, and the signals that start or clock them (RM0008 14.3.5 to 14.3.14, 14.3.16,
 // 15.3.12, 15.3.14).
 #include <algorithm>
 
@@ -12,7 +12,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// Table 86: which timer's TRGO an internal trigger is; 0 = that of none that the chip has.
+// Table 86: the timer whose TRGO is an internal trigger; 0 = one that the chip does not have.
 constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
 // Table 78; 0 = none
 constexpr int kChannelDma[4][4] = {{2, 0, 6, 4}, {5, 7, 1, 7}, {6, 0, 2, 3}, {1, 4, 5, 0}};
@@ -60,7 +60,7 @@ void Timer::compared(int channel) {
   link_.signal(signals);
 }
 
-// Its part of a period at which a PWM output is active (14.3.10).
+// Returns the part of a period at which a PWM output is active (14.3.10).
 double Timer::share_of(int channel) const {
   const auto value = static_cast<double>(state_.compare[static_cast<std::size_t>(channel)]);
   const double top = static_cast<double>(state_.top);
@@ -76,7 +76,7 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
-// A complementary output beside its twin is its opposite; alone it is as that would be (table 83).
+// With its twin enabled, a complementary output is the inverse; alone it is like the twin (table 83).
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;
@@ -161,7 +161,7 @@ bool Timer::watches(ChipPin pin) const {
     if (slave_mode >= kResets &&
         ((input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2)))
       return true;
-    // CCxS: 1 = its own input, 2 = that of its neighbour
+    // CCxS: 1 = its own input, 2 = its neighbour's
     if ((mode(input) & 3) == 1 && is_on(input)) return true;
     if ((mode(input ^ 1) & 3) == 2 && is_on(input ^ 1)) return true;
   }
@@ -187,8 +187,8 @@ void Timer::edge_of_input(int input, bool level, Cycle at) {
   if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3) {
     if (input > 1) return;
     const bool counts = slave_mode == kEncoder3 || (slave_mode == kEncoder1) == (input == 1);
-    // Table 85: the other signal's level says which way. In mode 1 edges of TI2 count, in mode 2 those of
-    // TI1.
+    // Table 85: the other signal's level determines the direction. Mode 1 counts edges of TI2, mode 2 those
+    // of TI1.
     const bool other = link_.pin_level(pin_of(input ^ 1)) != inverted(input ^ 1);
     const bool own = level != inverted(input);
     if (counts && enabled()) step((own == other) == (input == 1), at);

@@ -9,7 +9,7 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-// By the internal clock; an encoder's edges or a trigger may count instead.
+// Uses the internal clock; an encoder's edges or a trigger may count instead.
 bool Timer::is_clocked() const {
   const std::uint32_t slave_mode = state_.slave & 7;
   return enabled() && (slave_mode == 0 || (slave_mode >= kResets && slave_mode <= kStarts));
@@ -34,7 +34,7 @@ void Timer::start_from(std::uint32_t count, Cycle at) {
   std::int64_t here = counts_down() && !centered() ? top - value : value;
   if (centered() && state_.steps_down && value > 0 && value < top) here = 2 * top - value;
   state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
-  // Before the chip began, perhaps: only differences matter.
+  // Possibly before power-on: only differences matter.
   state_.origin = at - static_cast<Cycle>(here) * state_.step;
   state_.done = here;
 }
@@ -81,7 +81,7 @@ Cycle Timer::next_event() const {
   return next == std::int64_t{1} << 40 ? kNoCycle : state_.origin + static_cast<Cycle>(next) * state_.step;
 }
 
-// Whole periods in which nobody listened: flags are all that is left of them.
+// Skips whole periods without a listener: only their flags remain.
 void Timer::fall_behind(std::int64_t place) {
   const std::int64_t periods = place / period() - 1;
   if (periods <= 0 || needs_update_event()) return;
@@ -164,7 +164,7 @@ void Timer::update_event(bool flag) {
   if ((state_.control2 >> kMmsShift & 7) == 2 || rises_at_update()) link_.signal(signal_of(number(), 0));
 }
 
-// By an edge of another clock.
+// Counts an edge of another clock.
 void Timer::step(bool up, Cycle at) {
   const bool before = std::exchange(state_.steps_down, !up);
   const bool over = up ? state_.held >= state_.top : state_.held == 0;

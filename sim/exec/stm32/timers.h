@@ -1,13 +1,15 @@
-// TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and starting one another.
+// TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and triggering one another.
 //
 //   up, down         a period = (PSC + 1) * (ARR + 1) cycles    duty = min(CCR / (ARR + 1), 1), PWM mode 1
 //   centre-aligned              (PSC + 1) * 2 * ARR                    CCR / ARR
 //
-// timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp what channels and signals
-// do. PWM is a duty, and a level where its own program reads the pin; other outputs are edges. An edge is
-// captured with the count at its time, without filter or synchroniser. Dead time makes no difference to a
-// duty. A CCR, ARR or PSC that is preloaded counts from the next update on. Refused, as not modelled:
-// external trigger inputs (ETR), gating by another timer, DMA bursts, and the break input.
+// timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp the channels and signals.
+// PWM is a duty cycle, and a level when its own program reads the pin; other outputs are edges. An edge is
+// captured with the count at its time, without filter or synchroniser. Dead time does not change a duty
+// cycle. A preloaded CCR, ARR or PSC takes effect at the next update.
+//
+// Refused, as not modelled: external trigger inputs (ETR), gating by another timer, DMA bursts, and the break
+// input.
 #pragma once
 
 #include <array>
@@ -36,7 +38,7 @@ class Timer final : public Peripheral {
   void heard(Signals signals) override;
 
  private:
-  /// What a reset of a timer resets.
+  /// The state that a reset of a timer resets.
   struct State {
     std::uint32_t control = 0, control2 = 0, slave = 0, interrupts = 0, status = 0, outputs = 0,
                   dead_time = 0;
@@ -44,17 +46,17 @@ class Timer final : public Peripheral {
     std::uint32_t waiting_outputs = 0;
     std::uint32_t waiting_prescaler = 0, waiting_top = 0xFFFF, repetition = 0;
     std::array<std::uint32_t, 4> waiting_compare{};
-    // As they count
+    // Active values
     std::uint32_t prescaler = 0, top = 0xFFFF, repetitions_left = 0;
     std::array<std::uint32_t, 4> compare{};
-    std::array<bool, 4> active{};             ///< OCxREF of the modes that are no PWM
-    std::array<std::uint32_t, 4> captures{};  ///< edges that its prescaler has let pass
+    std::array<bool, 4> active{};             ///< OCxREF of the modes that are not PWM
+    std::array<std::uint32_t, 4> captures{};  ///< edges that its prescaler has passed
     unsigned dma_pending = 0;
 
-    std::uint32_t held = 0;  ///< the count while no clock drives it
-    Cycle origin = 0;        ///< while one does: where the period began
+    std::uint32_t held = 0;  ///< the count while it has no clock
+    Cycle origin = 0;        ///< otherwise: when the period began
     Cycle step = 1;          ///< cycles of a count
-    std::int64_t done = -1;  ///< the place in the period up to which everything has been done
+    std::int64_t done = -1;  ///< the place in the period up to which all events are handled
     bool steps_down = false;
   };
 
@@ -68,7 +70,7 @@ class Timer final : public Peripheral {
   bool write_compare(std::size_t channel, std::uint32_t value);
   bool modes_are_modelled() const;
   bool slave_is_modelled() const;
-  /// Modes and outputs as they were written count: at once, or at a commutation (14.3.15).
+  /// Makes written modes and outputs take effect: at once, or at a commutation (14.3.15).
   void commutate();
   void refresh_lines();
   void refresh_pins();
@@ -82,7 +84,7 @@ class Timer final : public Peripheral {
   std::uint32_t count_at(std::int64_t place) const;
   std::uint32_t count(Cycle at) const;
   void start_from(std::uint32_t count, Cycle at);
-  /// Places of a period where the channel compares equal; -1 = none.
+  /// Returns the places of a period where the channel compares equal; -1 = none.
   std::array<std::int64_t, 2> places_of(int channel) const;
   bool needs_update_event() const;
   bool needs_compare_event(int channel) const;
@@ -109,7 +111,7 @@ class Timer final : public Peripheral {
   bool inverts(int channel, bool complement) const;
   Pulse pulse_of(int channel) const;
   void trigger(Cycle at);
-  /// Whether TRGO is the OCxREF of a channel that becomes active at an update.
+  /// Returns whether TRGO is the OCxREF of a channel that becomes active at an update.
   bool rises_at_update() const;
   void edge_of_input(int input, bool level, Cycle at);
 

@@ -1,6 +1,6 @@
-// What of the processor's debug parts programs use by themselves (RM0008 31; PM0056 does not have it: ARM DDI
-// 0337E 11, 17): the cycle counter DWT_CYCCNT, and ITM, which always takes what is printed by it, and drops
-// it. Other registers of DWT, ITM, TPIU and DBGMCU keep what is written.
+// The debug components that programs themselves use (RM0008 31; PM0056 lacks them: ARM DDI 0337E 11, 17).
+// They are the cycle counter DWT_CYCCNT, and ITM, which accepts all output, and drops it. Other registers of
+// DWT, ITM, TPIU and DBGMCU store what is written.
 #pragma once
 
 #include <map>

@@ -31,7 +31,7 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {
   if (!sends() || pin != pin_now()) return false;
-  drive.level = true;  // a line at rest; its bytes are told as bytes
+  drive.level = true;  // an idle line; its bytes are reported as bytes
   return true;
 }
 
@@ -63,7 +63,7 @@ void Usart::send(std::uint8_t byte) {
   if (!sends()) return;
   state_.status &= ~kTc;
   if (state_.shifting) {
-    state_.waiting = byte;  // instead of one that waits already
+    state_.waiting = byte;  // replaces a waiting one
     state_.status &= ~kTxe;
     return;
   }
@@ -112,7 +112,7 @@ void Usart::receive(std::uint8_t byte) {
     state_.received = byte;
     state_.status |= kRxne;
   }
-  // A whole frame and a bit without another.
+  // A whole frame and one bit without another frame.
   state_.idle_at = link_.clock.now + byte_cycles() / 10 * 11;
   refresh_line();
 }

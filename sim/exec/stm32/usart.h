@@ -1,7 +1,10 @@
-// USART1 to USART3 (RM0008 27): a byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus. Sending: a
-// shift register and one byte waiting. Receiving: one byte waits, a further one is lost (ORE). Framing and
-// parity errors do not occur. Only the board's serial port leads anywhere: what the others send is dropped
-// after its time, and nothing comes in by them.
+// USART1 to USART3 (RM0008 27): a byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus.
+//
+//   sending     a shift register and one waiting byte
+//   receiving   one byte waits, a further one is lost (ORE)
+//
+// Framing and parity errors do not occur. Only the board's serial port is connected: the others' output is
+// dropped after its time, and they receive nothing.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -16,7 +19,7 @@ class Usart final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
-  /// Its TX pin, while it sends.
+  /// Drives its TX pin while it sends.
   bool drives(ChipPin pin, PinDrive& drive) const override;
   Cycle next_event() const override {
     return std::min(state_.shifting ? state_.sent_at : kNoCycle, state_.idle_at);
@@ -30,7 +33,7 @@ class Usart final : public Peripheral {
   void receive(std::uint8_t byte);
 
  private:
-  /// What a reset of a USART resets.
+  /// The state that a reset of a USART resets.
   struct State {
     std::uint32_t status = robosim::stm32::kTxe | robosim::stm32::kTc;
     std::uint32_t control = 0, control2 = 0, control3 = 0, divider = 0;
@@ -52,7 +55,7 @@ class Usart final : public Peripheral {
   Link& link_;
   const Clocks& clocks_;
   const UartSpec& spec_;
-  const ChipPin pin_;     ///< by which it sends after a reset
+  const ChipPin pin_;     ///< for sending, after a reset
   const bool connected_;  ///< to the board's serial port
   State state_;
 };

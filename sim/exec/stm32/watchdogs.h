@@ -1,10 +1,10 @@
 // The two watchdogs: the independent one (RM0008 19) and the window watchdog (20).
 //
-//   IWDG   resets 4 * 2^PR * (RLR + 1) / 40 kHz behind the last reload; runs in sleep, too
-//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets at 0x3F, or when it is written while
-//          it is above the window
+//   IWDG   resets 4 * 2^PR * (RLR + 1) / 40 kHz after the last reload; runs in sleep, too
+//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets at 0x3F, or on a write while it is
+//          above the window
 //
-// New values of IWDG_PR and IWDG_RLR are there at once: IWDG_SR reads 0. LSI has exactly 40 kHz (DS5319,
+// New values of IWDG_PR and IWDG_RLR take effect at once: IWDG_SR reads 0. LSI has exactly 40 kHz (DS5319,
 // table 25: 30 to 60). Writing WWDG_CR begins a whole count.
 #pragma once
 
@@ -29,7 +29,7 @@ class IndependentWatchdog final : public Peripheral {
     SimTime ends = 0;  ///< when it resets the chip
   };
 
-  /// A count of it.
+  /// Returns the duration of one count.
   SimTime step() const;
 
   Link& link_;
@@ -56,7 +56,7 @@ class WindowWatchdog final : public Peripheral {
 
   Cycle step() const;
   std::uint32_t count() const;
-  /// When it will have counted down to `value`; kNoCycle if it is below.
+  /// Returns when it will have counted down to `value`; kNoCycle if it is below.
   Cycle reaches(std::uint32_t value) const;
 
   Link& link_;
