@@ -1,4 +1,4 @@
-// Results of runs whose process ended without giving one, or had to be ended.
+// Results of runs whose process ended without a result, or was killed.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,26 @@
 
 namespace robosim::runner {
 
-/// Exit status of a process whose watchdog has found that it loops.
+/// Exit status of a process whose watchdog has detected an endless loop.
 constexpr int kWatchdogStatus = 99;
 
 constexpr const char* kLoops = "it loops without end inside a library function";
 constexpr const char* kNeverLoads = "it loops without end while it is loaded";
 
 /// Returns the number of the robot whose sketch took the process down. `suspects`: the robots whose sketches
-/// are code of this machine; `acting`: the number that the process has left. Throws std::runtime_error if it
-/// was no sketch: what emulates a chip has a fault, or a sketch next to it wrote where it may not.
+/// are native code; `acting`: the last number that the process recorded. Throws std::runtime_error if it was
+/// not a sketch. Then the emulator has a fault, or another sketch wrote to invalid memory.
 std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std::size_t>& suspects,
                          int acting);
 
-/// The result where the sketch of robot `guilty` crashed by `cause`, a clause, at `time`. `check` as in
-/// Crash.
+/// Returns the result for a crash of robot `guilty` by `cause`, a clause, at `time`. `check` as in Crash.
 wire::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
                                 const std::string& check, std::size_t guilty, SimTime time);
-/// The same of a process that had no memory left. That is the machine's fault where it allows less than a
+/// Returns the answer for a process that ran out of memory. The machine is to blame if it allows less than a
 /// sketch may have.
 wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t guilty, SimTime time);
 
-/// The clause for a process that has ended so.
+/// Returns the clause for such an end of a process.
 std::string cause_of(const Ending& ending);
 
 }  // namespace robosim::runner

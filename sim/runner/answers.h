@@ -1,4 +1,4 @@
-// What a simulation comes to, in the units and words of the runner protocol.
+// Converts results of a simulation to the units and words of the runner protocol.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ inline double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
-/// The same into one that was there before, whose memory serves again. Its robot's number stays.
+/// Converts into an existing sample, and so reuses its memory. The robot's number stays.
 void to_wire(const run::Sample& sample, wire::Sample& to);
-/// What wire::BatchWriter::add_sample() asks for.
+/// Returns the numbers for wire::BatchWriter::add_sample().
 std::array<double, 10> numbers_of(const run::Sample& sample);
 wire::Paused to_wire(const run::State& state, const run::Sample& sample);
-/// Without what the request and its files were.
+/// Does not set the fields about the request and its files.
 wire::RunResult to_wire(const judge::Outcome& outcome);
 wire::RobotInfo to_wire(const robot::Summary& robot);
 

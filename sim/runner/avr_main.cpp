@@ -1,4 +1,4 @@
-// The runner of the target avr, and of robots on the target host in the same run.
+// The runner for the target avr, and for robots on the target host in the same run.
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/runner/targets.h"
 

@@ -1,5 +1,5 @@
-// Between who tells what happens in a run and who hears it: what there is much of goes on many at a time
-// (wire/batch.h), and in its order with all else.
+// Collects frequent events between a run and its listener. Passes them on in batches (wire/batch.h), in order
+// with all other events.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace robosim::runner {
 
-/// Who hears of what happens.
+/// Receives events.
 using Tell = std::function<void(wire::Event)>;
 
-/// Where events wait that another process reads from there. Empty = nobody does: they are told.
+/// Batches that another process reads from shared memory. Empty = there is none: they are passed to Tell.
 struct SharedBatches {
   wire::BatchMemory* first = nullptr;
-  /// What waits in the last one goes on; gives the next, which is empty.
+  /// Passes on the content of the present batch; returns the next one, which is empty.
   std::function<wire::BatchMemory*()> hand_on = {};
 };
 
@@ -28,7 +28,7 @@ class Bundler {
   explicit Bundler(Tell tell, SharedBatches shared = {})
       : tell_(std::move(tell)), hand_on_(std::move(shared.hand_on)), waiting_(shared.first) {}
   void tell(wire::Event event);
-  // The same as events; these there are most of.
+  // Variants of events for the most frequent ones.
   void sample(int agent, const run::Sample& sample);
   void pin(int agent, SimTime t, Pin pin, const char* name, const PinDrive& drive, int source) {
     waiting_.add_pin(agent, t, pin, name, static_cast<int>(drive.mode), drive.level, drive.pwm, drive.duty,
@@ -43,16 +43,18 @@ class Bundler {
     waiting_.add_volts(agent, t, pin, name, volts);
     look();
   }
-  /// Whether one of these three, of that pin at that time, can go on behind what waits as it is.
+  /// Returns whether one of these three, of that pin at that time, can be appended to the waiting ones
+  /// unchanged.
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
-  /// Pins of the robot will have sources, and one of these.
+  /// Announces that pins of the robot will have sources, and adds one of these.
   void sources(int agent) { waiting_.add_sources(agent); }
   void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
-  /// Tells what waits.
+  /// Passes on the waiting events.
   void flush();
 
  private:
-  /// How late an event may be: for who watches a slow run. Each time costs as much as some hundred events.
+  /// The longest delay of an event, for observers of a slow run. Each flush costs as much as some hundred
+  /// events.
   static constexpr SimTime kLongest = 1 * kSecond;
 
   [[gnu::always_inline]] void look() {

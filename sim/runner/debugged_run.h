@@ -1,5 +1,5 @@
-// A run that a debugger halts, and goes back in: it is saved now and then, and run again from there
-// (sim/exec/gdb/history.h). What it comes to, and what it tells, is what it would be without.
+// A run that a debugger halts, and runs in reverse. It is saved at intervals, and run again from there
+// (sim/exec/gdb/history.h). Its results and reports are the same as without.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace robosim::runner {
 
 class DebuggedRun final : exec::gdb::History {
  public:
-  /// Of one robot, whose executor can be saved. Both outlive this.
+  /// Debugs a run of one robot, whose executor can be saved. Both outlive this.
   DebuggedRun(const run::Setup& setup, exec::gdb::Server& server);
 
   judge::Outcome go();
@@ -31,7 +31,7 @@ class DebuggedRun final : exec::gdb::History {
   bool look(std::size_t moment, SimTime closely_from);
   void seek(std::size_t moment, const exec::gdb::Place& place);
   void restore(std::size_t moment);
-  /// The debugger has gone, or the run is to end.
+  /// Returns whether the debugger has gone, or the run should end.
   bool is_left_alone() const { return !server_.attached() || (interrupted_ && *interrupted_); }
 
   exec::gdb::Server& server_;

@@ -1,4 +1,4 @@
-// The runner of the target host.
+// The runner for the target host.
 #include "sim/runner/targets.h"
 
 int main() { return robosim::runner::serve(robosim::runner::host_target()); }

@@ -18,12 +18,12 @@ using exec::CauseStep;
 using Kind = exec::CauseStep::Kind;
 
 constexpr SimTime kSampleEvery = 10 * kMillisecond;
-constexpr SimTime kHistory = 30 * kMillisecond;  // the least that is noted before a moment
-constexpr SimTime kBlind = 20 * kMillisecond;    // without a look at a line sensor
+constexpr SimTime kHistory = 30 * kMillisecond;  // the shortest record before a moment
+constexpr SimTime kBlind = 20 * kMillisecond;    // without a read of a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
 constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
-constexpr SimTime kStillOff = 150 * kMillisecond;  // behind the moment the motors went off
+constexpr SimTime kStillOff = 150 * kMillisecond;  // after the motors went off
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
 constexpr SimTime kOffForLong = 300 * kMillisecond;
@@ -33,7 +33,7 @@ SimTime whole_ticks(SimTime t) { return (t + kTick - 1) / kTick * kTick; }
 
 bool is_line_sensor(const robot::WiredPin& wired) { return wired.type.starts_with("reflectance"); }
 
-/// Those that turn wheels; where something between does, what leads to that.
+/// Returns the pins that turn wheels; for indirect ones, the pins that lead there.
 std::vector<Pin> motor_pins(const std::vector<robot::WiredPin>& wiring) {
   std::vector<Pin> direct, between;
   for (const robot::WiredPin& wired : wiring) {
@@ -53,7 +53,7 @@ void add_line(std::vector<wire::SourceLine>& lines, const wire::SourceLine& line
   if (!there && lines.size() < most) lines.push_back(line);
 }
 
-/// Whether it was done long before, when the sketch began, or when the variable was declared.
+/// Returns whether it was done long before, when the sketch began, or when the variable was declared.
 bool is_before(const CauseStep& step, SimTime t) {
   return step.t + kLongBefore < t || step.kind == Kind::keeps || step.where.function == "setup" ||
          step.where.function.starts_with("_");
@@ -118,7 +118,7 @@ judge::Outcome Inquiry::go() {
   return outcome;
 }
 
-// --- again
+// --- second run
 
 void Inquiry::run_again(std::size_t from, SimTime until) {
   simulation_.restore(moments_[from].snapshot);
@@ -127,7 +127,7 @@ void Inquiry::run_again(std::size_t from, SimTime until) {
   causes_.end();
 }
 
-/// Saves moments in between, where those of a long run lie too far apart to note all between them.
+/// Saves moments in between, if those of a long run are too far apart to record everything between them.
 void Inquiry::save_between(std::size_t moment) {
   const SimTime end = moments_[moment + 1].t;
   simulation_.restore(moments_[moment].snapshot);
@@ -146,8 +146,8 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
   return values;
 }
 
-/// What is written again and again, such as a sum, would be followed step by step: give up what has changed
-/// in the second before.
+/// A value that is written repeatedly, such as a sum, would be followed step by step. Stops following those
+/// that have changed in the second before.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
   const std::vector<std::uint8_t> now = bytes_at(from, open);
@@ -199,11 +199,11 @@ Inquiry::Steps Inquiry::trace(SimTime t, SimTime until, Ask ask) {
     if (times >= kMostStepByStep && from > 0) give_up_what_changes(from);
     found = go_back(from, times < kMostForRegisters);
   }
-  if (!found) causes_.close();  // else something may have been written before
+  if (!found) causes_.close();  // else earlier writes are possible
   return causes_.steps();
 }
 
-// --- what is told of it
+// --- the report
 
 std::pair<SimTime, SimTime> Inquiry::blind_around(SimTime t) const {
   const auto behind = std::upper_bound(looks_.begin(), looks_.end(), t);
@@ -240,7 +240,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
            fmt::format("for {:.0f} ms it looked at no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
-    // Much has a part in it that nothing drives: fewer lines of each file, and more files.
+    // If nothing drives, much contributes: uses fewer lines of each file, and more files.
     if (decisive.off_since == t)
       add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
     else
@@ -256,7 +256,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   return chain;
 }
 
-/// Why it has not driven on: what switched the motors off, and what did not switch them on again.
+/// Reports why it has stopped: what switched the motors off, and what did not switch them on again.
 void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain) {
   const SimTime asked = std::min(t + kStillOff, end - kTick);
   const Steps steps =
@@ -279,7 +279,7 @@ void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::si
     chain.push_back(std::move(link));
 }
 
-/// Where they are off, and have been for long, who has done it.
+/// Reports what has disabled interrupts, if they have been off for long.
 void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
   const auto on_at = [&](std::size_t moment) {
     simulation_.restore(moments_[moment].snapshot);
@@ -341,7 +341,7 @@ std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::s
   std::vector<std::set<std::string>> functions;  // of links
   std::vector<wire::SourceLine> of_libraries;
   for (const CauseStep& step : steps) {
-    if (step.where.function.starts_with("_GLOBAL__")) continue;  // it stands at the end of the file
+    if (step.where.function.starts_with("_GLOBAL__")) continue;  // its line is the end of the file
     if (step.kind == Kind::reads) {
       read.text += (read.lines.empty() ? " " : ", ") + read_at(step);
       read_at_t = std::max(read_at_t, step.t);

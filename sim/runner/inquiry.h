@@ -21,10 +21,10 @@ namespace robosim::runner {
 
 class Inquiry final : run::Listener {
  public:
-  /// Of a run of one robot. All outlive this. Throws InputError where nobody can tell.
+  /// Examines a run of one robot. All outlive this. Throws InputError if causes cannot be found.
   Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<robot::WiredPin> wiring);
 
-  /// The run's outcome, with what caused it.
+  /// Returns the run's outcome, with its causes.
   judge::Outcome go();
 
  private:
@@ -51,7 +51,7 @@ class Inquiry final : run::Listener {
 
   std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
   void tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain);
-  /// What the chain does not have yet; it has `most` links then, at most. `lines`: of each.
+  /// Adds the steps that are missing in the chain, up to `most` links. `lines`: at most in each.
   void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
                  std::vector<wire::Cause>& chain) const;
   void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
@@ -68,9 +68,9 @@ class Inquiry final : run::Listener {
 
   std::vector<Command> commands_;                                     ///< of the motors
   std::vector<SimTime> looks_;                                        ///< at line sensors
-  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< while it looks again
+  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< during the second run
 
-  run::Simulation simulation_;  // behind what it tells this when it begins
+  run::Simulation simulation_;  // after the fields to which it reports when it begins
   Moments moments_;
 };
 

@@ -1,4 +1,4 @@
-// SHA-256 of files, remembered for the next request.
+// SHA-256 of files, cached for the next request.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace robosim::runner {
 
-/// As sha256_of_file, but remembered while the file stays the same by identity, size and times. A runner asks
-/// before it forks: hashing an image of 600 kB would take a quarter of a run of 10 s. Throws InputError.
+/// Returns sha256_of_file, cached while the file stays the same by identity, size and times. A runner calls
+/// it before it forks. Hashing an image of 600 kB takes a quarter of a run of 10 s. Throws InputError.
 const std::string& known_sha256(const std::filesystem::path& file);
 
 }  // namespace robosim::runner

@@ -1,5 +1,5 @@
-// What libfmt holds, from its own headers, as its src/format.cc has it: for a program that links it in where
-// there is only a shared one. As of versions 9 and 10; CMakeLists.txt tries whether it is so here.
+// Instantiates libfmt from its own headers, like its src/format.cc. For programs that link it statically
+// where only a shared one is installed. For versions 9 and 10; CMakeLists.txt checks that.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

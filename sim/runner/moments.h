@@ -1,4 +1,4 @@
-// Snapshots of a run, as many as are needed to get near each of its moments.
+// Snapshots of a run, spaced so that each of its moments is close to one.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace robosim::runner {
 struct Moment {
   SimTime t = 0;
   run::Simulation::Snapshot snapshot;
-  std::uint64_t told = 0;  ///< by the run until then
+  std::uint64_t told = 0;  ///< number of the run's reports until then
 };
 
 class Moments {
  public:
   static constexpr SimTime kEvery = 100 * kMillisecond;
 
-  /// When the next is due.
+  /// Returns when the next is due.
   SimTime next() const { return all_.empty() ? 0 : all_.back().t + every_; }
-  /// Behind all others. If they have become too many, every other one is dropped.
+  /// Adds a moment after all others. If there are too many, every other one is dropped.
   void add(Moment moment) {
     all_.push_back(std::move(moment));
     if (all_.size() < kMost) return;
@@ -31,7 +31,7 @@ class Moments {
     all_.resize(kept);
     every_ *= 2;
   }
-  /// Behind one of them.
+  /// Inserts moments after one of them.
   void insert(std::size_t behind, const std::vector<Moment>& moments) {
     all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(behind) + 1, moments.begin(), moments.end());
   }
@@ -40,7 +40,7 @@ class Moments {
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
   const Moment& operator[](std::size_t i) const { return all_[i]; }
-  /// The last one that is not behind `t`, or the first.
+  /// Returns the last one at or before `t`, or the first.
   std::size_t before(SimTime t) const {
     const auto behind = std::upper_bound(all_.begin(), all_.end(), t,
                                          [](SimTime at, const Moment& moment) { return at < moment.t; });

@@ -1,4 +1,4 @@
-// Turns what a run tells into protocol events.
+// Converts a run's reports to protocol events.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robosim::runner {
 
 class Narrator final : public run::Listener {
  public:
-  /// What `request` wants to hear of is told, of robot number `agent`: what there is much of by `bundler`,
+  /// Reports what `request` subscribes to, for robot number `agent`. Frequent events go through `bundler`,
   /// unless it is null. All but `tell` must live as long as this.
   Narrator(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
            Tell tell, Bundler* bundler);
@@ -33,7 +33,7 @@ class Narrator final : public run::Listener {
   void byte_received(std::uint8_t byte, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
 
-  /// Sends what is held back: the line that the sketch has not ended yet; the columns.
+  /// Sends what is held back: the incomplete line of the sketch; the columns.
   void flush_serial(SimTime t);
   void flush_columns();
 
@@ -41,19 +41,19 @@ class Narrator final : public run::Listener {
   bool in_span(SimTime t) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
-  /// Whether the bundler takes one as it is. Most are such, and little code for them is what a run that is
-  /// recorded has time for.
+  /// Returns whether the bundler takes an event unchanged. Most are such; a recorded run has time only for
+  /// this small piece of code.
   static bool goes_on(const Bundler* bundler, int agent, SimTime t, Pin pin) {
     return bundler && bundler->follows(agent, t, pin);
   }
-  // What does not.
+  // Handles the others.
   [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
-  // Without a bundler.
+  // Reports a pin without a bundler.
   [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
   [[gnu::noinline]] void tell_volts(Pin pin, double volts, SimTime t);
-  /// What it tells is about its robot.
+  /// Reports an event about its robot.
   template <typename Event>
   void tell(Event event);
   template <typename Event>
@@ -64,15 +64,15 @@ class Narrator final : public run::Listener {
   const BoardSpec& board_;
   exec::Executor& executor_;
   Tell tell_;
-  Bundler* const bundler_;  ///< null = events and columns are told as they are
+  Bundler* const bundler_;  ///< null = events and columns are passed on directly
   const bool wants_columns_, wants_pins_, wants_inputs_;
-  const bool hears_pins_;          ///< else there is nothing to do for a pin
-  Bundler* quick_pins_ = nullptr;  ///< if it is told all of them, and no sources
-  Bundler* const quick_inputs_;    ///< if it is told all of them
+  const bool hears_pins_;          ///< else pins need no work
+  Bundler* quick_pins_ = nullptr;  ///< set if it gets all of them, and no sources
+  Bundler* const quick_inputs_;    ///< set if it gets all of them
   std::string line_;
   std::optional<wire::RunColumns> columns_;
   std::optional<wire::SourceNumbers> sources_;  ///< for columns that the client makes
-  wire::Sample sample_;                         ///< the last that was taken
+  wire::Sample sample_;                         ///< the last one
 };
 
 }  // namespace robosim::runner

@@ -16,10 +16,10 @@ namespace robosim::runner {
 namespace {
 
 constexpr std::size_t kCompared = 16 * 1024;    // bytes
-constexpr std::size_t kMaps = 4;                // that are kept
-constexpr long long kLargestMap = 1024 * 1024;  // bytes; a larger one's floor takes much memory
+constexpr std::size_t kMaps = 4;                // that are cached
+constexpr long long kLargestMap = 1024 * 1024;  // bytes; the floor of a larger one takes much memory
 
-/// Whether `file` holds `text`, and nothing else.
+/// Returns whether `file` holds exactly `text`.
 bool holds(const std::filesystem::path& file, std::string_view text) {
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!open.is_open()) return false;
@@ -74,7 +74,7 @@ void prepare_errands(ReadMap& read, const wire::RunRequest& request) {
   for (std::size_t i = 0; i < errands.size(); ++i) read.scenery->prepare(i, errands[i]);
 }
 
-/// The request's map comes first in `maps`.
+/// Puts the request's map first in `maps`.
 std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<MapAhead>& maps,
                                  long long now) {
   try {

@@ -31,10 +31,10 @@ constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Out of the way of those that a run's process gets (Relay::enter()).
+/// Above the descriptors that a run's process gets (Relay::enter()).
 constexpr int kAside = exec::kFirstSealed;
 
-/// Open for all runs.
+/// A descriptor of /dev/null for all runs.
 int nothing() {
   static const Descriptor null = [] {
     Descriptor opened(::open("/dev/null", O_RDWR | O_CLOEXEC));
@@ -68,7 +68,7 @@ void read_keyed(char* to, std::size_t bytes) {
   }
 }
 
-/// Further than its reader allows it the run shall not get ahead.
+/// Limits the size: the run must not get further ahead than its reader allows.
 void make_as_short(int pipe, int as) {
   const int bytes = ::fcntl(as, F_GETPIPE_SZ);
   if (bytes > 0) ::fcntl(pipe, F_SETPIPE_SZ, bytes);
@@ -84,7 +84,7 @@ Relay::Relay(bool batches, bool lines) {
     if (end) *end = at_least(kAside, std::move(*end));
   fill_random(&token_, sizeof token_);
   fill_random(key_, sizeof key_);
-  for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // whatever a register makes of its sign
+  for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // independent of sign extension in registers
   make_as_short(told_.write.get(), STDOUT_FILENO);
   exec::prepare_to_confine();
 }
@@ -146,7 +146,7 @@ bool Relay::take_batches(std::size_t end, const wire::Id& id) {
   if (end - batch_ > (batches_ ? kBatches : 0)) return false;
   while (batch_ != end) {
     wire::BatchMemory& memory = *waiting();
-    // Whatever firmware has written there.
+    // Firmware may have written anything there.
     const std::size_t bytes =
         std::min<std::size_t>(memory.used.load(std::memory_order_relaxed), wire::BatchMemory::kRoom_bytes);
     if (bytes > 0) write_batch(wire::batch_line(id, bytes), {memory.bytes, bytes});
@@ -156,7 +156,7 @@ bool Relay::take_batches(std::size_t end, const wire::Id& id) {
   return true;
 }
 
-/// Whole messages are taken out of `taken`; false if one is none of ours.
+/// Removes whole messages from `taken`; returns false if one is invalid.
 bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told) {
   std::string out;
   std::size_t at = 0;
@@ -203,11 +203,11 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, R
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
     if (some == 0) {
-      // What the run has said before these has then been taken.
+      // The run's messages before these batches have been taken by then.
       const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
     }
-    // Also at one that never falls silent.
+    // Also for a run that sends continuously.
     if (const std::int64_t now_us = wall_us(); some == 0 || now_us - looked_us >= 1000 * kLook_ms) {
       looked_us = now_us;
       if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;

@@ -1,7 +1,7 @@
-// Between a confined run and its runner. The run's process has firmware of this machine in it, which may
-// write what it likes to any descriptor: so it has none of the client's. It tells its runner, which has run
-// no firmware, and the runner tells the client. Each message carries a token, and the last one counts only if
-// the process then ends by itself.
+// Connects a confined run to its runner. The run's process holds native firmware, which may write anything to
+// any descriptor. So it has none of the client's. It reports to its runner, which has run no firmware, and
+// the runner reports to the client. Each message carries a token, and the last one counts only if the process
+// then ends by itself.
 #pragma once
 
 #include <atomic>
@@ -22,51 +22,51 @@
 
 namespace robosim::runner {
 
-/// What the run asks of its runner, and the answer.
+/// A question from the run to its runner; returns the answer.
 using Ask = std::function<std::string(char what, const std::string& question)>;
 
 class Relay {
  public:
-  /// `batches`: whether there will be batches of events; `lines`: whether lines from the client. Throws
-  /// std::system_error.
+  /// `batches`: whether there will be batches of events; `lines`: whether there will be lines from the
+  /// client. Throws std::system_error.
   Relay(bool batches, bool lines);
 
-  /// In the run's process: its descriptors are from now on those of exec::ConfinedDescriptor, those of `kept`
-  /// (ImageContent::sealed(), in ascending order), and no others.
+  /// In the run's process: limits its descriptors to those of exec::ConfinedDescriptor, and those of `kept`
+  /// (ImageContent::sealed(), in ascending order).
   void enter(const std::vector<int>& kept);
-  /// Nothing new from the system for this process, ever (sim/exec/host/confinement.h), if that can be had.
+  /// Confines this process for ever (sim/exec/host/confinement.h), if that is possible.
   void confine(bool has_grown) const;
-  /// A line for the client, now.
+  /// Sends a line to the client, now.
   void tell(const std::string& line) const;
-  /// The line that ends the run.
+  /// Sends the line that ends the run.
   void answer(const std::string& line) const;
-  /// `what` is a small letter.
+  /// `what` is a lower-case letter.
   std::string ask(char what, const std::string& question) const;
-  /// Of lines from the client.
+  /// Reads lines from the client.
   long read_some(char* to, std::size_t bytes) const;
-  /// Is to be told how far the run has come.
+  /// Receives how far the run has come.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
-  /// Where events wait until there are many; null where there are no batches. In the runner: those that it
-  /// has not been told of.
+  /// Returns the batch in which events wait until there are many; null without batches. In the runner: those
+  /// that have not been handed on.
   wire::BatchMemory* waiting() const {
     if (!batches_) return nullptr;
     return std::launder(reinterpret_cast<wire::BatchMemory*>((*batches_)->memories[batch_ % kBatches]));
   }
-  /// What waits goes to the client from where it is, before what is told later; further events wait in the
-  /// memory that this gives, which is empty.
+  /// Hands the waiting events to the client in place, before later reports. Returns an empty batch for
+  /// further events.
   wire::BatchMemory& hand_on();
-  /// Is to be told the number of the robot whose firmware runs.
+  /// Receives the number of the robot whose firmware runs.
   std::atomic<int>& acting() const { return watch_->acting(); }
 
   struct Told {
     std::optional<std::string> answer;
-    bool forged = false;  ///< something else than the runner's code has written to it
+    bool forged = false;  ///< code other than the runner's has written to it
     RunWatch::Found found = RunWatch::Found::nothing;
   };
-  /// In the runner: until `run` has said its last, or something forged, or will never end. `id`: of the
-  /// request. Where there are lines, what the client writes goes to the run.
+  /// In the runner: serves `run` until its last message, a forged one, or until it will never end. `id`: of
+  /// the request. If there are lines, the client's input is passed to the run.
   Told serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits);
-  /// In the runner: how far the run has come.
+  /// In the runner: returns how far the run has come.
   SimTime time() const { return watch_->time(); }
 
  private:
@@ -80,7 +80,7 @@ class Relay {
   void send(char what, const std::string& text) const;
 
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
-  /// Those before number `end`; false if these are more than there can be.
+  /// Takes those before number `end`; returns false if that is more than possible.
   bool take_batches(std::size_t end, const wire::Id& id);
   std::size_t handed_on() const {
     return batches_ ? (*batches_)->handed_on.load(std::memory_order_acquire) : 0;
@@ -89,20 +89,21 @@ class Relay {
   Pipe told_, answers_;
   std::optional<Pipe> lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  /// So far the run gets ahead of its runner before it waits. Who reads what it tells may be busy for some
-  /// milliseconds, compressing it, or without a processor; in each of them a run fills three.
+  /// The number of batches that the run may be ahead of its runner before it waits. A reader may be busy for
+  /// some milliseconds, compressing, or without a processor; a run fills three in each.
   static constexpr std::size_t kBatches = 32;
-  /// So many wake the runner: each time costs the run as much as some hundred events.
+  /// The number of batches after which the runner is woken. Each time costs the run as much as some hundred
+  /// events.
   static constexpr std::size_t kWaking = 4;
   struct Batches {
-    /// In turn. Zeroes, which the memory is made of, are one with nothing in it: what no run comes to is not
-    /// touched, as each page costs it a fault.
+    /// Used in turn. The zeroed memory is an empty batch. Pages that a run does not need are not touched, as
+    /// each costs a page fault.
     alignas(wire::BatchMemory) std::byte memories[kBatches][sizeof(wire::BatchMemory)];
     std::atomic<std::size_t> handed_on{0};  ///< by the run
     std::atomic<std::size_t> taken{0};      ///< by the runner, which empties them
   };
   std::optional<Shared<Batches>> batches_;
-  std::size_t batch_ = 0;  ///< how many the run has handed on; in the runner: how many it has taken
+  std::size_t batch_ = 0;  ///< handed on by the run; in the runner: taken
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

@@ -33,7 +33,7 @@ wire::Paused paused_of(const run::Standstill& standstill) {
 
 }  // namespace
 
-// A line that says no time happens now.
+// A line without a time runs now.
 void RemoteController::add_lines(const wire::Act& act, run::Standstill& standstill) const {
   const std::string& lines = act.lines;
   std::string timed;

@@ -12,7 +12,7 @@ namespace robosim::runner {
 
 class RemoteController final : public run::StepController {
  public:
-  /// `before_pause` is called with the time before the client is told that the run stands still.
+  /// `before_pause` is called with the time before the client is notified of the pause.
   RemoteController(wire::Id id, std::string script_file, const std::atomic<bool>& interrupted,
                    std::function<void(SimTime)> before_pause)
       : id_(std::move(id)),
@@ -23,7 +23,7 @@ class RemoteController final : public run::StepController {
   run::Leg next(run::Standstill& standstill) override;
 
  private:
-  /// Nothing, or how the run goes on.
+  /// Returns nothing, or how the run continues.
   std::optional<run::Leg> serve(const wire::DrivenRequest& request, run::Standstill& standstill) const;
   void add_lines(const wire::Act& act, run::Standstill& standstill) const;
   void answer(const wire::Answer& answer) const;

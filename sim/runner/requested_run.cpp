@@ -47,7 +47,7 @@ run::Errand errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
   return errand;
 }
 
-/// Says of which of several robots it is true.
+/// Adds the name of the robot that the error is about.
 [[noreturn]] void blame(const std::string& robot, const InputError& error) {
   throw InputError(error.place(), fmt::format("robot {}: {}", robot, error.message()));
 }
@@ -172,8 +172,7 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // What counts or looks on beside the run would count twice what is run again, and a client does not go
-  // back.
+  // Counters and observers outside the run would count repeated parts twice, and a client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

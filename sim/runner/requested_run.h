@@ -1,5 +1,5 @@
-// One run, from a client's request to its result. Where it takes place (a fork, a confined process, a tab of
-// a browser), who drives it and where its events go is up to its owner.
+// One run, from a client's request to its result. Its owner decides where it runs (fork, confined process,
+// browser tab), who drives it, and where its events go.
 #pragma once
 
 #include <deque>
@@ -22,59 +22,59 @@
 
 namespace robosim::runner {
 
-/// `target` as the request has it: empty = the runner's own.
+/// `target` as in the request: empty = the runner's own.
 using MakeExecutor = std::function<std::unique_ptr<exec::Executor>(
     const std::string& target, const BoardSpec& board, const std::filesystem::path& image)>;
 
-/// All of its robots, the first one too.
+/// Returns all of its robots, including the first.
 std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request);
 
-/// The files that a result rests on.
+/// The files on which a result depends.
 struct Inputs {
   std::string map_sha256, robot_sha256, image_sha256;
 };
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot);
 
-/// An outcome, together with what it rests on.
+/// Returns an outcome, together with the files on which it depends.
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                           const Inputs& inputs);
 
 grid::Draw draw_of(const wire::RunRequest& request);
 
-/// A map, and what a simulation on it begins with.
+/// A map, and the initial state of a simulation on it.
 struct ReadMap {
-  /// Throws InputError.
+  /// Reads the map. Throws InputError.
   ReadMap(const std::filesystem::path& file, grid::Draw draw);
   const grid::Map map;
   const std::string sha256;
   std::unique_ptr<run::Scenery> scenery;  ///< for one simulation; null = it makes its own
 };
 
-/// The errands of a request's robots on a map. Throws InputError if one of them cannot be understood.
+/// Returns the errands of a request's robots on a map. Throws InputError if one of them is invalid.
 std::vector<run::Errand> errands_of(const wire::RunRequest& request, const grid::Map& map);
 
-/// By the name that a request has for them.
+/// By their names in a request.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
 
 class RequestedRun {
  public:
-  /// Reads all files, but those of `robots` and `map`, which have been. `request` must outlive this, and so
-  /// must where `batches` are. Throws InputError, and ToolMissing.
+  /// Reads all files, except those of `robots` and `map`, which have been read. `request` must outlive this,
+  /// as must the memory of `batches`. Throws InputError, and ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
                SharedBatches batches = {}, Robots robots = {}, std::shared_ptr<ReadMap> map = nullptr);
 
-  /// Of one robot, by its number.
+  /// Returns the executor of a robot, by its number.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
-  /// `server`, which outlives this, may halt the first robot's chip, and go back where that can be done.
+  /// Lets `server`, which outlives this, halt the first robot's chip, and go back if that is possible.
   void debug_with(exec::gdb::Server& server);
-  /// For what the request does not say: who may interrupt it, who drives it.
+  /// For settings outside the request: what may interrupt it, and what drives it.
   run::Setup& setup() { return setup_; }
-  /// Tells what is held back: what sketches have sent of a line; the columns.
+  /// Sends what is held back: incomplete lines of sketches; the columns.
   void flush(SimTime t);
 
-  /// To its end; once. Reads no more files.
+  /// Runs to the end; once. Reads no more files.
   wire::RunResult go();
-  /// Of its robots, where somebody else has brought it to its end.
+  /// Returns the result from its robots' outcomes, if another driver has brought it to its end.
   wire::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:
@@ -95,7 +95,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const std::shared_ptr<ReadMap> map_;
   Robots robots_;
-  std::unique_ptr<Bundler> bundler_;  ///< null = each event is told by itself
+  std::unique_ptr<Bundler> bundler_;  ///< null = each event is passed on by itself
   std::deque<Member> members_;
   run::Setup setup_;
   exec::gdb::Server* debugger_ = nullptr;

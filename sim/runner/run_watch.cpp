@@ -20,7 +20,8 @@ std::int64_t processor_ns(pid_t process) {
   return std::int64_t{time.tv_sec} * kSecond + time.tv_nsec;
 }
 
-/// Whether it is halted by a debugger. Who else stops a process, such as a sketch its own, is not excused.
+/// Returns whether a debugger has halted it. Other reasons for a stop, such as the sketch itself, do not
+/// count.
 bool is_traced(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   const std::string facts((std::istreambuf_iterator<char>(file)), {});
@@ -29,9 +30,9 @@ bool is_traced(pid_t process) {
 }
 
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
-/// A run that works gets at least this part of a processor, however many others want it.
+/// The part of a processor that a working run gets at least, on a busy machine.
 constexpr std::int64_t kBusyMachine = 20;
-/// A longer time between two looks is not the run's: its runner was stopped, too.
+/// A longer time between two checks is not the run's: its runner was stopped, too.
 constexpr std::int64_t kLongestLook_us = 1'000'000;
 
 }  // namespace
@@ -57,7 +58,7 @@ SimTime RunWatch::time() const {
 }
 
 RunWatch::Reading RunWatch::read() const {
-  // Whether it is halted takes a file to be read: that is asked in long silences alone.
+  // The check for a debugger reads a file: it is made in long silences only.
   return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_traced(run_)};
 }
 

@@ -1,5 +1,5 @@
-// Ends a run that never will. It is looked at from outside: firmware that is code of this machine may switch
-// off whatever its own process has, by mistake or not.
+// Ends a run that never would. It observes from outside: native firmware may turn off anything in its own
+// process, by mistake or not.
 #pragma once
 
 #include <sys/types.h>
@@ -12,17 +12,16 @@
 
 namespace robosim::runner {
 
-/// Firmware that takes so long for one tick (usually a microsecond; of several robots, each), or for being
-/// loaded, will never end it: it loops where nothing is instrumented, such as in a library function that was
-/// handed an endless string, or it sleeps.
+/// Firmware that takes longer for one tick (usually a microsecond for each robot), or for loading, will never
+/// end it. It loops where nothing is instrumented, such as in a library function with an unterminated string,
+/// or it sleeps.
 constexpr int kLongestTick_s = 5;    ///< of processor time
-constexpr int kLongestSleep_s = 30;  ///< of wall time, in which it hardly works
-/// A whole run may take this processor time from the loading of its firmware on, and the simulated time on
-/// top.
+constexpr int kLongestSleep_s = 30;  ///< of wall time, almost without processor time
+/// A whole run may take this processor time since the loading of its firmware, plus the simulated time.
 constexpr int kLongestRun_s = 60;
 
-/// One at a time: what it shares with a run's process has been shared with those before, which have ended.
-/// Firmware that is code of this machine may have written anything there.
+/// Runs are watched one at a time: the shared memory is reused from earlier runs, which have ended. Native
+/// firmware may have written anything there.
 class RunWatch {
  public:
   /// Throws std::system_error.
@@ -30,33 +29,33 @@ class RunWatch {
 
   // In the run's process.
 
-  /// Is told how far the run has come.
+  /// Receives how far the run has come.
   std::atomic<SimTime>& reached() { return state_.reached; }
-  /// And whose firmware runs.
+  /// Receives whose firmware runs.
   std::atomic<int>& acting() { return state_.acting; }
   void wait_for_client(bool waits) { state_.waits = waits; }
 
   // In its parent.
 
   struct Limits {
-    SimTime until = 0;      ///< simulated, at most
-    double share = 1.0;     ///< of the simulated time that it may take of a processor
+    SimTime until = 0;      ///< simulated, upper limit
+    double share = 1.0;     ///< processor time that it may take, per simulated time
     bool may_wait = false;  ///< for its client
   };
   void follow(pid_t run, const Limits& limits);
-  /// It has said something.
+  /// Notes that it has sent a message.
   void heard() { silent_us_ = 0; }
   enum class Found { nothing, loops, sleeps, exhausts };
-  /// To be asked again and again.
+  /// Checks the run. Call it repeatedly.
   Found look() { return look(read()); }
-  /// How far the run has come, within its limits.
+  /// Returns how far the run has come, within its limits.
   SimTime time() const;
 
-  /// What the system says of the run's process.
+  /// The system's data on the run's process.
   struct Reading {
     std::int64_t processor_ns = 0;
     std::int64_t wall_us = 0;
-    bool is_debugged = false;  ///< halted by a debugger; only asked in a long silence
+    bool is_debugged = false;  ///< halted by a debugger; only checked in a long silence
   };
   Found look(const Reading& now);
 
@@ -76,9 +75,9 @@ class RunWatch {
   SimTime seen_ = kNotBegun;
   int seen_acting_ = 0;
   std::int64_t begun_ns_ = 0;      ///< of processor time, before any firmware was loaded
-  std::int64_t processor_ns_ = 0;  ///< when it last came further
+  std::int64_t processor_ns_ = 0;  ///< at its last progress
   Reading looked_{0, -1, false};   ///< at the last look
-  std::int64_t silent_us_ = 0;     ///< of wall time in which it neither came further nor worked
+  std::int64_t silent_us_ = 0;     ///< of wall time without progress and work
 };
 
 }  // namespace robosim::runner

@@ -42,8 +42,8 @@ constexpr int kLongestEnd_us = 2'000'000;
 std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
 std::atomic<int> acting_robot{0};
-SimTime reached_at_last_look = -2;  // the watchdog's own
-int acting_at_last_look = 0;        // the same
+SimTime reached_at_last_look = -2;  // for the watchdog
+int acting_at_last_look = 0;        // likewise
 
 void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
 
@@ -65,7 +65,7 @@ void start_watchdog() {
   ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
 }
 
-/// Whose firmware `target` names. Throws InputError if this runner has none of it.
+/// Returns the factory for `target`. Throws InputError if this runner has none.
 const ExecutorFactory& factory_of(const ExecutorFactory& runner, const std::string& target) {
   if (target.empty() || target == runner.target) return runner;
   std::vector<std::string> names = {runner.target};
@@ -77,7 +77,7 @@ const ExecutorFactory& factory_of(const ExecutorFactory& runner, const std::stri
       fmt::format("“{}” is no target of robosim-{}; it runs {}", target, runner.target, one_of(names)));
 }
 
-/// Those of the request's robots whose firmware is code of this machine, by their number.
+/// Returns the numbers of the request's robots whose firmware is native code.
 std::vector<std::size_t> to_confine(const ExecutorFactory& runner, const wire::RunRequest& request) {
   std::vector<std::size_t> numbers;
   const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -92,14 +92,14 @@ std::vector<std::size_t> to_confine(const ExecutorFactory& runner, const wire::R
   return numbers;
 }
 
-// The robot's number, then offsets in hexadecimal, with blanks between them.
+// Formats the robot's number, then offsets in hexadecimal, separated by blanks.
 std::string text_of(std::size_t agent, const std::vector<std::uintptr_t>& offsets) {
   std::string text = fmt::format("{:x} ", agent);
   for (const std::uintptr_t offset : offsets) text += fmt::format("{:x} ", offset);
   return text;
 }
 
-// As text_of() has it; what is something else, and what is too much, is left out.
+// Parses text_of(); skips invalid and excessive parts.
 std::vector<std::uintptr_t> offsets_in(const std::string& text) {
   constexpr std::size_t kMost = 257;
   std::vector<std::uintptr_t> offsets;
@@ -112,7 +112,7 @@ std::vector<std::uintptr_t> offsets_in(const std::string& text) {
 constexpr char kAskLines = 'l';
 constexpr char kAskToKeepCounters = 'c';
 
-// In the runner: what its confined run cannot do itself.
+// In the runner: does for its confined run what that cannot do itself.
 std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
   if (what == kAskLines) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -137,7 +137,7 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, Relay* relay, const ReadAhead& ahead) {
-  // Never taken apart: its process ends, and all of it with that.
+  // Never destroyed: its process ends, and frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
@@ -153,7 +153,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   run.setup().interrupted = &interrupted;
   run.setup().reached = relay ? &relay->reached() : &reached;
   if (!request.agents.empty()) run.setup().acting = relay ? &relay->acting() : &acting_robot;
-  if (!debugger && !relay) start_watchdog();  // nor is a chip ever caught inside a tick
+  if (!debugger && !relay) start_watchdog();  // a chip never hangs within a tick
 
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
@@ -167,7 +167,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
                 return relay->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
-    // The chips of a fleet have been made since the fork, and a map that was not read ahead.
+    // The chips of a fleet were made after the fork, and so was a map that was not read ahead.
     const bool has_grown = !request.agents.empty() || !ahead.map;
     if (exec::why_not_confined().empty()) relay->confine(has_grown);
   }
@@ -178,7 +178,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   return result;
 }
 
-// The answer that `serve` gives, or what went wrong with it.
+// Returns the answer of `serve`, or its error.
 template <typename Serve>
 std::optional<wire::Answer> answer_of(Serve serve) {
   try {
@@ -196,7 +196,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   }
 }
 
-// In the fork.
+// Runs in the fork.
 int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
                  pid_t runner, Relay* relay, const ReadAhead& ahead) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -222,7 +222,7 @@ bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
 }
 
-// A process that has closed its pipes is about to end; one that is not had no right to close them.
+// A process that has closed its pipes is about to end; any other had no right to close them.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
        waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {
@@ -232,7 +232,7 @@ std::optional<Ending> end_of(Child& run) {
   return run.wait();
 }
 
-// What waited in a run's process when it ended. Its firmware may have written there, too.
+// Sends the batch that a run's process left behind. Its firmware may have written there, too.
 void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchMemory* waiting) {
   const wire::Batch rest = wire::BatchWriter(waiting).take();
   try {
@@ -243,7 +243,8 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
   if (!rest.bytes.empty()) write_line(wire::to_line(id, wire::Event(rest)));
 }
 
-/// Of the simulated time, what a run may take of a processor: emulators may be slower than their chips.
+/// Returns the processor time that a run may take per simulated time: emulators may be slower than their
+/// chips.
 double share_of(const wire::RunRequest& request) {
   constexpr double kOfEachInFleet = 10.0;
   return request.agents.empty() ? 1.0 : kOfEachInFleet * static_cast<double>(request.agents.size() + 1);
@@ -283,7 +284,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   return std::nullopt;
 }
 
-// Nothing where the fork has answered.
+// Returns nothing if the fork has answered.
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id, ReadAhead& ahead) {
   for (const wire::AgentRequest& agent : agents_of(request)) known_sha256(agent.image);
@@ -297,7 +298,7 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   return result_of_crash(request, cause_of(ending), "", 0, 0);
 }
 
-// Whose robot is described asks for a run of it next.
+// The client usually requests a run of a described robot next.
 wire::RobotInfo describe_robot(const wire::DescribeRobot& asked, Robots& known) {
   const auto robot = known_robot(asked.robot, known);
   known[asked.robot] = robot;
@@ -333,9 +334,9 @@ wire::Hello hello_of(const ExecutorFactory& factory) {
 
 int serve(const ExecutorFactory& factory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
-  std::signal(SIGINT, SIG_IGN);        // meant for the run, not for its server
+  std::signal(SIGINT, SIG_IGN);        // sent to the run, not to its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
-  std::signal(SIGXFSZ, SIG_IGN);       // and so is a limit on files
+  std::signal(SIGXFSZ, SIG_IGN);       // likewise a limit on files
   write_line(wire::to_line({}, hello_of(factory)));
   ReadAhead ahead;
   while (const auto line = read_line())

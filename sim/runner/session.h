@@ -16,15 +16,15 @@ struct BoardSpec;
 
 namespace robosim::runner {
 
-/// What makes one runner program different from another.
+/// The parts in which runner programs differ.
 struct ExecutorFactory {
   std::string target;  ///< "host"
   std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
-  /// Where firmware is code of this machine, and its process is to be confined: what the executor that make()
-  /// gave has to do before (HostExecutor::prepare_for_confinement). Else nothing.
+  /// For native firmware, whose process is confined: prepares the executor from make() for that
+  /// (HostExecutor::prepare_for_confinement). Else empty.
   std::function<void(exec::Executor&, exec::AddressLines, std::shared_ptr<const exec::ImageContent> image)>
       prepare_for_confinement = nullptr;
-  /// Whose firmware it runs beside, in runs of several robots.
+  /// The other targets whose firmware it runs, in runs of several robots.
   std::vector<ExecutorFactory> besides = {};
 };
 

@@ -1,4 +1,4 @@
-// Memory that a process shares with those that it forks.
+// Memory that a process shares with its forks.
 #pragma once
 
 #include <sys/mman.h>
@@ -9,7 +9,7 @@
 
 namespace robosim::runner {
 
-/// A T in it, made by its default constructor and never destroyed. Pages that nobody touches cost nothing.
+/// A T in it, made by its default constructor and never destroyed. Untouched pages cost nothing.
 template <class T>
 class Shared {
  public:

@@ -8,8 +8,8 @@ namespace robosim::runner {
 namespace {
 
 constexpr long long kSecond = 1'000'000'000;       // ns
-constexpr long long kCoarse = 3 * kSecond;         // FAT counts in 2 s
-constexpr long long kFine = kSecond / 10;          // the clock that others take ticks at least each 10 ms
+constexpr long long kCoarse = 3 * kSecond;         // FAT has a resolution of 2 s
+constexpr long long kFine = kSecond / 10;          // other clocks advance at least each 10 ms
 constexpr std::size_t kWritten = 3, kChanged = 5;  // s, and ns behind it
 
 }  // namespace

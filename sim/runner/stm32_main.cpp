@@ -1,4 +1,4 @@
-// The runner of the target stm32, and of robots on the targets avr and host in the same run. It links
+// The runner for the target stm32, and for robots on the targets avr and host in the same run. It links
 // libunicorn and is therefore, as a program, under the GPL-2 (sim/exec/stm32/unicorn.h).
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/exec/stm32/stm32_executor.h"

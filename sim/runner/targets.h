@@ -1,4 +1,4 @@
-// The targets that runners are put together of.
+// The targets from which runners are built.
 #pragma once
 
 #include "sim/exec/host/host_executor.h"
@@ -26,7 +26,7 @@ ExecutorFactory chip_target(const char* target) {
           }};
 }
 
-/// `runner`'s program also runs firmware of these.
+/// Lets `runner`'s program run firmware of the others, too.
 inline ExecutorFactory beside(ExecutorFactory runner, std::vector<ExecutorFactory> others) {
   runner.besides = std::move(others);
   return runner;

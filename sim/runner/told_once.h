@@ -1,5 +1,5 @@
-// Between a run that goes back in time and who listens to it: what is told again is left out. Equal runs tell
-// the same in the same order, so it is enough to count.
+// Filters the repeated reports of a run that goes back in time, before they reach its listener. Equal runs
+// make equal reports in equal order, so it is enough to count.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ class ToldOnce final : public run::Listener {
  public:
   explicit ToldOnce(run::Listener& listener) : listener_(listener) {}
 
-  /// What the run has told since it began, as it would be without going back.
+  /// Returns the number of the run's reports since it began, as it would be without going back.
   std::uint64_t count() const { return count_; }
-  /// The run is again where it had told so much.
+  /// Notes that the run is again where it had made `count` reports.
   void go_back(std::uint64_t count) { count_ = count; }
-  /// Whether nothing that has been told lies ahead.
+  /// Returns whether no earlier report lies ahead.
   bool is_at_front() const { return count_ == most_; }
 
   void began(const run::Beginning& beginning) override {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;
 
-/// Hears whether the sketch has sent a text. Else nothing of such a run is told but that it began.
+/// Detects whether the sketch has sent a text. Nothing else of such a run is reported, except that it began.
 class Ear final : public run::Listener {
  public:
   Ear(std::string text, run::Listener* next) : text_(std::move(text)), next_(next) {}
@@ -53,7 +53,7 @@ void check(const wire::RunRequest& request, bool may_copy) {
     throw InputError("of a run that parts nothing is streamed");
 }
 
-/// As they are due from `parted` on.
+/// Returns the steps with their times from `parted` on.
 std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways& ways,
                                      const std::string& file, SimTime parted) {
   std::vector<scenario::Step> steps = scenario::parse_scenario(script, file);

@@ -1,5 +1,5 @@
-// A run that parts (wire::Ways): up to there it is made once, and each way goes on in a copy of this process,
-// which is all that there is to save: chip, world, detectors, and what counts lines.
+// A run that branches (wire::Ways). The common part runs once, and each way continues in a copy of this
+// process. That copies all state: chip, world, detectors, and line counts.
 //
 //   this process:  power-on ────────────► parts ──── the first way ────► its result, with the others'
 //                                           │ fork
@@ -13,10 +13,10 @@
 
 namespace robosim::runner {
 
-/// One after the other, in the order of the request, which has ways. `in_copy`: what each copy begins with;
-/// empty: this process cannot be copied, as firmware on the host is shut in.
-/// Each writes its counters, if the request asks for some. Throws InputError if a run like this cannot part,
-/// or a way's script makes no sense.
+/// Runs the ways one after the other, in the order of the request, which has some. `in_copy`: called first in
+/// each copy; empty: this process cannot be copied, as host firmware is confined. Each way writes its
+/// counters, if the request asks for some. Throws InputError if such a run cannot branch, or a way's script
+/// is invalid.
 wire::RunResult go_all_ways(RequestedRun& run, const wire::RunRequest& request,
                             const std::function<void()>& in_copy);
 
