@@ -13,7 +13,7 @@
 namespace robosim::run {
 namespace {
 
-constexpr double kFarthestSight = 1e3;  // m: who sees as far has to do with all others
+constexpr double kFarthestSight = 1e3;  // m: a robot that sees this far can be affected by all others
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 
@@ -84,7 +84,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number, Task&& task)
   executor_.detect(counted);
 }
 
-// A hand that belongs to a competition's rules may put it anywhere.
+// A manual move by a competition's rules may put it anywhere.
 bool Agent::may_take_turns() const {
   return !progress_.contest() && !state_.listener->minds_turns() && sight() < kFarthestSight;
 }
@@ -170,7 +170,7 @@ void Agent::tell_events(SimTime t, SimTime tick, int step) {
 }
 
 void Agent::look_to_the_side() {
-  constexpr double kAside = 0.002, kShare = 0.1;  // m; of each look in the mean
+  constexpr double kAside = 0.002, kShare = 0.1;  // m; weight of each look in the mean
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
   state_.line_side = side;
@@ -178,7 +178,7 @@ void Agent::look_to_the_side() {
   state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
 }
 
-// What is due, and nothing where it is asked before.
+// Reads the sensors that are due; does nothing if called early.
 void Agent::sense(SimTime end) {
   const Look& due = look_at(end);
   if (due.at_sensors) state_.sees_line = robot_.sees_line();
@@ -247,7 +247,7 @@ void Agent::feed_board(SimTime t) {
 void Agent::act_in_full(SimTime t) {
   if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
-  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before what comes of them in this tick
+  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before their effects in this tick
   if (board_detectors_) board_detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }
@@ -282,7 +282,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
-// Apart: most ticks have no room to keep for it.
+// Separate, as most ticks need no stack frame for it.
 bool Agent::pass_places(SimTime end) { return pass(end, true); }
 
 bool Agent::look_closely(SimTime end) {
@@ -310,7 +310,7 @@ bool Agent::look_closely(SimTime end) {
   return verdict.has_value();
 }
 
-// When it must look closely next, whatever happens.
+// Returns when it must look closely next, in any case.
 inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_tellers() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
@@ -318,7 +318,7 @@ inline SimTime Agent::next_report(SimTime end) const {
   return every > 0 ? std::min(next, after(every)) : next;
 }
 
-// Of a competition's, which may go on.
+// Applies the competition's rules to a verdict; the competition may continue.
 std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdict> verdict, SimTime end) {
   const bool needs_hand = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck ||
                           verdict == judge::Verdict::toppled;
@@ -329,7 +329,7 @@ std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdi
   return verdict;
 }
 
-// A hand that belongs to the goal's rules puts it down.
+// Puts it down by a manual move of the goal's rules.
 void Agent::put(const Pose& where) {
   body_.place(where);
   state_.sees_line = true;

@@ -26,27 +26,27 @@
 
 namespace robosim::run {
 
-constexpr SimTime kSettling = 500 * kMillisecond;  ///< not counted in the cross-track error
+constexpr SimTime kSettling = 500 * kMillisecond;  ///< excluded from the cross-track error
 
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
-  /// What all agents of a simulation share.
+  /// The parts of a simulation that all agents share.
   struct Stage {
     const Setup& setup;
     Scenery& scenery;
   };
 
   /// `number` counts from 0: the order in which agents act, and part of the address of their noise. Throws
-  /// InputError if the set-up makes no sense.
+  /// InputError if the set-up is invalid.
   Agent(const AgentSetup& own, const Stage& stage, int number);
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
 
-  /// Tells its listener what was settled, and starts the firmware.
+  /// Reports the resolved settings to its listener, and starts the firmware.
   void begin();
 
   // The steps of a tick, as simulation.h numbers them. All agents take a step before any takes the next.
-  /// 1: what its script does at `t`; its parts schedule their edges.
+  /// 1: runs the script at `t`; the parts schedule their edges.
   void act(SimTime t) {
     if (robot_.has_battery() || board_detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
         [[unlikely]]
@@ -54,36 +54,37 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     else
       robot_.begin_tick(t);
   }
-  /// 2 and 3: the firmware runs to `end`, and motors get their commands. Whether anything has happened since
-  /// the last time that world or judge could notice.
+  /// 2 and 3: runs the firmware to `end`, and gives motors their commands. Returns whether anything has
+  /// happened since world or judge could last notice.
   bool run_firmware(SimTime end);
-  /// 1 to 3, of the tick at `t`, and the time from which they have something to do again: they do not before
-  /// `wakes`, as this told in the tick before (0: it is not known).
+  /// 1 to 3, for the tick at `t`. Returns the time until which they have no work again. `wakes` is that time
+  /// from the previous tick; 0 = unknown.
   SimTime go(SimTime t, SimTime wakes);
-  /// 4: goal and judge look at the world at `end`. Whether that gave a verdict: the agent is then finished.
+  /// 4: goal and judge examine the world at `end`. Returns whether that gave a verdict: the agent is then
+  /// finished.
   bool look(SimTime end);
 
   // --- turns of several ticks, while it is apart from others ---
-  /// What is to be told in the order of time, once all have come as far.
+  /// A report that waits until all agents have reached its time.
   struct Untold {
-    SimTime tick;  ///< when that began
+    SimTime tick;  ///< the beginning of its tick
     int step;      ///< of the tick, as above
     int agent;
     Listener* listener;
     std::variant<wire::RunEvent, Sample> what;
   };
-  /// Whether it may ever take turns.
+  /// Returns whether it may ever take turns.
   bool may_take_turns() const;
   double sight() const { return robot_.sight(); }
-  /// When its script does something next; kNever if it has its verdict.
+  /// Returns when its script acts next; kNever if it has its verdict.
   SimTime acts_at(SimTime t) const { return finished() ? kNever : player_.next_act(t); }
-  /// Its events and samples are added there from now on, instead of being told; null: they are told.
+  /// Collects its events and samples in `untold` from now on, instead of reporting them; null: reports them.
   void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
   // --- ticks of a robot at rest (resting.cpp) ---
-  /// Whether act(), but for its parts, and look() would find the same again in the ticks that begin between
-  /// `end` and the time that this returns, as long as the world is still and nothing happens: look() has just
-  /// been asked at `end`. `end`: none.
+  /// Returns until when the agent rests. In ticks that begin between `end` and that time, act(), except its
+  /// parts, and look() would have the same results. That holds while the world is still and nothing happens.
+  /// Call it directly after look() at `end`. Returns `end` if it does not rest.
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
   void begin_rest(SimTime t) {
@@ -93,28 +94,29 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool has_crashed() const { return crash_.has_value(); }
   /// 4, at the end of one.
   void rest(SimTime end);
-  /// Behind such ticks, before anything else happens at `t`: as if it had looked all the time.
+  /// Updates the state after such ticks, before anything else happens at `t`: as if it had looked all the
+  /// time.
   void catch_up(SimTime t);
 
   /// Ends its run with this verdict.
   void finish(judge::Verdict verdict, SimTime t);
-  /// Its time is up: reached where there was no goal.
+  /// Ends its run because the time is up: reached if there was no goal.
   void time_out(SimTime limit);
   bool finished() const { return state_.outcome.has_value(); }
-  /// Leaves a finished agent on the floor while others go on: the firmware is off, and nothing is told any
-  /// more.
+  /// Leaves a finished agent on the floor while others continue: the firmware is off, and nothing is reported
+  /// any more.
   void leave(SimTime t);
   const judge::Outcome* outcome() const { return finished() ? &*state_.outcome : nullptr; }
   judge::Outcome take_outcome() { return std::move(*state_.outcome); }
 
   // --- driven step by step (step_controller.h) ---
   void begin_leg(const Leg& leg, SimTime t);
-  /// At the end of a tick: whether the leg ends here. met() then says which stop did it, or -1.
+  /// Returns whether the leg ends at the end of a tick. met() then returns the stop that did it, or -1.
   bool leg_ends(SimTime t) { return stops_.look(t); }
   int met() const { return stops_.met(); }
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
-  /// Its state where the run stands still at `t`; stop_met: of all agents.
+  /// Returns its state when the run pauses at `t`; stop_met: of all agents.
   void stand_still(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }
@@ -122,32 +124,32 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- snapshots (simulation.h) ---
   struct State {
-    Listener* listener;                                               ///< nobody, once the agent has left
-    std::string exceeded;                                             ///< the budget that was, as a sentence
-    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the sensors, where they were
+    Listener* listener;                                               ///< null once the agent has left
+    std::string exceeded;                                             ///< the exceeded budget, as a sentence
+    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the sensors, at the last look
     double cross_track = 0.0;                                         ///< there
-    world::NearStripe line;                                           ///< near to it
+    world::NearStripe line;                                           ///< the stripe near it
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;
     std::int64_t off_line_ticks = 0;
     bool sees_line = true;
-    double line_side = 0.0;  ///< Robot::line_side(), when it was last seen to a side
-    double steered = 0.0;  ///< then: how it steered towards it, -2..2, a running mean; below 0: away from it
+    double line_side = 0.0;  ///< Robot::line_side() when last on a side
+    double steered = 0.0;    ///< running mean of its steering then, -2..2; above 0: towards the line
     int collisions_told = 0;
-    SimTime senses_at = 0;   ///< until then no sensor is looked at
-    SimTime reports_at = 0;  ///< until then there is nothing else to do now and then: see is_undisturbed()
+    SimTime senses_at = 0;   ///< no sensor is examined before
+    SimTime reports_at = 0;  ///< no periodic work before: see is_undisturbed()
     bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< in this tick
     std::deque<wire::RunEvent> events;
-    SimTime sent_at = -1;  ///< when its last byte was
-    std::string told;      ///< what parts have told, a line each
+    SimTime sent_at = -1;  ///< time of its last byte
+    std::string told;      ///< reports of parts, one per line
     run::State shown;
     Sample sample;
     std::vector<bool> went_high, was_output, was_pulled_up;
     std::optional<judge::Outcome> outcome;
   };
-  /// All that changes during a run, but for its body.
+  /// All state that changes during a run, except its body's.
   struct Saved {
     State own;
     KeptText::Copy serial;
@@ -193,9 +195,9 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
-  /// Of a step, as above, of the tick that begins at `tick`.
+  /// Reports the events of a step of the tick that begins at `tick`.
   void tell_events(SimTime t, SimTime tick, int step);
-  /// Until the next call.
+  /// Valid until the next call.
   const Sample& sample_at(SimTime t);
   judge::Metrics metrics() const;
   judge::Evidence evidence(judge::Verdict verdict, SimTime t);
@@ -216,13 +218,13 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::optional<judge::SteeringDetectors> steering_;  ///< nothing = nobody asks
-  std::optional<BoardDetectors> board_detectors_;     ///< the same
+  std::optional<judge::SteeringDetectors> steering_;  ///< unset unless detectors are on
+  std::optional<BoardDetectors> board_detectors_;     ///< likewise
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
   KeptText serial_;
-  Sample sample_;                         ///< made again and again
+  Sample sample_;                         ///< reused for every sample
   std::vector<robot::Reading> readings_;  ///< for it
   StopConditions stops_;
   std::vector<Untold>* untold_ = nullptr;
@@ -255,7 +257,7 @@ inline SimTime Agent::go(SimTime t, SimTime wakes) {
   return wakes_at(t + kTick);
 }
 
-// The distance from the line.
+// Measures the distance from the line.
 inline void Agent::measure(SimTime end) {
   const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
   if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
@@ -269,14 +271,14 @@ inline void Agent::measure(SimTime end) {
   }
 }
 
-// Whether nothing has happened in the tick that ends at `end` but that the body has gone on, and it is no
-// time for what look_closely() does now and then.
+// Returns whether the tick that ends at `end` only moved the body, and no periodic work of look_closely() is
+// due.
 inline bool Agent::is_undisturbed(SimTime end) const {
   return end < state_.reports_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
          body_.collisions() == state_.collisions_told;
 }
 
-// Most ticks are undisturbed. Whether firmware hangs is asked where something is looked at.
+// Most ticks are undisturbed. Hanging firmware is detected in the others.
 [[gnu::always_inline]] inline bool Agent::look(SimTime end) {
   if (!is_undisturbed(end)) return look_closely(end);
   const bool checks_progress = !progress_.passes_by(body_);
@@ -285,7 +287,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
   return checks_progress ? pass_places(end) : pass(end, false);
 }
 
-// All that look_closely() does in an undisturbed tick.
+// Does the part of look_closely() that an undisturbed tick needs.
 [[gnu::always_inline]] inline bool Agent::pass(SimTime end, bool checks_progress) {
   hash_.pose(body_.pose());
   if (checks_progress) progress_.look(body_, end, state_.happened);

@@ -1,4 +1,4 @@
-// What a verdict's sentence may use.
+// The evidence that a verdict's sentence may use.
 #include "sim/run/agent.h"
 
 namespace robosim::run {

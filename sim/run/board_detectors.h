@@ -20,12 +20,12 @@ class BoardDetectors final : PinWatcher, EepromWatcher, AdcWatcher {
   BoardDetectors(const BoardDetectors&) = delete;
   BoardDetectors& operator=(const BoardDetectors&) = delete;
 
-  /// How often the firmware has started.
+  /// Records how often the firmware has started.
   void booted(std::uint64_t times);
-  /// At the end of the run, `now`.
+  /// Returns the findings at the end of the run, `now`.
   std::vector<exec::Detected> found(SimTime now) const;
 
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::uint64_t boots = 1;
     judge::EepromWear wear;

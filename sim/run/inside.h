@@ -70,11 +70,11 @@ struct Simulation::Inside final : Standstill {
   world::World& world;
   std::vector<std::unique_ptr<Agent>> agents;
   Clock clock;
-  SimTime rests_until = 0;  // in ticks that begin before, nothing happens but what firmware does
-  bool rested = false;      // the last tick was such a one, and nothing did
+  SimTime rests_until = 0;  // in ticks that begin before, only firmware acts
+  bool rested = false;      // the last tick was one of rest, without any event
   bool takes_turns;
-  SimTime turns_from = 0;      // before, it is not tried
-  std::vector<double> sights;  // of the agents
+  SimTime turns_from = 0;      // turns are not tried before
+  std::vector<double> sights;  // ranges of sight of the agents
   std::vector<std::size_t> together;
   std::vector<Agent::Untold> untold;
 };
@@ -86,7 +86,7 @@ inline bool Simulation::Inside::look(SimTime end) {
   return left;
 }
 
-// Whether it has its verdict now, while others go on.
+// Returns whether it has its verdict now, while others continue.
 inline bool Simulation::Inside::look_of(Agent& agent, SimTime end) {
   if (agent.finished() || !agent.look(end) || over()) return false;
   agent.leave(end);

@@ -1,5 +1,5 @@
-// A text that only grows, up to a mebibyte. Snapshots of it share their common part, so that hundreds of them
-// take little more memory than one.
+// A text that only grows, up to a mebibyte. Its snapshots share their common part. So hundreds of them take
+// little more memory than one.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class KeptText {
   static constexpr std::size_t kPiece = 4096;
 
   std::string text_;
-  mutable std::vector<std::shared_ptr<const std::string>> pieces_;  ///< as far as it has been saved
+  mutable std::vector<std::shared_ptr<const std::string>> pieces_;  ///< the part that has been saved
 };
 
 }  // namespace robosim::run

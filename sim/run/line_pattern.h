@@ -12,10 +12,10 @@ namespace robosim::run {
 
 class LinePattern {
  public:
-  /// Throws InputError if it is none, or none of that kind.
+  /// Throws InputError for an invalid regular expression, or one that needs more than linear time.
   explicit LinePattern(const std::string& text);
 
-  /// Whether a part of the line matches. Firmware sends bytes, whatever they mean.
+  /// Returns whether a part of the line matches. Firmware sends bytes in any encoding.
   bool is_in(const std::string& line) const;
 
  private:

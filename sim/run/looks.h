@@ -9,14 +9,14 @@
 
 namespace robosim::run {
 
-constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent looks at all that it ever looks at
-constexpr int kLookEvery = 4;                     ///< ticks between two looks at all sensors
-constexpr int kSideEvery = 10;                    ///< ticks between two looks at which side the line is on
+constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent runs each of its checks
+constexpr int kLookEvery = 4;                     ///< ticks between two checks of all sensors
+constexpr int kSideEvery = 10;                    ///< ticks between two checks of the line's side
 
 /// A check at the end of a tick.
 struct Look {
   bool at_sensors, aside;
-  int next;  ///< so many ticks later
+  int next;  ///< number of ticks until the next one
 };
 
 /// The checks by the tick's number in kRestSpan. It is a table, because it is read in every third tick, and

@@ -1,8 +1,7 @@
-// A robot at rest, on a floor on which nothing moves, costs next to nothing. Of its ticks only firmware and
-// parts run, detectors look on, poses are hashed and ticks are counted; what act() and look() would find
-// again and again is left out. Each kRestSpan they are done in full, and whenever firmware does something.
-// What a row of looks leaves behind that find the same is what its last one leaves: that is made up for
-// before anything changes.
+// Makes a robot at rest almost free, on a floor on which nothing moves. In its ticks only firmware and parts
+// run, detectors observe, poses are hashed and ticks are counted. The repeated results of act() and look()
+// are skipped. They run in full once each kRestSpan, and whenever firmware does something. A sequence of
+// equal looks has the same effect as its last one, which catch_up() applies before anything changes.
 #include <algorithm>
 
 #include "sim/run/agent.h"

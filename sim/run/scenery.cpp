@@ -16,7 +16,7 @@ Task::Task(const Errand& errand, const grid::Map& map, const grid::Stripes& stri
 Scenery::Scenery(const grid::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
 
 void Scenery::prepare(std::size_t number, const Errand& errand) {
-  // The first hash asks the processor what vectors it has, which takes long in a virtual machine.
+  // The first hash detects the processor's vector extensions, which is slow in a virtual machine.
   [[maybe_unused]] static const std::string hashed = trace::TraceHash().text();
   if (number >= prepared_.size()) prepared_.resize(number + 1);
   Prepared& prepared = prepared_[number];

@@ -36,24 +36,24 @@ class Scenery {
   /// The map must outlive it. Throws InputError if it has too much line (grid::Stripes).
   explicit Scenery(const grid::Map& map);
 
-  /// Finds out beforehand what task() will ask of that agent.
+  /// Resolves beforehand the errand that task() will need for that agent.
   void prepare(std::size_t number, const Errand& errand);
   /// Throws InputError if the errand makes no sense on the map.
   Task task(std::size_t number, const Errand& errand) const;
 
   const grid::Stripes& stripes() const { return stripes_; }
-  /// As the map has it, until a simulation drives on it.
+  /// Returns the world as on the map, until a simulation drives on it.
   world::World& world() { return world_; }
 
  private:
   struct Prepared {
     Errand errand;
-    std::optional<Task> task;  ///< none: it makes no sense
+    std::optional<Task> task;  ///< none: the errand is invalid
   };
   const grid::Map& map_;
   const grid::Stripes stripes_;
   world::World world_;
-  std::vector<Prepared> prepared_;  ///< by the agents' numbers
+  std::vector<Prepared> prepared_;  ///< by agent number
 };
 
 }  // namespace robosim::run

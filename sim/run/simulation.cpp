@@ -66,7 +66,7 @@ void Simulation::Inside::check(const Leg& leg) const {
   for (const auto& agent : agents) agent->check(leg);
 }
 
-// The controller's turn. False if the run is to end here.
+// Runs the controller. Returns false if the run should end here.
 bool Simulation::Inside::stand_still(SimTime t) {
   int met = -1;
   for (const auto& agent : agents)
@@ -84,7 +84,7 @@ inline bool Simulation::Inside::leg_ends(SimTime t) {
   return ends;
 }
 
-// Whether somebody left while others go on.
+// Returns whether an agent left while others continue.
 inline bool Simulation::Inside::tick(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
@@ -98,8 +98,8 @@ inline bool Simulation::Inside::tick(SimTime t) {
   return left;
 }
 
-// Ticks of a lone robot that no controller drives, from clock.t up to the next look whether it rests, or
-// less: clock.t is then the last of them.
+// Runs ticks of a single robot without controller, from clock.t up to the next check for rest, or fewer.
+// clock.t is then the last of them.
 void Simulation::Inside::go_alone(SimTime end) {
   Agent& agent = *agents.front();
   SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
@@ -122,7 +122,7 @@ void Simulation::Inside::go_alone(SimTime end) {
   if (clock.t + kTick == until) rests_until = rest_from(until);
 }
 
-// The same, of agents at rest.
+// Runs a tick of agents at rest. Returns whether an agent left while others continue.
 bool Simulation::Inside::rest(SimTime t) {
   const SimTime end = t + kTick;
   for (const auto& agent : agents) agent->begin_rest(t);
@@ -139,7 +139,7 @@ bool Simulation::Inside::rest(SimTime t) {
   return stir(t);
 }
 
-// Something has happened in the tick at `t`. Whether somebody left while others go on.
+// Handles an event in the tick at `t`. Returns whether an agent left while others continue.
 bool Simulation::Inside::stir(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
@@ -165,7 +165,7 @@ void Simulation::Inside::interrupt(SimTime t) {
     if (!agent->finished()) agent->finish(judge::Verdict::interrupted, t);
 }
 
-// The ticks behind a tick of rest, as long as they are of rest, too.
+// Runs the ticks after a tick of rest, while they are of rest, too.
 void Simulation::Inside::rest_on(SimTime end) {
   const SimTime until = std::min(rests_until, end - kTick);
   Agent* const lone = agents.size() == 1 ? agents.front().get() : nullptr;
@@ -192,7 +192,7 @@ void Simulation::Inside::run_until(SimTime end) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (setup.controller && over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    // The last one is a whole one: whoever looks at the state then finds all of it.
+    // The last one is complete, so that a later reader of the state finds all of it.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
     if (takes_turns && clock.t >= std::max(rests_until, turns_from)) {
       if (take_turns(clock.t, turns_end(clock.t, end))) continue;
@@ -253,7 +253,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
   in_->clock = saved.clock;
   in_->rests_until = in_->turns_from = 0;
-  in_->rested = false;  // a run that was left within a tick may have been at rest
+  in_->rested = false;  // a run that ended within a tick may have been at rest
   in_->world.restore(saved.world);
   for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);
 }

@@ -54,8 +54,8 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
-  std::string at_station;          ///< whose centre the body covers; told to a controller only, "" = none
-  std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also when it slips
+  std::string at_station;          ///< whose centre the body covers; for controllers only, "" = none
+  std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also during slip
 };
 
 /// Receives events of one agent. A listener never changes what happens.
@@ -66,23 +66,23 @@ class Listener {
   virtual void sampled(const Sample&) {}
   virtual void pin_changed(Pin, const PinDrive&, SimTime) {}
   virtual void byte_sent(std::uint8_t, SimTime) {}
-  /// Whether the three below are wanted; asked once.
+  /// Returns whether it needs the three functions below; asked once.
   virtual bool wants_inputs() const { return false; }
-  /// What the firmware found on a pin, or an edge that reached an interrupt; see InputWatcher for the order.
+  /// Reports a level that the firmware read on a pin, or an edge that reached an interrupt. See InputWatcher
+  /// for the order.
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
   virtual void happened(const wire::RunEvent&) {}
-  /// Whether it minds that, of several robots that have nothing to do with each other, one's pins and bytes
-  /// of up to 100 ms are told before another's; samples and events come in the order of time all the same.
-  /// Asked once.
+  /// Returns whether the order of independent robots matters. If not, up to 100 ms of one robot's pins and
+  /// bytes may be reported before another's. Samples and events are sorted by time in any case. Asked once.
   virtual bool minds_turns() const { return true; }
 };
 
 /// One robot: its firmware, its start, its goal, and its script.
 struct AgentSetup {
   const robot::Description* robot = nullptr;
-  exec::Executor* executor = nullptr;  ///< of its own, and of this run only
+  exec::Executor* executor = nullptr;  ///< its own, for this run only
   std::optional<grid::Start> start;    ///< else the map's
   std::optional<judge::Goal> goal;     ///< else the map's
   std::vector<scenario::Step> scenario;
@@ -96,21 +96,21 @@ constexpr SimTime kLoading = -1;
 
 struct Setup {
   const grid::Map* map = nullptr;
-  /// Of the map; the first simulation takes it, and the next ones make their own. May be null.
+  /// The map's scenery. The first simulation takes it, and the next ones make their own. May be null.
   std::unique_ptr<Scenery>* scenery = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one
   SimTime limit = kDefaultLimit;   ///< simulated
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
   SimTime samples_every = 0;    ///< a multiple of the tick; 0 = no samples
-  bool detect = false;          ///< detectors watch
-  bool leaves_rest_out = true;  ///< of robots at rest, without a trace (resting.cpp); tests try it without
-  bool takes_turns = true;      ///< of robots that are apart, without a trace; the same
+  bool detect = false;          ///< turns on detectors
+  bool leaves_rest_out = true;  ///< for robots at rest, with equal results (resting.cpp); tests turn it off
+  bool takes_turns = true;      ///< for robots that are apart, with equal results; likewise
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
-  /// Is told how far the run has come, for watchdogs: kLoading before any firmware is loaded. May be null.
+  /// Receives how far the run has come, for watchdogs: kLoading before any firmware is loaded. May be null.
   std::atomic<SimTime>* reached = nullptr;
-  std::atomic<int>* acting = nullptr;  ///< is told whose firmware runs; may be null
+  std::atomic<int>* acting = nullptr;  ///< receives the number of the running firmware; may be null
 };
 
 /// The set-up of one agent is invalid.
@@ -118,41 +118,41 @@ class BadAgent : public InputError {
  public:
   BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
   int agent;       ///< its number
-  int other = -1;  ///< the one that it starts on; -1 = it is not about another
+  int other = -1;  ///< the one that it starts on; -1 = the error involves one agent
 };
 
 /// A run that can pause between two ticks, be saved there, and continue from there any number of times.
 class Simulation {
  public:
-  /// A moment of a simulation: a value, valid as long as the simulation that gave it.
+  /// A moment of a simulation: a value, valid as long as the simulation that made it.
   class Snapshot;
 
-  /// Switches the firmware on. Throws InputError if the set-up, which must outlive this, makes no sense: of
-  /// several agents a BadAgent (start off the line or on top of another, unknown parts …).
+  /// Switches the firmware on. The set-up must outlive this. Throws InputError if it is invalid (start off
+  /// the line or on top of another, unknown parts …). For several agents it is a BadAgent.
   explicit Simulation(const Setup& setup);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// How far it has come: a whole number of ticks.
+  /// Returns how far it has come: a whole number of ticks.
   SimTime now() const;
-  /// Whether each agent has its verdict, or the set-up's time is up.
+  /// Returns whether each agent has its verdict, or the set-up's time is up.
   bool is_over() const;
-  /// Goes on until now() is `t` or later, or it is over.
+  /// Continues until now() is `t` or later, or the run is over.
   void run_until(SimTime t);
   /// Adds steps to the end of the first robot's script, between two ticks. Throws InputError as a script
   /// does.
   void add(std::vector<scenario::Step> steps);
-  /// Ends the run here: who has no verdict yet has used up the time. Those of all agents, in their order.
+  /// Ends the run here: agents without a verdict have used up the time. Returns the outcomes of all agents,
+  /// in their order.
   std::vector<judge::Outcome> end();
 
-  /// All that changes: the chips with their boards, robots, world, scripts, goals, judges and trace hashes.
-  /// Throws InputError where an executor cannot be saved: on the target host. A debugger and what it has set
-  /// are no part of it.
+  /// Saves all changing state: the chips with their boards, robots, world, scripts, goals, judges and trace
+  /// hashes. Throws InputError if an executor cannot be saved: on the target host. A debugger and its
+  /// settings are not included.
   Snapshot save() const;
-  /// Goes on from there as it did after save(), also from behind its end(), or where something was thrown out
-  /// of run_until(). What listeners have heard since
-  /// is not taken back: they hear it again.
+  /// Continues from there as after save(), also after end() or an exception from run_until(). Reports to
+  /// listeners since then are not withdrawn: they are repeated.
   void restore(const Snapshot& snapshot);
 
  private:

@@ -31,7 +31,7 @@ struct Leg {
 struct State {
   SimTime t = 0;
   int stop = -1;  ///< which of the leg's stops was met; -1 = none, its time is up
-  /// Of the leg: when and where the cross-track error was the largest. Every tick counts.
+  /// For the leg: when and where the cross-track error was the largest. Every tick counts.
   double worst_cross_track = 0.0;  ///< m
   SimTime worst_t = 0;
   Vec2 worst_at;  ///< the axle's centre, m
@@ -48,14 +48,14 @@ class Standstill {
   virtual int agent_count() const = 0;
   virtual const State& state(int agent = 0) const = 0;
   virtual const Sample& sample(int agent = 0) const = 0;
-  /// What it came to, if it has its verdict while others go on; else null.
+  /// Returns the outcome of an agent that has its verdict while others continue; else null.
   virtual const judge::Outcome* outcome(int agent = 0) const = 0;
-  /// The firmware's non-volatile memory, all of it.
+  /// Returns the whole non-volatile memory of the firmware.
   virtual std::vector<std::uint8_t> eeprom(int agent = 0) const = 0;
-  /// Adds steps to an agent's script; what is due now happens as soon as the run goes on. Throws InputError,
-  /// and adds none, for names that do not exist.
+  /// Adds steps to an agent's script; steps that are due now run as soon as the run continues. Throws
+  /// InputError, and adds none, for unknown names.
   virtual void add(std::vector<scenario::Step> steps, int agent = 0) = 0;
-  /// Throws InputError if a stop makes no sense here.
+  /// Throws InputError if a stop is invalid here.
   virtual void check(const Leg& leg) const = 0;
 
  protected:
@@ -65,7 +65,7 @@ class Standstill {
 class StepController {
  public:
   virtual ~StepController() = default;
-  /// Called at t = 0 and whenever a leg has ended, also by the verdict of one robot while others go on.
+  /// Called at t = 0 and whenever a leg has ended, also by the verdict of one robot while others continue.
   virtual Leg next(Standstill& standstill) = 0;
 };
 

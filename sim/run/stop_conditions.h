@@ -16,27 +16,27 @@ namespace robosim::run {
 
 class StopConditions {
  public:
-  /// What there is to look at; all of it outlives this.
+  /// The state that stops examine; all of it outlives this.
   struct Scene {
     const std::string& serial;
     const judge::Progress& progress;
     const world::Body& body;
     const robot::Robot& robot;
     const RobotPort& board;
-    int agent;  ///< stops about others are left to theirs
+    int agent;  ///< stops about other agents are checked by theirs
   };
 
   explicit StopConditions(const Scene& scene) : scene_(scene) {}
 
-  /// Throws InputError for a stop that names what does not exist.
+  /// Throws InputError for a stop with an unknown name.
   void check(const Leg& leg) const;
-  /// A checked leg begins at `t`.
+  /// Begins a checked leg at `t`.
   void begin(const Leg& leg, SimTime t);
   void pin_changed(Pin pin, const PinDrive& drive);
   void happened(const wire::RunEvent& event);
-  /// Called with the time at the end of a tick: whether the leg ends here.
+  /// Returns whether the leg ends here. Called with the time at the end of a tick.
   bool look(SimTime t);
-  /// Of the leg that has ended: the number of the first stop that was met, or -1.
+  /// Returns the number of the first stop that ended the leg, or -1.
   int met() const { return state_.met; }
 
   struct Watch {
@@ -45,11 +45,11 @@ class StopConditions {
     std::size_t station = 0;  ///< index into Progress::stations()
     Pin pin = kNoPin;
     std::optional<LinePattern> line;
-    std::size_t searched = 0;  ///< bytes of the serial text that are done with
+    std::size_t searched = 0;  ///< bytes of the serial text that are searched already
     SimTime rest_since = 0;
     bool met = false;
   };
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::vector<Watch> watches;
     SimTime until = 0;

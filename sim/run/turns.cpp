@@ -1,4 +1,4 @@
-// Turns of several ticks, of robots that are apart from all others (simulation.h).
+// Turns of several ticks, for robots that are apart from all others (simulation.h).
 #include <algorithm>
 #include <tuple>
 
@@ -7,12 +7,12 @@
 namespace robosim::run {
 namespace {
 
-constexpr SimTime kTurn = 5 * kRestSpan;  // at most: so that robots need not be far apart
+constexpr SimTime kTurn = 5 * kRestSpan;  // an upper limit: so that robots need not be far apart
 
 }  // namespace
 
-// Until when robots that are apart may go on from `t`, each by itself: up to then no script does anything,
-// and nobody wants to see all of them at one time. `t`: not at all.
+// Returns until when robots that are apart may run independently from `t`. Before that no script acts, and no
+// observer needs all of them at one time. Returns `t` if they may not.
 SimTime Simulation::Inside::turns_end(SimTime t, SimTime end) const {
   if (wants_to_stop()) return t;
   SimTime until = std::min(end, t - t % kTurn + kTurn);
@@ -20,9 +20,9 @@ SimTime Simulation::Inside::turns_end(SimTime t, SimTime end) const {
   return until;
 }
 
-// The same as ticks from `t` up to `end`, or less: those that are apart from all others go there one by one,
-// then the others in step. So a robot's state and its copy of the firmware are used again while they are in
-// caches. False, and nothing is done, where they are not apart.
+// Runs the ticks from `t` up to `end`, or fewer. Robots that are apart from all others run one by one, then
+// the others in lockstep. So a robot's state and its copy of the firmware are reused while they are in
+// caches. Returns false, without effect, if no robots are apart.
 bool Simulation::Inside::take_turns(SimTime t, SimTime end) {
   if (end < t + 2 * kTick) return false;
   const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
