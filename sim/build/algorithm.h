@@ -10,7 +10,8 @@ namespace robosim::build {
 /// A shared object that is deleted together with this.
 class Algorithm {
  public:
-  /// Throws InputError (no such file), CompileError with the compiler's words, or ToolMissing.
+  /// Compiles `source`. Throws InputError (no such file), CompileError with the compiler's messages, or
+  /// ToolMissing.
   explicit Algorithm(const std::filesystem::path& source);
   std::filesystem::path shared_object() const { return folder_.path() / "algorithm.so"; }
 

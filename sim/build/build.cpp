@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One build: what has been found and made so far.
+/// The state of one build.
 class Build {
  public:
   Build(const Sketch& sketch, const Toolchain& toolchain, const Cache& cache, const LibraryFinder& finder,
@@ -38,7 +38,7 @@ class Build {
     shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
   }
 
-  /// Compiles and links; gives the image, in the linker's scratch folder.
+  /// Compiles and links; returns the image, in the linker's scratch folder.
   fs::path image() {
     const Object core = core_object(toolchain_, cache_, work_);
     inputs_.files = core.inputs;
@@ -47,7 +47,7 @@ class Build {
     std::vector<fs::path> objects = linked_objects();
     for (const Object& object : objects_)
       for (const fs::path& input : object.inputs) inputs_.files.push_back(input);
-    // hal/host's constructors run first; an archive gives what those before it have left open.
+    // hal/host's constructors run first; an archive resolves symbols of the objects before it.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.scratch() / (std::string("image") + toolchain_.target.image_ending);
     const auto names = names_of_folders(sketch_, libraries_, toolchain_, image.parent_path());
@@ -66,11 +66,11 @@ class Build {
   const Inputs& inputs() const { return inputs_; }
   const std::vector<Library>& libraries() const { return libraries_; }
   const std::string& messages() const { return messages_; }
-  /// gcov's, of each of the sketch's own sources.
+  /// Returns gcov's notes on each of the sketch's own sources.
   const std::vector<BundledFile>& notes() const { return notes_; }
 
  private:
-  /// All objects, those of a library that wants it so as an archive.
+  /// Returns all objects; those of a library become an archive if it requests that.
   std::vector<fs::path> linked_objects() {
     std::vector<fs::path> linked;
     for (const Object& object : objects_)
@@ -87,7 +87,7 @@ class Build {
     return linked;
   }
 
-  /// None reads what another one wrote except `objects`.
+  /// No command reads another one's output except `objects`.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
@@ -102,7 +102,7 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// `fail` throws. A library may have more for an AVR: declarations, too, that the sketch misses.
+  /// `fail` throws. A library may have more for an AVR, including declarations that the sketch needs.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -114,7 +114,7 @@ class Build {
     }
   }
 
-  /// Does not return: other registers may help a program that keeps the address of one, and a library.
+  /// Does not return: other registers may help a program that stores the address of one, or a library.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw TryAgain{Registers::memory};
@@ -153,7 +153,7 @@ class Build {
     return {name_of(sketch_, unit), path, std::move(inputs), unit.archived ? unit.place : ""};
   }
 
-  // The .ino files, joined and with prototypes. Preprocessing finds the libraries they include, one at a
+  // Joins the .ino files and adds prototypes. Preprocessing finds the libraries that they include, one at a
   // time.
   Unit ino_unit() {
     const std::string whole = join_inos(sketch_);
@@ -185,11 +185,11 @@ class Build {
     Unit unit;
     std::string key;
     std::size_t slot;            ///< in objects_
-    fs::path compiled, object;   ///< the same where it is not compiled through assembly
+    fs::path compiled, object;   ///< equal unless compiled through assembly
     bool keeps_address = false;  ///< of a register that has none
   };
 
-  /// Gives the units that are to be compiled again, because they need a library that was found only now.
+  /// Returns the units to compile again, because they need a library that was found only now.
   std::vector<Unit> compile(std::vector<Unit> units) {
     std::vector<Command> commands;
     std::vector<Job> jobs;
@@ -236,7 +236,7 @@ class Build {
     return again;
   }
 
-  /// The second half of a compilation, for those that have succeeded so far.
+  /// Runs the second half of a compilation, for the units that have succeeded so far.
   void assemble(std::vector<Job>& jobs, std::vector<CommandResult>& results) {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
@@ -260,8 +260,8 @@ class Build {
     }
   }
 
-  /// Throws, as an internal error, if the assembler takes the compiler's assembly and only refuses our
-  /// changes to it: then it is not the sketch's fault.
+  /// Throws an internal error if the assembler accepts the compiler's assembly and refuses only our changes.
+  /// It is not the sketch's fault.
   void check_changes(const Job& job, const std::string& messages) {
     const fs::path assembly = compiled_assembly(job.compiled), object = work_.scratch() / "unchanged.o";
     if (run_walled({assemble_command(toolchain_, assembly, object)}, {assembly})[0].status == 0)
@@ -287,7 +287,7 @@ class Build {
     if (!message.empty()) messages_ += message + '\n';
   }
 
-  /// True if the compilation failed for a header whose library has now been added.
+  /// Returns true if the compilation failed for a header whose library has now been added.
   bool add_library_for(const CommandResult& failed) {
     Place place;
     const std::string header = missing_header(failed.output, &place);
@@ -318,7 +318,7 @@ class Build {
   int count_ = 0;
 };
 
-/// Gives the build and its image: with the first kind of registers that suits the program.
+/// Returns the build and its image: with the first kind of registers that suits the program.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
   std::exception_ptr otherwise;

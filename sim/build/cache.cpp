@@ -33,7 +33,7 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-/// Whether only the system's administrator, or the user who installed Robosim, writes the file.
+/// Returns whether only the system's administrator, or the user who installed Robosim, can write the file.
 bool is_installed(const fs::path& path, const fs::path& cache) {
   static const fs::path data = data_folder();
   const std::string name = path.string();
@@ -108,9 +108,9 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
-/// What another user owns may hold images of theirs, and what is made in it they could not use.
+/// A folder of another user may hold images of theirs, and they could not use images made in it.
 bool usable(const fs::path& folder) {
-  if (!is_utf8(folder.string())) return false;  // runners are told where images are, in JSON
+  if (!is_utf8(folder.string())) return false;  // runners get the paths of images in JSON
   std::error_code error;
   fs::create_directories(folder, error);
   struct stat info {};
@@ -127,7 +127,8 @@ void remove_old(const fs::path& folder) {
   }
 }
 
-/// Locked; not open where it is gone, the file system has no locks or, without waiting, others hold it.
+/// Returns the folder locked. Not open if it is gone, the file system has no locks or, without waiting,
+/// another process holds it.
 Descriptor hold(const fs::path& folder, int how) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   while (held.is_open() && ::flock(held.get(), how) != 0)
@@ -135,7 +136,7 @@ Descriptor hold(const fs::path& folder, int how) {
   return held;
 }
 
-/// Folders of processes that have ended without removing them.
+/// Removes folders of processes that have ended without doing so.
 void remove_unheld(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -145,7 +146,7 @@ void remove_unheld(const fs::path& folder) {
   }
 }
 
-/// All below the cache's folder is the cache's: a folder goes where a file is due.
+/// The cache owns everything below its folder: removes a folder at the place of a file.
 const fs::path& make_way(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(fs::symlink_status(file, error))) fs::remove_all(file, error);
@@ -212,7 +213,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     if (kind == "end") complete = true;
   }
   if (!complete || entry.result.empty()) return std::nullopt;
-  // In use: keep both from being removed as old.
+  // In use: protects both from removal as old.
   std::error_code none;
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(file, now, none);
@@ -264,7 +265,7 @@ WorkFolder::WorkFolder(const Cache& cache) {
     if (!fs::create_directory(path_)) continue;
     held_ = hold(path_, LOCK_SH);
     std::error_code error;
-    if (fs::exists(path_, error)) return;  // else another process was quick to remove it
+    if (fs::exists(path_, error)) return;  // else another process removed it first
   }
 }
 

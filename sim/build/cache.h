@@ -1,7 +1,8 @@
-// A cache of build results, by content. An entry remembers every file that was read for it, by content, and
-// every folder whose list of names mattered; it is valid as long as they are the same. File times do not
-// matter. Keys, names of results and files that a stranger can write are hashed by SHA-256. XXH3 takes a
-// tenth of the time, and is for the files of Robosim and of the system, and to find a result that is torn.
+// A cache of build results, by content. An entry records every file that was read for it, by content, and
+// every folder whose list of names mattered. It is valid while they are unchanged. File times do not matter.
+//
+// Keys, names of results and files that a stranger can write are hashed by SHA-256. XXH3 takes a tenth of the
+// time. It is for the files of Robosim and of the system, and to detect incomplete results.
 //
 // Safe for concurrent processes: files appear by rename, and a result's name contains its content's hash.
 #pragma once
@@ -20,25 +21,25 @@ namespace robosim::build {
 
 struct Inputs {
   std::vector<std::filesystem::path> files;
-  std::vector<std::filesystem::path> folders;  ///< may be absent: their absence is remembered
+  std::vector<std::filesystem::path> folders;  ///< may be absent: their absence is recorded
 };
 
 struct Entry {
   std::filesystem::path result;
-  std::map<std::string, std::string> facts;  ///< whatever the caller wants to keep with the result
+  std::map<std::string, std::string> facts;  ///< the caller's data about the result
 };
 
-/// How the names of folders in the cache begin that hold links to installed files.
+/// Prefix of the folders in the cache that hold links to installed files.
 constexpr const char* kStage = "stage-";
 
-/// Text of a key: no two lists of words have the same.
+/// Returns the text of a key: different lists of words have different texts.
 std::string key_of(const std::vector<std::string>& words);
 
 class Cache {
  public:
   explicit Cache(std::filesystem::path folder);
 
-  /// The entry for `key`, if all its inputs and its result are as they were.
+  /// Returns the entry for `key`, if all its inputs and its result are unchanged.
   std::optional<Entry> find(const std::string& key) const;
 
   /// Writes the content of a result into the cache, under its readable name ("PidFollower.so") and hash.
@@ -52,7 +53,7 @@ class Cache {
   std::filesystem::path folder_;
 };
 
-/// Held by one process at a time, so that what takes seconds is done once. Released at the end of its scope,
+/// A lock that one process holds at a time, so that slow work is done once. Released at the end of its scope,
 /// and by a process that dies.
 class CacheLock {
  public:
@@ -62,8 +63,8 @@ class CacheLock {
   Descriptor lock_;
 };
 
-/// A new, empty folder for work, on the cache's file system. It is removed with all that is in it, by the
-/// next one if its process is killed.
+/// A new, empty folder for work, on the cache's file system. It is removed with all its content, by the next
+/// one if its process is killed.
 class WorkFolder {
  public:
   explicit WorkFolder(const Cache& cache);
@@ -72,11 +73,11 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
-  /// The folder of what compilers read and this process writes.
+  /// Returns the folder that compilers read and this process writes.
   std::filesystem::path given() const;
   /// Puts a result of the cache into it; returns its path there.
   std::filesystem::path give(const std::filesystem::path& result) const;
-  /// A new folder, the only one that one compiler may write.
+  /// Returns a new folder, the only one that one compiler may write.
   std::filesystem::path scratch();
 
  private:
@@ -85,7 +86,7 @@ class WorkFolder {
   int scratch_folders_ = 0;
 };
 
-/// The content of a file that a compiler wrote, which need not have ended. Throws InputError if it is not a
+/// Returns the content of a file that a compiler wrote, complete or not. Throws InputError if it is not a
 /// regular file: a link could lead anywhere.
 std::string read_made(const std::filesystem::path& file);
 

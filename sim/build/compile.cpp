@@ -32,10 +32,10 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard: {  // the compiler's own choice leaves these out; slips_of() takes the slips
-      if (unit.kind == Unit::Kind::library) return {"-w"};  // nobody who uses one can do anything about them
+    case Warnings::standard: {  // not among the compiler's defaults; slips_of() selects the slips
+      if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
-      // avr-gcc 5 has none of a forgotten break. Any comment where it is left out keeps gcc silent.
+      // avr-gcc 5 has no warning for a forgotten break. Any comment in its place silences gcc.
       if (toolchain.target.native) words.emplace_back("-Wimplicit-fallthrough=1");
       if (toolchain.sanitize) append(words, toolchain.target.sanitizer.warnings);
       return words;
@@ -48,7 +48,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
-/// A macro that gives for the number of a pin what `of` does, which is mostly `otherwise`.
+/// Defines a macro that maps a pin's number to the result of `of`, which is `otherwise` for most.
 template <typename Of>
 std::string pin_macro(const char* name, const BoardSpec& board, const char* otherwise, Of of) {
   std::string text = otherwise;
@@ -58,7 +58,7 @@ std::string pin_macro(const char* name, const BoardSpec& board, const char* othe
   return fmt::format("-D{}(p)=({})", name, text);
 }
 
-/// What our headers and the host's core take from the board when they are compiled (hal/host/chip.h,
+/// Returns the board's values that our headers and the host's core need at compile time (hal/host/chip.h,
 /// hal/arduino/pins_arduino.h).
 std::vector<std::string> host_definitions(const BoardSpec& board) {
   const BoardSpec& model = host_model(board);
@@ -87,7 +87,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
   }
   words.push_back(
       pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
-  // Where the chip's own are not known, those of the board that stands in for it.
+  // If the chip's own are unknown, uses those of its substitute board.
   const BoardSpec& buses = board.chip->spi.address ? board : model;
   const auto pin_of = [&](const char* name, const char* chip_name) {
     words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));
@@ -105,7 +105,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
-  // A build does not depend on when it is made, nor on when a file was written.
+  // A build depends neither on its own time, nor on the times of files.
   append(words, {"-Wno-builtin-macro-redefined", "-D__DATE__=\"Jan  1 1970\"", "-D__TIME__=\"00:00:00\"",
                  "-D__TIMESTAMP__=\"Thu Jan  1 00:00:00 1970\""});
   append(words, toolchain.target.definitions);
@@ -117,7 +117,7 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
   return words;
 }
 
-/// Adds options that take names of this machine out. The last map that fits wins.
+/// Adds options that remove names of this machine. The last matching map wins.
 void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain, const Core::Names& places) {
   const auto map = [&](const fs::path& from, const std::string& to) {
     words.push_back(fmt::format("{}={}={}", toolchain.target.prefix_map, from.string(), to));
@@ -127,7 +127,7 @@ void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain
   for (const auto& [folder, name] : places) map(folder, name);
 }
 
-/// Of a library's folder with its headers: "libraries/Servo", "libraries/Servo/src".
+/// Returns the name of a library's folder with headers: "libraries/Servo", "libraries/Servo/src".
 std::string place_of_headers(const fs::path& folder) {
   const std::string name = folder.filename().string();
   return "libraries/" + (name == "src" ? (folder.parent_path().filename() / name).string() : name);
@@ -138,7 +138,7 @@ Core::Names places_of(const Unit& unit) {
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
       places.emplace_back(folder, place_of_headers(folder));
-  // Compilers work in the unit's folder: readers put its name before that of a file, so it is left out there.
+  // Compilers work in the unit's folder: readers put its name before a file's, so it is removed there.
   const bool core = unit.kind == Unit::Kind::core;
   places.emplace_back(unit.folder, core ? unit.place : ".");
   if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
@@ -150,7 +150,7 @@ void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, con
   const Sanitizer& sanitizer = toolchain.target.sanitizer;
   if (unit.kind != Unit::Kind::core) {
     append(words, sanitizer.undefined);
-    // gcc watches memory for one purpose at a time.
+    // gcc can instrument memory for only one purpose.
     if (toolchain.registers == Registers::objects) append(words, sanitizer.addresses);
   } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
     append(words, sanitizer.definitions);
@@ -165,10 +165,10 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
   if (unit.kind == Unit::Kind::core) append(words, counting.definitions);
 }
 
-/// Macros, and where headers are.
+/// Adds macros, and the folders of headers.
 void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   append(words, definitions(toolchain));
-  // gcc loads a precompiled header, Foo.h.gch, only where Foo.h is the first that a source includes.
+  // gcc loads a precompiled header, Foo.h.gch, only if Foo.h is the first that a source includes.
   append(words, {"-include", (data_folder() / "hal/arduino/first_include.h").string()});
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
@@ -201,8 +201,8 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   return words;
 }
 
-/// Compilers take a word with '-' for an option and a word with '@' for a file of more options. They also
-/// pass the last part of a source's name on as a word of its own (-dumpbase).
+/// Compilers treat an argument with '-' as an option, and one with '@' as a file of more options. They also
+/// pass the last part of a source's name on as a separate argument (-dumpbase).
 void check_name(const std::string& source) {
   for (const std::string& word : {source, fs::path(source).filename().string()})
     if (word.starts_with('-') || word.starts_with('@'))
@@ -312,7 +312,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   append(words, toolchain.core.machine);
   if (toolchain.target.chip) {
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
-    // From gcc 10 on it puts the way from the linker's folder to the compiler's before a name.
+    // From gcc 10 on it puts the path from the linker's folder to the compiler's before a name.
     std::error_code error;
     for (const auto& [folder, name] : places) {
       const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();

@@ -34,7 +34,7 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
   return unit;
 }
 
-/// Runs them within walls: a project's -D can make the core's own lines read any file. Gives the last output.
+/// Runs them confined: a project's -D can make the core's own lines read any file. Returns the last output.
 std::string run_checked(const Toolchain& toolchain, std::vector<Command> commands) {
   std::string output;
   for (CommandResult& result : run_within(read_by_all(toolchain, {}), std::move(commands))) {
@@ -49,7 +49,7 @@ std::string run_checked(const Toolchain& toolchain, std::vector<Command> command
   return output;
 }
 
-// Only what is defined: an undefined symbol must still be found, or the link fail.
+// Only defined symbols: an undefined one must still be found, or the link fails.
 void weaken(const Toolchain& toolchain, const fs::path& object) {
   const fs::path work = object.parent_path();
   const auto tool = [&](const char* name) {

@@ -32,7 +32,7 @@ FileCoverage& file_of(Coverage& coverage, const fs::path& path) {
   return *at;
 }
 
-/// Names of the sketch's own files, as gcc has them.
+/// Returns the names of the sketch's own files, as in gcc's output.
 std::vector<std::string> own_files(const Sketch& sketch) {
   std::vector<std::string> names;
   for (const auto* group : {&sketch.inos, &sketch.sources, &sketch.headers})
@@ -40,7 +40,7 @@ std::vector<std::string> own_files(const Sketch& sketch) {
   return names;
 }
 
-/// What gcov says of one source and its counters. A line of a template, or of a header, may be there more
+/// Adds gcov's report on one source and its counters. A line of a template, or of a header, may appear more
 /// than once.
 void add_report(Coverage& coverage, const Sketch& sketch, const std::string& report) {
   const std::vector<std::string> own = own_files(sketch);
@@ -59,7 +59,7 @@ void add_report(Coverage& coverage, const Sketch& sketch, const std::string& rep
   }
 }
 
-/// Held by one process at a time, until the end of its scope.
+/// A lock for one process at a time, until the end of its scope.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
@@ -83,12 +83,12 @@ std::vector<fs::path> info_files(const fs::path& folder) {
 
 std::string short_hash(const std::string& text) { return sha256(text).substr(0, 8); }
 
-/// "12-14, 30"
+/// Returns "12-14, 30"
 std::string ranges(const std::vector<int>& lines, const std::map<int, std::uint64_t>& all) {
   std::string text;
   for (std::size_t i = 0; i < lines.size();) {
     std::size_t last = i;
-    // Lines without code between two that never ran do not part them.
+    // Lines without code between two that never ran do not separate them.
     while (last + 1 < lines.size() && std::next(all.find(lines[last]))->first == lines[last + 1]) ++last;
     text += text.empty() ? "" : ", ";
     text += last == i ? fmt::format("{}", lines[i]) : fmt::format("{}-{}", lines[i], lines[last]);
@@ -107,7 +107,7 @@ Number number(std::string_view& text) {
   return value;
 }
 
-/// What an emulated chip has counted: "LINE COUNT FILE".
+/// Reads an emulated chip's counts: "LINE COUNT FILE".
 Coverage read_line_counts(const Sketch& sketch, const std::vector<BundledFile>& counters) {
   const std::vector<std::string> own = own_files(sketch);
   Coverage coverage;
@@ -134,7 +134,7 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
   const fs::path gcov = find_tool(target, {"gcov", "gcc"});
   const std::vector<BundledFile> notes = unpack(read_file(image.notes));
   Coverage coverage;
-  // Each power cycle has counters of its own; a source that never ran may have none.
+  // Each power cycle has its own counters; a source that never ran may have none.
   std::vector<BundledFile> pending = unpack(counters);
   do {
     const WorkFolder work(cache);
@@ -224,7 +224,7 @@ Coverage add_to_folder(const fs::path& folder, const Request& request, const Ima
   const fs::path runs = folder / "runs";
   fs::create_directories(runs);
   const FolderLock lock(folder);
-  // One sketch of that name and folder, in one version, in one run.
+  // Identifies one sketch of that name and folder, in one version, in one run.
   const std::string sketch =
       fmt::format("{}-{}-", image.name, short_hash(read_sketch(request.sketch).folder.string()));
   const std::string version = sketch + image.sketch_sha256.substr(0, 8);

@@ -1,6 +1,6 @@
-// Which lines of a sketch ran. For the host the image is compiled with gcc's counters (Request::coverage), a
-// runner returns their values after a run, and gcov maps them to lines; of a chip the runner counts, and
-// returns lines. The result is kept in lcov's format.
+// Measures which lines of a sketch ran. For the host, gcc's counters are compiled into the image
+// (Request::coverage). A runner returns their values after a run, and gcov maps them to lines. For a chip the
+// runner counts, and returns lines. The result is stored in lcov's format.
 //
 //   Request request{…}; request.coverage = true;
 //   const Image image = build(request);
@@ -20,7 +20,7 @@
 
 namespace robosim::build {
 
-/// A file of the sketch's own: libraries and the core are not counted.
+/// A file of the sketch itself: libraries and the core are not counted.
 struct FileCoverage {
   struct Function {
     int line = 0;
@@ -33,32 +33,33 @@ struct FileCoverage {
   bool operator==(const FileCoverage&) const = default;
 };
 
-/// Sorted by their names.
+/// Sorted by name.
 using Coverage = std::vector<FileCoverage>;
 
-/// What `counters`, as a runner gives them, say about an image built by `request`. Throws ToolMissing without
-/// gcov, InputError if they belong to another image.
+/// Returns the coverage from a runner's `counters`, for an image built by `request`. Throws ToolMissing
+/// without gcov, InputError if they belong to another image.
 Coverage read_coverage(const Request& request, const Image& image, const std::string& counters);
 
-/// Adds `more`, count by count.
+/// Adds the counts of `more`.
 void add(Coverage& sum, const Coverage& more);
 
-/// To and from lcov's tracefile format, which genhtml and others read. Throws InputError if the text is not
-/// one.
+/// Convert to and from lcov's tracefile format, which genhtml and others read. Throws InputError if the text
+/// is not in that format.
 std::string to_info(const Coverage& coverage);
 Coverage parse_info(const std::string& text, const std::filesystem::path& file);
 
-/// Keeps a run's coverage as `folder`/runs/….info under a name made of the sketch and of the run's
-/// `description`: the same run counts once, however often it is made. Then writes the sum of all runs
-/// there to `folder`/coverage.info, and gives it. Runs of an older version of the same sketch are removed.
-/// Processes may do that side by side. Throws InputError if the folder cannot be written.
+/// Stores a run's coverage as `folder`/runs/….info, under a name made from the sketch and the run's
+/// `description`. So the same run counts once, even if it is repeated. Then writes the sum of all runs there
+/// to `folder`/coverage.info, and returns it. Runs of an older version of the same sketch are removed. Safe
+/// for concurrent processes. Throws InputError if the folder cannot be written.
 Coverage add_to_folder(const std::filesystem::path& folder, const Request& request, const Image& image,
                        const Coverage& coverage, const std::string& description);
 
-/// A line for each file: "37 of 41 lines of MySketch.ino ran; never: 12-14, 30".
+/// Returns one line per file: "37 of 41 lines of MySketch.ino ran; never: 12-14, 30".
 std::string summary(const Coverage& coverage);
 
-/// `genhtml` (of the package lcov) makes `folder`/html from `folder`/coverage.info. False if it is not there.
+/// Runs `genhtml` (of the package lcov) to make `folder`/html from `folder`/coverage.info. Returns false if
+/// it is not installed.
 bool make_page(const std::filesystem::path& folder);
 
 }  // namespace robosim::build

@@ -26,7 +26,7 @@ std::optional<Division> division_in(std::string_view line) {
   return std::nullopt;
 }
 
-/// Of the accumulator of an x86-64, for operands of one width: `low` holds dividend and quotient, `high` the
+/// The accumulator of an x86-64, for operands of one width: `low` holds dividend and quotient, `high` the
 /// remainder.
 struct Accumulator {
   char width;  ///< the instructions' last letter
@@ -53,7 +53,7 @@ std::string division_of_x86(const Division& division, QuotientByZero quotient, i
   else
     text += fmt::format("\tmov{}\t$-1, %{}\n", a->width, a->low);
   text += fmt::format("\tjmp\t.Lrobosim_divided{0}\n.Lrobosim_divides{0}:\n", number);
-  if (division.is_signed)  // by -1 it overflows, and the processor raises a signal
+  if (division.is_signed)  // division by -1 overflows, and the processor raises a signal
     text += fmt::format(
         "\tcmp{0}\t$-1, {1}\n"
         "\tjne\t.Lrobosim_fits{2}\n"
@@ -66,7 +66,7 @@ std::string division_of_x86(const Division& division, QuotientByZero quotient, i
          fmt::format("\t{}\t{}\n.Lrobosim_divided{}:\n", division.instruction, division.operands, number);
 }
 
-/// Splits "w0, w1, w2"; nothing if there are not three registers of one width.
+/// Splits "w0, w1, w2"; returns nothing unless they are three registers of one width.
 std::optional<std::array<std::string_view, 3>> three_registers(std::string_view operands) {
   std::array<std::string_view, 3> registers;
   for (std::size_t i = 0; i < registers.size(); ++i) {

@@ -11,8 +11,8 @@
 // The most negative number divided by -1 is itself on both. arm has no instruction to divide: its function is
 // wrapped (hal/host/division.cpp).
 //
-// arm64 has no 16-bit division: gcc takes the one for 32 bits and does not cut its result, which fits except
-// after a division by zero. So a uint16_t by a uint16_t may be -1 there, instead of 65535, until it is
+// arm64 has no 16-bit division. gcc takes the one for 32 bits and does not truncate its result, which fits
+// except after a division by zero. So a uint16_t by a uint16_t may be -1 there, instead of 65535, until it is
 // stored.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What an ELF file says of itself: how large its code and variables are, and which absolute values it states.
+// Reads facts from an ELF file: the sizes of its code and variables, and the absolute values that it defines.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@ struct ElfSize {
   std::uint64_t initialised = 0;  ///< part of `data` that has initial values
 };
 
-/// What an AVR file has for EEPROM and fuses does not count.
+/// Does not count an AVR file's EEPROM and fuses.
 ElfSize elf_size(const ElfFile& file);
 
-/// A symbol that has a value and no place.
+/// A symbol with a value, but without an address.
 struct AbsoluteSymbol {
   std::string name;
   std::uint64_t value = 0;

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A product of an image, from the cache or made anew: the image's content is all that it depends on.
+/// Returns a product of an image, from the cache or newly made. It depends only on the image's content.
 fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
   const std::string key =
       key_of({"product", product.program.name, product.ending, entry.facts.at("image_sha256")});

@@ -1,4 +1,4 @@
-// Images that are in the cache: under which key, and what is made of them.
+// Images in the cache: their keys, and the products made from them.
 #pragma once
 
 #include <filesystem>
@@ -13,19 +13,19 @@
 
 namespace robosim::build {
 
-/// In keys: an untrusted sketch sees less.
+/// For keys: an untrusted sketch sees less.
 const char* seen_by(const Toolchain& toolchain);
-/// Of the image of a sketch whose libraries are looked for in `folders`.
+/// Returns the key of a sketch's image, with libraries from `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<std::filesystem::path>& folders);
-/// Whether a unit's object goes into the cache: not that of the joined .ino files, nor one with notes beside
-/// it.
+/// Returns whether a unit's object is cached: not that of the joined .ino files, nor one with a file of
+/// notes.
 bool is_cached(const Toolchain& toolchain, const Unit& unit);
 std::string unit_key(const Toolchain& toolchain, const Unit& unit);
-/// Of the notes of gcov on an image.
+/// Returns the key of gcov's notes on an image.
 std::string notes_key(const Entry& entry);
 
-/// What the entry of an image says, and the target's products, which are made if need be.
+/// Returns the image of an entry, with the target's products, which are made if necessary.
 Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
                bool from_cache);
 

@@ -17,7 +17,7 @@ constexpr const char* kBoards =
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
-/// The names between the quotes behind `behind`, as in "'A8' was not declared", each once.
+/// Returns the names in quotes after `behind`, as in "'A8' was not declared", each once.
 std::vector<std::string> all_quoted(const std::string& text, const char* behind) {
   std::vector<std::string> names;
   const std::string what = std::string("'") + behind;
@@ -30,7 +30,7 @@ std::vector<std::string> all_quoted(const std::string& text, const char* behind)
   return names;
 }
 
-/// The first of them; empty if there is none.
+/// Returns the first of them; empty if there is none.
 std::string quoted(const std::string& text, const char* behind) {
   const std::vector<std::string> names = all_quoted(text, behind);
   return names.empty() ? "" : names.front();
@@ -41,7 +41,7 @@ bool is_letter_and_digits(const std::string& name, char letter) {
          std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// "of the boards these have a pin A8: mega …"; `needs` says whether a board has it.
+/// Returns "of the boards these have a pin A8: mega …"; `needs` returns whether a board has it.
 template <typename Has>
 std::string boards_hint(const std::string& what, Has has) {
   std::vector<std::string> boards;
@@ -52,7 +52,7 @@ std::string boards_hint(const std::string& what, Has has) {
                      fmt::join(boards, ", "));
 }
 
-/// `missing` are the names that are not declared.
+/// `missing` are the undeclared names.
 std::string pin_hint(const std::string& name, const std::vector<std::string>& missing) {
   if (is_letter_and_digits(name, 'D'))
     return fmt::format("{} is a pin's name on an ESP8266; on Arduino's boards it is {}", name,
@@ -111,7 +111,7 @@ bool is_of_esp32(const std::string& name) {
 }  // namespace
 
 std::string hint_for(const std::string& messages) {
-  // Only the first error: those behind it often come of it.
+  // Only the first error: later ones often follow from it.
   const std::size_t first_error = messages.find("error:");
   const std::string first = messages.substr(0, messages.find("error:", first_error + 1));
   const std::string undeclared = quoted(first, " was not declared");

@@ -51,7 +51,7 @@ void take_sources(Library& library, const fs::path& folder) {
   }
 }
 
-/// Takes each folder once, whatever links lead to it, and none outside of the library.
+/// Adds each folder once, even if several links lead to it, and none outside of the library.
 void take_all_below(Library& library, const fs::path& folder, std::set<fs::path>& taken) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);
@@ -72,7 +72,7 @@ bool is_library(const fs::path& folder) {
          holds_headers(folder / "include");
 }
 
-/// The value of a key in a file such as library.properties; empty if there is none.
+/// Returns the value of a key in a file such as library.properties; empty if there is none.
 std::string property(const fs::path& file, const std::string& key) {
   if (!is_file(file)) return {};
   std::istringstream lines(read_file(file));
@@ -83,10 +83,10 @@ std::string property(const fs::path& file, const std::string& key) {
   return {};
 }
 
-// What the packages of the old IDE and of single libraries install.
+// The folder of Debian's packages of the old IDE and of single libraries.
 constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
 
-/// Where Arduino's IDE puts libraries: the sketchbook that its preferences name, and those it has by default.
+/// Adds the library folders of Arduino's IDE: of the sketchbook in its preferences, and its defaults.
 void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
   const fs::path snap = home / "snap/arduino/current";
   const auto add = [&](const fs::path& folder) {
@@ -129,7 +129,7 @@ Library read_library(const fs::path& folder) {
 
 constexpr int kUnlike = 2;
 
-// How well a library's name fits a header: 0 best.
+// Returns how well a library's name fits a header: 0 best.
 int rank(const Library& library, const std::string& header) {
   const std::string wanted = fs::path(header).stem().string();
   const std::string folder = library.folder.filename().string();

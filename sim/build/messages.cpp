@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// std::regex takes stack for each character that it looks at: no line is longer than this, nor all of them.
+// std::regex needs stack for each character, so the length of a line and of all lines is limited.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
 /// Returns whether the compiler or linker, and not a text of the sketch, has begun the line: "My.ino:3:5:
@@ -37,7 +37,7 @@ bool is_begun_by_compiler(std::string_view line) {
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 
-/// Indents other lines, which might read as if Robosim had written them.
+/// Indents other lines, which could be mistaken for Robosim's own.
 std::string with_texts_indented(const std::string& messages) {
   std::string shown;
   for (std::size_t at = 0; at < messages.size();) {
@@ -73,7 +73,7 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
   return found;
 }
 
-// Only the linker knows them, and names neither a file nor a line.
+// Only the linker knows them, and it names neither a file nor a line.
 void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
   static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");
   static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
@@ -105,7 +105,7 @@ void check_machine(const std::string& tool, const std::string& output) {
 }
 
 std::string missing_header(const std::string& whole, Place* place) {
-  // Only the line that says so: a search through all of them would take time by the square of their lengths.
+  // Searches only the relevant line: a search through all of them would take quadratic time.
   const std::size_t says = whole.find(": fatal error: ");
   if (says == std::string::npos) return {};
   const std::size_t begin = whole.rfind('\n', says) + 1;
@@ -161,7 +161,7 @@ std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, 
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, const std::string& messages) {
   std::string output = without_folders(toolchain, sketch, cut(messages));
-  // The linker's lines: only those that name a place in a source are of use.
+  // The linker's lines: only those with a place in a source are useful.
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");
   static const std::regex noise(
@@ -190,7 +190,7 @@ void check_seen(const fs::path& sketch, const Place& place, const std::string& h
   }
 }
 
-// What the walls around a compiler made of it.
+// Reports failures that the confinement of a compiler has caused.
 void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
   if (says("CPU time limit exceeded"))
@@ -213,7 +213,7 @@ void fail_at_walls(const std::string& messages) {
 
 namespace {
 
-/// Groups 2, 3 and 5 are file, line and column; 6 is where the message begins.
+/// Groups 2, 3 and 5 are file, line and column; the message begins at group 6.
 bool find_error(const std::string& messages, std::smatch& match) {
   static const std::regex error(
       R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
@@ -247,7 +247,7 @@ void fail(const Target& target, const std::string& messages) {
       throw CompileError("the compiler was stopped: expected at most 16 MB of messages, got more");
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!target.chip && std::regex_search(messages, match, assembler)) {
-      // gcc notes no place of an asm() outside of functions: then the file is the compiler's assembly.
+      // gcc notes no place for an asm() outside of functions: then the file is the compiler's assembly.
       const std::string file = match[1];
       const Place place = file.ends_with(".s") ? Place() : Place{file, std::stoi(match[2])};
       throw CompileError(

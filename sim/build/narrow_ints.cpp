@@ -7,7 +7,7 @@
 namespace robosim::build {
 namespace {
 
-/// The end of the comment, text or character that begins at `at`; `at` if none does.
+/// Returns the end of the comment, text or character that begins at `at`; `at` if none does.
 std::size_t end_of_passage(std::string_view source, std::size_t at) {
   const auto behind = [&](std::string_view end, std::size_t from) {
     const std::size_t found = source.find(end, from);

@@ -1,5 +1,5 @@
-// `int values[6];` handed to a `uint16_t*`: avr-gcc warns, for an int has 16 bits there; on the host it is an
-// error, and a conversion would be wrong.
+// Compiles `int values[6];` passed to a `uint16_t*`. avr-gcc only warns, since int has 16 bits there. On the
+// host it is an error, and a conversion would be wrong.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace robosim::build {
 
-/// Whether the messages say so.
+/// Returns whether the messages show that error.
 bool wants_narrow_ints(std::string_view messages);
 
-/// A sketch's source in which int has 16 bits, as on an AVR: `short` in its place, but in `long int`,
+/// Returns a sketch's source with an int of 16 bits, as on an AVR: `short` replaces it, except in `long int`,
 /// comments and texts.
 std::string with_narrow_ints(std::string_view source);
 

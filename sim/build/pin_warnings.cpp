@@ -72,7 +72,7 @@ bool is_name(const std::string& word) {
   return is_of_name(word[0]) && !std::isdigit(static_cast<unsigned char>(word[0]));
 }
 
-/// Variables that are set once, to a number.
+/// Returns variables that are set once, to a number.
 std::map<std::string, int> constants_in(const std::vector<Word>& words) {
   std::map<std::string, int> found;
   std::set<std::string> several;
@@ -86,7 +86,7 @@ std::map<std::string, int> constants_in(const std::vector<Word>& words) {
     const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
                          words[i - 2].text == words[i - 1].text;
     const bool shared = i > 0 && words[i - 1].text == "&";
-    // A parameter, a member or a local variable of the same name may hold anything.
+    // A parameter, a member or a local variable of the same name may hold any value.
     const bool declared = i > 0 && is_name(words[i - 1].text) &&
                           (next == "," || next == ")" || next == ";" || next == ":" || next == "[");
     if (counts || counted || shared || declared) several.insert(name);
@@ -111,7 +111,7 @@ constexpr std::array kFunctions = {
     Function{"analogRead", Use::analog},
 };
 
-/// The number of `pin` on the board, as the function takes it; kNoPin = it has none.
+/// Returns the number of `pin` on the board, as the function takes it; kNoPin = invalid.
 Pin pin_on(const BoardSpec& board, int pin, Use use) {
   if (use == Use::analog && pin < board.analog_pin_0) return find_pin(board, fmt::format("A{}", pin).c_str());
   return pin < board.pin_count ? static_cast<Pin>(pin) : kNoPin;
@@ -133,7 +133,7 @@ std::string pwm_pins(const BoardSpec& board) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// What is wrong with it; empty = nothing.
+/// Returns the problem with it; empty = none.
 std::string complaint(const BoardSpec& board, int number, Use use) {
   const Pin pin = pin_on(board, number, use);
   if (pin == kNoPin)
@@ -155,7 +155,7 @@ bool is_number(const std::string& word) {
   return !word.empty() && word.size() < 6 && word.find_first_not_of("0123456789") == word.npos;
 }
 
-/// analogWrite(PIN, 300) and analogWrite(PIN, -100), written so.
+/// Detects literal calls such as analogWrite(PIN, 300) and analogWrite(PIN, -100).
 std::string range_warning(const std::vector<Word>& words, std::size_t at) {
   if (words[at].text != "analogWrite" || words[at + 1].text != "(" || words[at + 3].text != ",") return "";
   std::size_t i = at + 4;
@@ -178,7 +178,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   const Word* first = nullptr;
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
     if (words[i].text != "Serial") continue;
-    if (words[i + 1].text != ".") return "";  // handed on to somebody who may begin it
+    if (words[i + 1].text != ".") return "";  // passed on to code that may begin it
     const std::string& call = words[i + 2].text;
     if (!first && (call == "print" || call == "println" || call == "write")) first = &words[i];
   }
@@ -211,7 +211,7 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
       if (!pin && argument[0] == 'A' && number_of(argument.substr(1)))
         if (const Pin named = find_pin(board, argument.c_str()); named != kNoPin) pin = named;
       if (!pin) continue;
-      // analogWrite() of all or nothing needs no PWM.
+      // analogWrite() with only 0 or 255 needs no PWM.
       const std::string value = i + 4 < words.size() ? words[i + 4].text : "";
       const bool plain = function.use == Use::pwm && (value == "0" || value == "255");
       const std::string wrong = complaint(board, *pin, plain ? Use::digital : function.use);

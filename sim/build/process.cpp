@@ -53,7 +53,7 @@ std::vector<std::string> clean_environment() {
   return kept;
 }
 
-/// The folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
+/// Returns the folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
 std::vector<fs::path> program_folders() {
   const char* path = std::getenv("PATH");
   std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
@@ -66,13 +66,13 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Nothing of the user's environment except where programs are: a sketch can make a compiler print the rest.
+/// Removes the user's environment except the path: a sketch can make a compiler print the rest.
 std::vector<std::string> walled_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
   return {
       "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
-      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // where the compiler is ccache: its own folder is not seen
+      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // if the compiler is ccache, which cannot see its folder
 }
 
 std::vector<char*> null_ended(const std::vector<std::string>& texts) {
@@ -82,7 +82,7 @@ std::vector<char*> null_ended(const std::vector<std::string>& texts) {
   return result;
 }
 
-/// As Child does it for a ChildStart, within walls. After the fork only what a signal handler may do.
+/// Starts a confined ChildStart, like Child. After the fork, only async-signal-safe calls.
 Child start_within(const Walls& walls, const ChildStart& start) {
   constexpr int kCannotStart = 127;
   const std::vector<std::string> settings = walled_environment(walls.scratch());
@@ -124,7 +124,7 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
   return {index, std::move(pipe.read), command.walls ? start_within(*command.walls, start) : Child(start)};
 }
 
-/// False at the end of the output.
+/// Returns false at the end of the output.
 bool read_some(int descriptor, std::string& output) {
   char buffer[16384];
   const ssize_t n = ::read(descriptor, buffer, sizeof buffer);
@@ -136,7 +136,7 @@ bool read_some(int descriptor, std::string& output) {
 
 std::vector<CommandResult> run(const std::vector<Command>& commands) {
   const std::vector<std::string> environment = clean_environment();
-  // Each compiler takes some 100 MB: no more than four, so that 1 GB of memory is enough.
+  // Each compiler takes some 100 MB: at most four, so that 1 GB of memory is enough.
   const std::size_t at_once = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
   std::vector<CommandResult> results(commands.size());
   std::vector<Running> running;

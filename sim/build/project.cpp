@@ -51,7 +51,7 @@ class Shared {
  public:
   Shared(fs::path folder, fs::path reach) : folder_(std::move(folder)), reach_(std::move(reach)) {}
 
-  /// What it is, what it includes, and so on.
+  /// Adds the file, the files that it includes, and so on.
   void look_at(const fs::path& file) {
     for (pending_.push_back(file); !pending_.empty();) {
       const fs::path next = std::move(pending_.back());

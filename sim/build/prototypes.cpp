@@ -38,7 +38,7 @@ int to_int(std::string_view text) {
   return value;
 }
 
-// `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`: the line and the file that follow.
+// Parses `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`: the line and file that follow.
 bool parse_marker(std::string_view line, int& number, std::string& file) {
   if (line.empty() || line[0] != '#') return false;
   line.remove_prefix(1);
@@ -56,13 +56,13 @@ bool parse_marker(std::string_view line, int& number, std::string& file) {
   return true;
 }
 
-// Behind `using namespace std;` ctags takes `using` for a part of the function's type.
+// After `using namespace std;` ctags includes `using` in the function's type.
 std::string without_using(std::string type) {
   constexpr std::string_view kUsing = "using ";
   return type.starts_with(kUsing) ? type.substr(kUsing.size()) : type;
 }
 
-/// Text of a C++ source, told apart from comments and literals.
+/// Separates text of a C++ source from comments and literals.
 class Scanner {
  public:
   Scanner(std::string& text, std::size_t at) : text_(text), at_(at) {}
@@ -70,7 +70,7 @@ class Scanner {
   std::size_t at() const { return at_; }
   bool done() const { return at_ >= text_.size(); }
   char peek() const { return text_[at_]; }
-  /// Passes one character of code, or a whole comment or literal.
+  /// Skips one character of code, or a whole comment or literal.
   void step() {
     const char c = text_[at_];
     if (c == '"' || c == '\'') {
@@ -96,7 +96,7 @@ class Scanner {
   std::size_t at_;
 };
 
-// Blanks the default arguments of the parameter list that begins at `open`, and gives the list as it was.
+// Blanks the default arguments of the parameter list that begins at `open`, and returns the original list.
 // Empty if the list does not end.
 std::string take_defaults(std::string& source, std::size_t open) {
   int depth = 0;
@@ -136,7 +136,7 @@ std::string one_line(std::string text) {
 
 using LineStarts = std::map<std::pair<std::string, int>, std::size_t>;
 
-/// Where each line of each .ino begins in a source with #line directives.
+/// Returns where each line of each .ino begins in a source with #line directives.
 LineStarts line_starts(const std::string& joined) {
   LineStarts starts;
   std::string file;
@@ -150,7 +150,7 @@ LineStarts line_starts(const std::string& joined) {
   return starts;
 }
 
-/// Where the parameter list of `name` begins, at or after `from`.
+/// Returns where the parameter list of `name` begins, at or after `from`.
 std::size_t parameter_list(const std::string& source, const std::string& name, std::size_t from) {
   const auto in_word = [&](std::size_t at) {
     return at < source.size() && (std::isalnum(static_cast<unsigned char>(source[at])) || source[at] == '_');
@@ -162,7 +162,7 @@ std::size_t parameter_list(const std::string& source, const std::string& name, s
   return std::string::npos;
 }
 
-/// The blocks `extern "C" { ... }`, from brace to brace.
+/// Returns the blocks `extern "C" { ... }`, from brace to brace.
 std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   std::vector<std::pair<std::size_t, std::size_t>> blocks;
   std::size_t extern_at = std::string::npos;
@@ -202,7 +202,7 @@ bool mentions_function(const Tag& variable, const std::set<std::string>& functio
 }
 
 std::string template_head(const std::string& joined, std::size_t at) {
-  // ctags gives the line of the name; the head may begin on a line before.
+  // ctags reports the line of the name; the declaration may begin on an earlier line.
   std::size_t from = joined.rfind("template", joined.find('\n', at));
   if (from == std::string::npos) return {};
   const std::size_t end = joined.find('{', at);
@@ -286,7 +286,7 @@ std::string insert_prototypes(const std::string& joined, const std::string& own,
       insert_line = start->first;
     }
     if (!function || tag.type.empty() || tag.code.find("(*" + tag.name) != std::string::npos) continue;
-    // As in Arduino, what counts is whether the texts are equal.
+    // Like Arduino, compares the texts.
     if (!declared.insert(tag.type + tag.name + tag.signature).second) continue;
 
     std::string text;

@@ -1,5 +1,5 @@
-// Prototypes for the functions of joined .ino files, as the Arduino builder makes them: found by
-// arduino-ctags in the preprocessed source, and inserted before the first function.
+// Adds prototypes for the functions of joined .ino files, like the Arduino builder. arduino-ctags finds them
+// in the preprocessed source, and they are inserted before the first function.
 #pragma once
 
 #include <filesystem>
@@ -8,31 +8,30 @@
 
 namespace robosim::build {
 
-/// A function or variable as ctags lists it.
+/// A function or variable in ctags' list.
 struct Tag {
   std::string name;
   std::string file;
   int line = 0;
   std::string kind;       ///< "function", "prototype", "variable", "struct"
-  std::string scope;      ///< class, struct or namespace it belongs to
+  std::string scope;      ///< its class, struct or namespace
   std::string signature;  ///< "(int a, char b)"
   std::string type;       ///< of the result
   std::string code;       ///< the source line
 };
 
-/// The lines that come from the sketch's .ino files, with #line directives; all that headers bring is left
-/// out.
+/// Returns the lines of the sketch's .ino files, with #line directives; lines from headers are removed.
 std::string own_lines(const std::string& preprocessed, const std::vector<std::string>& inos);
 
-/// Reads ctags' listing (`--fields=KSTtzns`).
+/// Reads ctags' list (`--fields=KSTtzns`).
 std::vector<Tag> parse_tags(const std::string& listing);
 
-/// `joined` with the prototypes in it; `own` are its preprocessed lines. Where a function has default
-/// arguments, they move to its prototype: C++ allows them once.
+/// Returns `joined` with the prototypes in it; `own` are its preprocessed lines. Default arguments move from
+/// a function to its prototype: C++ allows them once.
 std::string insert_prototypes(const std::string& joined, const std::string& own,
                               const std::vector<Tag>& tags);
 
-/// All three steps; `work` is a folder for ctags' files.
+/// Does all three steps; `work` is a folder for ctags' files.
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,
                            const std::vector<std::string>& inos, const std::filesystem::path& work);
 

@@ -29,7 +29,7 @@ Reading reading_of(const Request& request) {
   Unit unit = sketch_unit(reading.sketch);
   unit.includes = include_folders(unit, libraries);
   reading.words = reading_words(toolchain, unit);
-  if (target.chip) {  // what its compiler brings by itself
+  if (target.chip) {  // the compiler's defaults
     reading.words.push_back("--target=avr");
     for (const std::string& word : toolchain.core.machine) reading.words.push_back(word);
     for (const auto& folder : {toolchain.facts.include_folder, genuine.avr_libc.parent_path()})

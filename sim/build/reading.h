@@ -1,4 +1,4 @@
-// What another parser than the compiler needs to read a sketch as it is compiled.
+// The options with which a parser other than the compiler reads a sketch as it is compiled.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace robosim::build {
 
 struct Reading {
   Sketch sketch;
-  std::vector<std::string> words;  ///< as a C++ compiler has them: the language, macros, folders of headers
+  std::vector<std::string> words;  ///< a C++ compiler's: the language, macros, folders of headers
 };
 
-/// Builds the sketch first, for the host or an AVR, so that it is one that compiles. Throws as build() does.
+/// Builds the sketch first, for the host or an AVR, to check that it compiles. Throws as build() does.
 Reading reading_of(const Request& request);
 
 }  // namespace robosim::build

@@ -1,4 +1,4 @@
-// What the file of a project adds to Arduino's rules (sim/project/project.h).
+// The settings of a project's file that extend Arduino's rules (sim/project/project.h).
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 namespace robosim::build {
 
 struct ProjectRules {
-  /// Everything in this folder is the sketch, at any depth, with any number of .ino files; empty = as Arduino
-  /// has it.
+  /// Everything in this folder is the sketch, at any depth, with any number of .ino files; empty = Arduino's
+  /// rules.
   std::filesystem::path sources;
-  std::vector<std::filesystem::path> includes;  ///< folders that all but the core see
+  std::vector<std::filesystem::path> includes;  ///< folders for all except the core
   std::vector<std::string> flags;               ///< -D and -U, for everything
 };
 

@@ -22,7 +22,7 @@ bool ends_in_word(std::string_view text, std::string_view word) {
   return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
 }
 
-/// Whether the ; at `at` is the whole body of an if or else, as it is written: not what a macro left.
+/// Returns whether the ; at `at` is the literal whole body of an if or else, and not the rest of a macro.
 bool is_whole_body(std::string_view line, std::size_t at) {
   std::string_view before = trimmed(line.substr(0, at));
   if (ends_in_word(before, "else")) return true;

@@ -60,7 +60,7 @@ void sort(Sketch& sketch) {
   std::sort(sketch.headers.begin(), sketch.headers.end());
 }
 
-// The folder itself and, below it, src/.
+// Adds the folder itself and, below it, src/.
 void take_folder(Sketch& sketch) {
   for (const auto& entry : fs::directory_iterator(sketch.folder))
     if (entry.is_regular_file() && !hidden(entry.path())) take(sketch, entry.path());
@@ -77,7 +77,7 @@ std::vector<std::string> inos_in(const fs::path& folder) {
   return names;
 }
 
-// The folder's own name first; where there is only one .ino, its name does not matter.
+// Puts the .ino with the folder's name first; if there is only one, its name does not matter.
 bool put_main_first(std::vector<std::string>& inos, const std::string& folder_name) {
   const auto own = std::find_if(inos.begin(), inos.end(), [&](const std::string& name) {
     return fs::path(name).stem().string() == folder_name;
@@ -105,7 +105,7 @@ std::string unix_text(std::string text) {
 
 namespace {
 
-/// A project's file may not open other folders of this machine to compilers.
+/// Prevents a project's file from opening other folders of this machine to compilers.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);
   if (!lies_in(folder, reach))
@@ -116,7 +116,7 @@ void check_within_project(const fs::path& project, const fs::path& folder) {
                     reach.string(), folder.string()));
 }
 
-/// As PlatformIO has it: its folder of sources; the .ino file with setup() is the first of them.
+/// Reads a project by PlatformIO's rules: its folder of sources; the .ino file with setup() is the first.
 Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   std::error_code error;
   const fs::path sources = fs::canonical(rules.sources, error);
@@ -171,7 +171,7 @@ Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
       sketch.name = fs::path(sketch.inos[0]).stem().string();
       take_folder(sketch);
     } else {
-      sketch.inos = {own};  // one of several sketches that lie side by side
+      sketch.inos = {own};  // one of several sketches in one folder
     }
     return sketch;
   }

@@ -1,4 +1,4 @@
-// What belongs to a sketch, and its .ino files as one C++ source.
+// The files of a sketch, and its .ino files as one C++ source.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ struct Sketch {
   std::string name;               ///< "PidFollower"
   std::filesystem::path folder;   ///< absolute; all names below are relative to it
   std::vector<std::string> inos;  ///< in the order in which Arduino joins them; empty for a plain .cpp sketch
-  std::vector<std::string> sources;             ///< .cpp and .c files compiled beside them, sorted
+  std::vector<std::string> sources;             ///< further .cpp and .c files to compile, sorted
   std::vector<std::string> assembler;           ///< .S files, for a chip only, sorted
-  std::vector<std::string> headers;             ///< further files that count as the sketch's own, sorted
+  std::vector<std::string> headers;             ///< other files of the sketch, sorted
   std::vector<std::filesystem::path> includes;  ///< folders for -I
 };
 
-/// Whether the file is compiled by itself: C or C++.
+/// Returns whether the file is compiled by itself: C or C++.
 bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
@@ -27,13 +27,13 @@ bool is_ino(const std::filesystem::path& path);
 /// Reads the folder by Arduino's rules, and the project's. Throws InputError.
 Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
-/// SHA-256 over names and contents of all files of the sketch.
+/// Returns the SHA-256 of names and contents of all files of the sketch.
 std::string content_sha256(const Sketch& sketch);
 
-/// The .ino files joined, with `#include <Arduino.h>` on top and #line directives; line ends are LF.
+/// Returns the .ino files joined, with `#include <Arduino.h>` on top and #line directives; line ends are LF.
 std::string join_inos(const Sketch& sketch);
 
-/// `name` as a C string literal.
+/// Returns `name` as a C string literal.
 std::string c_literal(const std::string& name);
 
 }  // namespace robosim::build

@@ -9,8 +9,8 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
-// Ahead of the default script, so that constructors are taken out of .init_array, in the order of their
-// priority. Destructors are kept apart and never run: a microcontroller has no end.
+// Before the default script, so that constructors are taken out of .init_array, in the order of their
+// priority. Destructors are stored separately and never run: firmware on a microcontroller never ends.
 constexpr const char* kSections = R"(SECTIONS
 {
   robosim_init_array : ALIGN(8)
@@ -25,7 +25,7 @@ constexpr const char* kSections = R"(SECTIONS
 INSERT BEFORE .data;
 )";
 
-/// The linker hands callers of these to `__wrap_NAME` (hal/host/addresses.cpp).
+/// The linker redirects calls of these to `__wrap_NAME` (hal/host/addresses.cpp).
 std::vector<std::string> wrapped(std::vector<std::string> functions) {
   for (std::string& function : functions) function.insert(0, "-Wl,--wrap=");
   return functions;
@@ -43,47 +43,48 @@ const Target kHost = {
     .hal = "host",
     .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
              "-ffp-contract=off",
-             // As avr-gcc, to which address 0 is a place like any other: a write through a null pointer
-             // stays, and is met.
+             // Like avr-gcc, for which address 0 is valid: a write through a null pointer stays in the code,
+             // and is detected.
              "-fno-delete-null-pointer-checks",
-             // As Arduino's AVR core compiles:
+             // Like Arduino's AVR core:
              "-ffunction-sections", "-fdata-sections",
-             // What a private copy of an image needs: no symbol shared between copies, nothing from the C++
-             // library, no names of this machine inside, no defaults that distributions differ in.
+             // Requirements of a private copy of an image: no symbol shared between copies, nothing from the
+             // C++ library. Also no names of this machine inside, and no defaults that differ between
+             // distributions.
              "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches",
              "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-pipe", "-nostdinc"},
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
-    // A function without its `return` returns, as avr-gcc's does: without `unreachable` gcc takes its end for
-    // a place that is never reached, and what comes behind it runs.
-    // Where a sketch asks for -Os or more, gcc would end a path that has divided by zero with a trap.
+    // A function without its `return` returns, as with avr-gcc. Without `unreachable` gcc treats its end as
+    // unreachable, and runs the code after it. If a sketch requests -Os or more, gcc would end a path that
+    // has divided by zero with a trap.
     .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
             "-fno-isolate-erroneous-paths-dereference"},
-    // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core costs what
-    // its table says.
+    // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core's costs are
+    // in its table.
     .own_level = "-O1",
-    // Each access to memory that others may see is a call, which hal/host/register_memory.cpp answers.
+    // Each access to shared memory is a call, which hal/host/register_memory.cpp handles.
     .memory = {"-DROBOSIM_REGISTER_MEMORY", "-fsanitize=thread", "--param=tsan-distinguish-volatile=1",
                "--param=tsan-instrument-func-entry-exit=0"},
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
-        {// gcc defines what << does with negative numbers and with bits that fall out at the top: only the
-         // distance is checked. What is never set shows: gcc fills it with bytes FE. From gcc 13 on tree-ccp
-         // replaces a filled variable with what another path assigns, and then neither a warning nor a run
-         // shows it.
+        {// gcc defines << for negative numbers and for bits that are shifted out: only the distance is
+         // checked. Uninitialised variables show: gcc fills them with bytes FE. From gcc 13 on tree-ccp
+         // replaces a filled variable by the value that another path assigns. Then neither a warning nor a
+         // run shows it.
          .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
                        "signed-integer-overflow,unreachable,vla-bound"},
-         // Each check is a call, which hal/host answers.
+         // Each check is a call, which hal/host handles.
          .addresses = {"-fsanitize=address", "--param=asan-instrumentation-with-call-threshold=0",
                        "--param=asan-use-after-return=0"},
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
                           "strncat", "strcmp", "strncmp", "strchr", "strstr"}),
-         // Where locals are not filled, the optimiser takes for the missing value what suits it, and is
-         // silent.
+         // If locals are not filled, the optimiser chooses a convenient value for a missing one, without a
+         // warning.
          .warnings = {"-Wmaybe-uninitialized"}},
     // Not optimised: a line keeps its code, and a counter is in memory whenever the firmware is left. The
     // data's name must not depend on folders, and gcov checks that notes and data are of the same build.
@@ -91,28 +92,28 @@ const Target kHost = {
                          "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
                  .definitions = {"-DROBOSIM_COVERAGE"},
                  .link = {"-lgcov"}},
-    // Functions and lines, for a crash inside it; of the sketch all that a debugger shows.
+    // Functions and lines, for a crash inside it; for the sketch everything that a debugger shows.
     .core = {"-g1", "-gno-column-info", "-gno-statement-frontiers"},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
-    // The loader shall find nothing to run: start files bring constructors of their own.
+    // The loader must not run anything: start files add their own constructors.
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
              "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
-             // An image is hashed and read before each run: without this it is some 800 KB.
+             // An image is hashed and read before each run: without this it has some 800 KB.
              "-Wl,--compress-debug-sections=zlib",
-             // Handlers that a sketch does not define are null, whatever the process has.
+             // Handlers that a sketch does not define are null, even if the process has them.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
-             // Of arm: hal/host/division.cpp.
+             // For arm: hal/host/division.cpp.
              "-Wl,--wrap=__aeabi_idiv,--wrap=__aeabi_idivmod,--wrap=__aeabi_uidiv",
              "-Wl,--wrap=__aeabi_uidivmod,--wrap=__aeabi_ldivmod,--wrap=__aeabi_uldivmod"},
     .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
     .products = {},
 };
 
-// What Arduino's platform.txt of the core 1.8.7 says, except that debug information is DWARF (avr-gcc's own
-// is stabs) and has no names of this machine: the code is the same, byte for byte. Without DECIMAL_DIG the
-// core's WString.cpp does not compile against avr-libc 2.0.
+// As in Arduino's platform.txt of the core 1.8.7, except for debug information. That is DWARF (avr-gcc's
+// default is stabs) and has no names of this machine. The code is the same, byte for byte. Without
+// DECIMAL_DIG the core's WString.cpp does not compile against avr-libc 2.0.
 const Target kAvr = {
     .name = "avr",
     .image_ending = ".elf",
@@ -131,13 +132,14 @@ const Target kAvr = {
     .own_level = "-Os",
     .memory = {},
     .as_avr = {},
-    // Link-time optimisation of avr-gcc 5.4 does not survive code with checks. That is larger than the chip
-    // by far: the executor gives an image whose handlers are there (hal/avr/undefined.c) a chip with 64 KB of
-    // flash and RAM up to where its stack begins, which is RAMEND, too (hal/avr/with_checks).
+    // Link-time optimisation of avr-gcc 5.4 fails for code with checks. That is far larger than the chip. For
+    // an image with handlers (hal/avr/undefined.c), the executor's chip has 64 KB of flash, and RAM up to the
+    // start of its stack. That is also RAMEND (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
-                  // The core's, too: or its weak functions, such as initVariant(), outdo a library's.
+                  // Also for the core: otherwise its weak functions, such as initVariant(), override a
+                  // library's.
                   .addresses = {"-fno-lto"},
                   .definitions = {},
                   .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
@@ -147,7 +149,7 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
-    // avr-gcc 14 does not hand --demangle to avr-ld, which then prints mangled names; it does hand on this
+    // avr-gcc 14 does not pass --demangle to avr-ld, which then prints mangled names; it does pass this
     // spelling.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
              "-Wl,--gc-sections", "-Wl,-demangle"},
@@ -155,8 +157,8 @@ const Target kAvr = {
     .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
 };
 
-// Our own core, and of newlib (its small variant) what sketches call; headers are the host's, so that a
-// sketch sees the same names. As on every ARM, `char` is unsigned.
+// Our own core, and the parts of newlib (its small variant) that sketches call. Headers are the host's, so
+// that a sketch sees the same names. As on every ARM, `char` is unsigned.
 const Target kStm32 = {
     .name = "stm32",
     .image_ending = ".elf",
@@ -168,7 +170,7 @@ const Target kStm32 = {
     .hal = "stm32",
     .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
              "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc",
-             // Else a write through a null pointer is left out, with all that follows it.
+             // Otherwise a write through a null pointer is removed, with all that follows it.
              "-fno-delete-null-pointer-checks"},
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-fno-use-cxa-atexit", "-nostdinc++", "-Wno-error=narrowing",

@@ -1,5 +1,5 @@
-// How the targets that sketches are compiled for differ, as data: programs, flags, and how objects are
-// linked. The way from a sketch to its image (build.cpp) is the same for all.
+// The differences between the targets that sketches are compiled for, as data: programs, flags, and the way
+// to link objects. The steps from a sketch to its image (build.cpp) are the same for all.
 #pragma once
 
 #include <string>
@@ -8,30 +8,30 @@
 
 namespace robosim::build {
 
-/// A program, and the Debian package that brings it.
+/// A program, and the Debian package that contains it.
 struct Program {
   const char* name;
   const char* package;
 };
 
-/// A further file made of the linked image: `program arguments IMAGE FILE`.
+/// A further file made from the linked image: `program arguments IMAGE FILE`.
 struct Product {
   const char* ending;
   Program program;
   std::vector<std::string> arguments;
 };
 
-/// What is added where checks are wanted; empty = the target has none.
+/// Additional options for checks; empty = the target has none.
 struct Sanitizer {
   std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
-  std::vector<std::string> addresses;    ///< the same, and for the core, but for what serves the checks
-  std::vector<std::string> definitions;  ///< for what serves the checks
+  std::vector<std::string> addresses;    ///< as above, and for the core, except the code that the checks call
+  std::vector<std::string> definitions;  ///< for the code that the checks call
   std::vector<std::string> link;
-  /// What only this compilation can see; for the sketch itself, with the compiler's standard warnings.
+  /// Warnings that need this compilation; for the sketch itself, with the compiler's standard warnings.
   std::vector<std::string> warnings = {};
 };
 
-/// What is added to count the lines that ran; empty = the target cannot.
+/// Additional options to count the lines that ran; empty = the target cannot.
 struct Counting {
   std::vector<std::string> own;          ///< for the sketch's own sources
   std::vector<std::string> definitions;  ///< for the core
@@ -46,18 +46,18 @@ struct Target {
   Program archiver;  ///< null = the core is one object file
   bool native;       ///< compiles for the machine that Robosim itself runs on
   bool chip;         ///< the image is for the board's chip, else for a runner
-  /// The folder below hal that completes hal/arduino to a core; null = the genuine core, all of it, and its
+  /// The folder below hal that completes hal/arduino to a core; null = the whole genuine core, with its
   /// libraries.
   const char* hal;
 
-  // Words for the compiler. `own` is for the sketch and its libraries, `core` for the Arduino core.
+  // Options for the compiler. `own` is for the sketch and its libraries, `core` for the Arduino core.
   std::vector<std::string> code;
   std::vector<std::string> cxx_code;
   std::vector<std::string> c_code;
   std::vector<std::string> own;
   const char* own_level;
-  /// What is added to `own` where registers are memory (toolchain.h), and where it is an AVR's besides; empty
-  /// = the chip's registers are the target's own.
+  /// Added to `own` if registers are memory (toolchain.h), and for sketches compiled as for an AVR. Empty =
+  /// the target has the chip's registers.
   std::vector<std::string> memory;
   std::vector<std::string> as_avr;
   Sanitizer sanitizer;
@@ -65,7 +65,7 @@ struct Target {
   std::vector<std::string> core;
   const char* core_level;
   std::vector<std::string> definitions;
-  const char* prefix_map;  ///< the option that takes names of this machine out: `OPTION=FROM=TO`
+  const char* prefix_map;  ///< the option that removes names of this machine: `OPTION=FROM=TO`
 
   std::vector<std::string> link;
   /// Name and text of files that `link` names.
@@ -73,7 +73,7 @@ struct Target {
   std::vector<Product> products;
 };
 
-/// Throws InputError, naming those there are.
+/// Returns the target. Throws InputError, which lists the existing ones.
 const Target& find_target(const std::string& name);
 
 }  // namespace robosim::build

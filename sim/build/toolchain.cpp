@@ -65,7 +65,7 @@ fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& 
   return folder;
 }
 
-/// Ours, and the genuine core's portable sources.
+/// Our hal, and the genuine core's portable sources.
 Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core;
   core.root = stage(board, genuine, cache);
@@ -92,7 +92,7 @@ void check_chip(const Target& target, const BoardSpec& board) {
 Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core = hal_core("stm32", board, genuine, cache);
   const fs::path hal = core.root / "hal/stm32";
-  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ go before the host's
+  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ precede the host's
   const fs::path script = hal / fmt::format("{}.ld", board.chip->compiler_name);
   core.link = {"-T", script.string()};
   core.linked = {script};
@@ -114,7 +114,7 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
   core.linked = {archives / "libc.a", archives / "libm.a",
                  archives / fmt::format("crt{}.o", chip.compiler_name)};
   core.machine = {fmt::format("-mmcu={}", chip.compiler_name)};
-  // Of this chip alone, and by Arduino's builder: no file of its platform says so.
+  // Only for this chip, and by Arduino's builder: no file of its platform has it.
   if (chip.linked_relaxed) core.link = {"-Wl,--relax"};
   core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}, {core.sources[1], "robosim"}};
   core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
@@ -125,8 +125,8 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
 
 fs::path find_tool(const Target& target, const Program& program) {
   fs::path path;
-  // The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is
-  // another's.
+  // The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is for
+  // another one.
   if (target.native && *ROBOSIM_MACHINE)
     path = find_program(fmt::format("{}-{}", ROBOSIM_MACHINE, program.name));
   if (path.empty()) path = find_program(program.name);

@@ -1,4 +1,4 @@
-// A target's compiler and the genuine Arduino core, as they are installed on this machine.
+// A target's compiler and the genuine Arduino core, as installed on this machine.
 #pragma once
 
 #include <filesystem>
@@ -13,28 +13,28 @@
 
 namespace robosim::build {
 
-/// gcc, whatever Robosim itself was built by: one compiler, one instrumentation, one trace.
+/// gcc, even if Robosim itself was built by another compiler: so instrumentation and traces are always equal.
 struct Compiler {
   std::filesystem::path cxx;
   std::filesystem::path cc;
   std::string identity;  ///< path, size and time of both programs: changes with every upgrade
 };
 
-/// Throws ToolMissing, naming the package.
+/// Returns the compiler. Throws ToolMissing, which names the package.
 Compiler find_compiler(const Target& target);
 
-/// What the compiler says of itself.
+/// The compiler's own description.
 struct CompilerFacts {
   std::string name;                      ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::filesystem::path include_folder;  ///< its own headers: stddef.h, stdarg.h, float.h
 };
-/// Starts the compiler unless `cache` knows the answer.
+/// Starts the compiler unless `cache` has the answer.
 CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
 
 /// Returns the name and version of the assembler that the compiler uses: "as 2.44".
 std::string assembler_name(const Compiler& compiler);
 
-/// Where the genuine core's sources and avr-libc's headers are. Throws ToolMissing.
+/// The folders of the genuine core's sources and avr-libc's headers. Throws ToolMissing.
 struct GenuineCore {
   std::filesystem::path sources;    ///< cores/arduino
   std::filesystem::path variants;   ///< the boards' pins
@@ -47,30 +47,29 @@ GenuineCore find_core();
 struct Core {
   using Names = std::vector<std::pair<std::filesystem::path, std::string>>;
   std::filesystem::path root;                   ///< folder that the compiler works in
-  std::string place;                            ///< what `root` is called in debug information
+  std::string place;                            ///< the name of `root` in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order in which they are linked
-  std::filesystem::path serving;                ///< the one of them that checks call, and do not check
+  std::filesystem::path serving;                ///< the one that checks call, and that is not checked
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
-  std::vector<std::filesystem::path>
-      includes_with_checks;                      ///< before those of the system, of an image with checks
-  std::vector<std::filesystem::path> libraries;  ///< folders of libraries that belong to it
-  std::filesystem::path stand_ins;               ///< folder of libraries that replace others, or empty
-  std::vector<std::filesystem::path> linked;     ///< files that the linker adds by itself
-  std::vector<std::string> machine;              ///< words that name the chip
-  std::vector<std::string> link;                 ///< words for the linker
-  Names places;                                  ///< folders in debug information; the last that fits wins
-  Names readable;                                ///< how messages begin, and what users read instead
+  std::vector<std::filesystem::path> includes_with_checks;  ///< before the system's, for an image with checks
+  std::vector<std::filesystem::path> libraries;             ///< folders of libraries that belong to it
+  std::filesystem::path stand_ins;            ///< folder of libraries that replace others, or empty
+  std::vector<std::filesystem::path> linked;  ///< files that the linker adds by itself
+  std::vector<std::string> machine;           ///< options that name the chip
+  std::vector<std::string> link;              ///< options for the linker
+  Names places;                               ///< folders in debug information; the last match wins
+  Names readable;                             ///< prefixes in messages, and their replacements for users
 };
 
-/// What a register is to the sketch and its libraries, on a target that has none of its own.
+/// The kind of registers for the sketch and its libraries, on a target without its own.
 enum class Registers {
-  objects,  ///< of classes (hal/arduino/avr/io.h): what each access does is compiled in
-  memory,   ///< bytes with addresses, for libraries that keep those: accesses to memory are watched
-  as_avr,   ///< the same, for libraries that say they are for an AVR only: the compiler claims to be one
+  objects,  ///< of classes (hal/arduino/avr/io.h): the effect of each access is compiled in
+  memory,   ///< bytes with addresses, for libraries that store those: accesses to memory are watched
+  as_avr,   ///< likewise, for libraries for an AVR only: the compiler claims to be one
 };
 
-/// What all compilations of one build share.
+/// The settings that all compilations of one build share.
 struct Toolchain {
   const Target& target;
   Compiler compiler;
@@ -83,22 +82,23 @@ struct Toolchain {
   Registers registers = Registers::objects;
   bool untrusted = false;
   ProjectRules rules = {};
-  bool narrow_ints = false;                ///< those of the sketch have 16 bits (narrow_ints.h)
-  std::function<void()> core_begins = {};  ///< Request's
+  bool narrow_ints = false;                ///< the sketch's have 16 bits (narrow_ints.h)
+  std::function<void()> core_begins = {};  ///< the Request's
 };
 
-/// The core for a target and board. One with a hal of ours is a folder of links in the cache to the genuine
-/// core's portable sources, to avr-libc's list of registers, and to our hal; nothing is copied.
+/// Returns the core for a target and board. With a hal of ours it is a folder of links in the cache. They
+/// lead to the genuine core's portable sources, to avr-libc's list of registers, and to our hal. Nothing is
+/// copied.
 ///
 ///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim
 ///
-/// An Uno's is the genuine one where it is. Throws InputError for a board that the target has not.
+/// An Uno's core is the installed genuine one. Throws InputError for a board that the target does not have.
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const std::filesystem::path& cache);
 
-/// The program of that target. Throws ToolMissing.
+/// Returns the program of that target. Throws ToolMissing.
 std::filesystem::path find_tool(const Target& target, const Program& program);
-/// The program that lists a source's functions. Throws ToolMissing.
+/// Returns the program that lists a source's functions. Throws ToolMissing.
 std::filesystem::path find_ctags();
 
 }  // namespace robosim::build

@@ -1,4 +1,4 @@
-// Why a program is compiled once more, with something taken otherwise.
+// Reasons to compile a program once more, with other settings.
 #pragma once
 
 #include <exception>
@@ -7,15 +7,15 @@
 
 namespace robosim::build {
 
-/// The program does not compile with its registers as they are, but may with these.
+/// The program does not compile with its present registers, but may with these.
 struct TryAgain {
   Registers with;
-  std::exception_ptr otherwise = nullptr;  ///< the error to report if they do not help; null = theirs
+  std::exception_ptr otherwise = nullptr;  ///< the error to report if they do not help; null = the second one
   bool narrow_ints = false;                ///< the sketch needs an int of 16 bits
 };
 
-// What assembly of a program holds that keeps a register's address (hal/host/registers.h), and a compiler's
-// message about one that does more with a register than its class can (hal/arduino/avr/io.h).
+// Marks in a program's assembly if it stores a register's address (hal/host/registers.h). Also a mark in a
+// compiler's message about a use of a register that its class does not support (hal/arduino/avr/io.h).
 inline constexpr const char* kRegisterMemory = "robosim_register_memory";
 inline constexpr const char* kRegisterClass = "robosim_hal::Register";
 

@@ -1,5 +1,4 @@
-// The units of one build: what is compiled of a sketch and its libraries, where it is found, and what it is
-// called.
+// The units of one build: the sources of a sketch and its libraries, their places, and their names.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +12,13 @@
 
 namespace robosim::build {
 
-/// A unit of the sketch, still without a source.
+/// Returns a unit of the sketch, without a source yet.
 Unit sketch_unit(const Sketch& sketch);
 Unit library_unit(const Toolchain& toolchain, const Library& library, const std::string& source);
-/// What messages call the unit.
+/// Returns the name of the unit in messages.
 std::string name_of(const Sketch& sketch, const Unit& unit);
 std::vector<std::filesystem::path> include_folders(const Unit& unit, const std::vector<Library>& libraries);
-/// What debug information calls the folders.
+/// Returns the names of the folders in debug information.
 Core::Names names_of_folders(const Sketch& sketch, const std::vector<Library>& libraries,
                              const Toolchain& toolchain, const std::filesystem::path& work);
 

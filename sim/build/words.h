@@ -1,4 +1,4 @@
-// What the readers of C++ text here have in common: where a name, a text or a character ends.
+// Shared by the readers of C++ text here: finds where a name, a text or a character ends.
 #pragma once
 
 #include <cctype>
@@ -8,8 +8,8 @@ namespace robosim::build {
 
 inline bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Where the text or character ends whose quote stands at `at`; behind that quote if its line does not end
-/// it.
+/// Returns where the text or character ends whose quote is at `at`; directly after that quote if it is not
+/// closed in its line.
 inline std::size_t end_of_quote(std::string_view source, std::size_t at) {
   for (std::size_t i = at + 1; i < source.size() && source[i] != '\n'; ++i) {
     if (source[i] == '\\')
