@@ -1,4 +1,4 @@
-// A robot whose board has a chip of the target: its own board if that will do, else another in its place.
+// Finds a robot whose board has a chip of the target: with its own board if possible, else with another one.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@
 
 namespace robosim::launch {
 
-/// Tells of a robot by its name or path, as a runner does.
+/// Describes a robot by its name or path, like a runner.
 using Describe = std::function<wire::RobotInfo(const std::string& robot)>;
 
 struct FittedRobot {
-  std::string robot;  ///< as given, or with another board behind an @ (sim/base/robot_name.h)
+  std::string robot;  ///< as given, or with another board after an @ (sim/base/robot_name.h)
   wire::RobotInfo info;
-  std::string own_board;  ///< that another took the place of; empty = none did
+  std::string own_board;  ///< the board that was replaced; empty = none was
 };
 
-/// `boards` are those that will do; empty = any. The first of them takes the place of one that will not.
-/// Throws what `describe` throws, also where the other board lacks a pin that the robot uses.
+/// Fits the robot to `boards`; empty = any board. The first of them replaces an unsuitable one. Throws the
+/// exceptions of `describe`, also if the other board lacks a pin that the robot uses.
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 
@@ -29,15 +29,15 @@ FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& 
 struct Carrier {
   Choice robot;
   wire::RobotInfo info;
-  std::string announcement;  ///< that another board takes the place of its own; empty = none does
+  std::string announcement;  ///< reports that another board replaces its own; empty = none does
 };
-/// The robot on the board that its project is for.
+/// Returns the robot on the board that its project is for.
 Carrier on_its_board(const Choice& robot, const Describe& describe);
-/// The same where that has the chip. Throws InputError where no board of the target
-/// has all pins that the robot uses.
+/// Returns it on that board if it has the chip, else on another one. Throws InputError if no board of the
+/// target has all pins that the robot uses.
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe);
 
-/// The board a robot carries.
+/// Returns a robot's board.
 const BoardSpec& board_of(const wire::RobotInfo& robot);
 
 }  // namespace robosim::launch

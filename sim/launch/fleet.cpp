@@ -19,14 +19,14 @@ namespace {
 constexpr std::size_t kLongestName = 32;
 constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
 
-/// A path that begins at the file's folder.
+/// Returns a path relative to the file's folder.
 std::string named_path(const fs::path& folder, const std::string& word, const Place& place) {
   const std::string path = path_from(folder, word);
   check_in_scope(path, place);
   return path;
 }
 
-/// One [[agent]].
+/// Reads one [[agent]].
 class MemberReader {
  public:
   MemberReader(const ConfigValue& table, fs::path folder)
@@ -61,7 +61,7 @@ class MemberReader {
   }
 
  private:
-  /// A word that may not be empty; empty if it is not there.
+  /// Returns a word that may not be empty; empty if it is missing.
   std::string word_at(const char* key) {
     const ConfigValue* value = reader_.find(key);
     if (!value) return "";
@@ -69,7 +69,7 @@ class MemberReader {
     if (word.empty()) throw InputError(value->place, fmt::format("{} is empty; leave the key out", key));
     return word;
   }
-  /// Paths begin at the file's folder.
+  /// Returns a path relative to the file's folder.
   std::string path_at(const char* key, bool always = false) {
     const std::string word = word_at(key);
     if (word.empty() || !(always || is_path(word))) return word;
@@ -111,7 +111,7 @@ class MemberReader {
   fs::path folder_;
 };
 
-/// Says of which robot it is true, and where a file has it.
+/// Adds the robot's name, and its place in a file.
 [[noreturn]] void blame(const Member& member, const InputError& error) {
   if (error.place().file.empty())
     throw InputError(member.place, fmt::format("robot {}: {}", member.name, error.message()));

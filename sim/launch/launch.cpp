@@ -30,7 +30,7 @@ namespace {
 constexpr const char* kForTheChip =
     "\nFor the target avr it compiles, and runs there: add --target avr, which emulates the chip.";
 
-/// What does not compile on the host may need the chip, such as its assembler.
+/// A sketch that does not compile on the host may need the chip, for example its assembler.
 bool compiles_for_avr(const build::Request& request) try {
   if (request.target != "host" || std::string(request.board.chip->target) != "avr") return false;
   if (!build::missing_tool("avr").empty()) return false;

@@ -1,6 +1,5 @@
-// From what a user names to what a runner is asked. Everything that starts a run goes this way, so that the
-// same names mean the same run in a command, a check, a session and a test.
-//
+// Converts the user's names to a request for a runner. Everything that starts a run does it here. So the same
+// names mean the same run in a command, a check, a session and a test.
 //   Launch launch;
 //   launch.sketch = "PidFollower"; launch.target = "avr"; launch.request.goal = "laps:3";
 //   Launcher launcher;
@@ -21,7 +20,7 @@
 
 namespace robosim::launch {
 
-/// What a user names. Empty names are chosen for the user: see choose_sketch, choose_map, choose_robot and
+/// The user's names. Empty names are chosen automatically: see choose_sketch, choose_map, choose_robot and
 /// choose_target in names.h.
 struct Launch {
   std::string sketch;
@@ -31,12 +30,12 @@ struct Launch {
   std::string environment;             ///< of platformio.ini, or a profile of sketch.yaml
   std::vector<std::string> libraries;  ///< folders
   bool sanitize = false;               ///< the sketch checks itself
-  bool count_lines = false;            ///< which of the sketch's lines run
-  bool untrusted = false;              ///< somebody else's: what this machine cannot confine is not run
-  wire::RunRequest request;            ///< goal, seed …; image, map and robot are put in by Launcher
+  bool count_lines = false;            ///< counts which of the sketch's lines run
+  bool untrusted = false;              ///< a stranger's: refused if this machine cannot confine it
+  wire::RunRequest request;            ///< goal, seed …; Launcher adds image, map and robot
 };
 
-/// The files that the names stand for.
+/// The files that the names refer to.
 struct Chosen {
   SketchChoice sketch;
   Choice map;
@@ -44,40 +43,41 @@ struct Chosen {
   std::string target;
 };
 
-/// Throws InputError for a name of nothing, and for a target that the sketch cannot be run on.
+/// Finds the files. Throws InputError for an unknown name, and for a target that the sketch cannot run on.
 Chosen choose(const Launch& launch);
 
 struct Prepared {
   SketchChoice sketch;
   Choice map;
-  Choice robot;  ///< with the board that it carries for this target
+  Choice robot;  ///< with the board for this target
   std::string target;
   wire::RobotInfo robot_info;
-  build::Request wanted;  ///< what the image was built from; of a finished image, what it would have been
+  build::Request wanted;  ///< the image's build settings; for a finished image, those that it would have had
   build::Image image;
   wire::RunRequest request;
-  std::string remark;  ///< what its result will lack, once there is one; empty = nothing
+  std::string remark;  ///< what its result will lack; empty = nothing
 };
 
-/// Who is told what happens meanwhile; any may be empty.
+/// Receives reports during preparation; any function may be empty.
 struct Listener {
-  std::function<void(const std::string& sentence)> chosen;   ///< for the user, who has named nothing
+  std::function<void(const std::string& sentence)> chosen;   ///< sentences on automatic choices
   std::function<void(const std::string& sentence)> lacking;  ///< what this machine cannot confine (trust.h)
   std::function<void(const std::string& sketch)> compiling;
-  /// While `compiling`: that of a board, for a target, is not there yet.
+  /// During `compiling`: called if the core of a board, for a target, is not there yet.
   std::function<void(const std::string& board, const std::string& target)> compiling_core;
   std::function<void(const build::Image&)> compiled;
 };
 
-/// A finished .elf as it is; anything else compiled. Throws InputError and ToolMissing.
+/// Returns a finished .elf unchanged; compiles anything else. Throws InputError and ToolMissing.
 build::Image image_of(const SketchChoice& sketch, const build::Request& request, const Listener& listener);
 
-/// Prepares runs. What several of them share is compiled and told once.
+/// Prepares runs. Work that several of them share is done and reported once.
 class Launcher {
  public:
   explicit Launcher(Listener listener = {}) : listener_(std::move(listener)) {}
 
-  /// `runner`: who will run it, or the host's. Throws InputError, ToolMissing, and what `describe` throws.
+  /// `runner`: the one that will run it, or the host's. Throws InputError, ToolMissing, and the exceptions of
+  /// `describe`.
   Prepared prepare(const Launch& launch, Chosen chosen, const Describe& describe, const wire::Hello& runner);
 
  private:

@@ -28,7 +28,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A target of this or a later version.
+/// Checks for a target of this or a later version.
 void check_exists(const std::string& target) {
   const std::vector<std::string> all{"host", "avr", "stm32"};
   if (!is_one_of(target, all)) throw InputError("--target: " + unknown_name("target", target, all));
@@ -54,7 +54,7 @@ void check_path(const std::string& what, const std::string& path) {
   throw InputError({path, 0, 0}, "there is no such file (a " + what + " with / or . in its name is a path)");
 }
 
-/// Of what is not a file nothing: a pipe would wait for a writer.
+/// Returns nothing if it is not a file: a pipe would wait for a writer.
 std::string beginning_of(const fs::path& path) try {
   const Descriptor file = open_to_read(path);
   char buffer[4096];
@@ -64,14 +64,13 @@ std::string beginning_of(const fs::path& path) try {
   return "";
 }
 
-/// Ends the message for an unknown name of a map or robot: names the user's file of that name, if there is
-/// one.
+/// Returns the end of the message for an unknown map or robot: names the user's file of that name, if any.
 std::string file_hint(const std::string& name, const std::string& ending) {
   if (is_there(name + ending)) return fmt::format("; for the file in this folder write {}{}", name, ending);
   return " (a name with / or . is a path)";
 }
 
-/// What a linker calls a map, by the headings that GNU ld's begins with: a list of sections, no floor.
+/// Recognises a linker's map by the headings of GNU ld's: a list of sections, not a floor.
 bool is_linkers(const fs::path& map) {
   std::istringstream file(beginning_of(map));
   std::string first;
@@ -113,7 +112,7 @@ fs::path stock_map_folder() { return data_folder() / "maps"; }
 
 namespace {
 
-/// The image in a folder that holds one and nothing to build; empty if it is no such folder.
+/// Returns the image in a folder that holds one and nothing to build; else empty.
 fs::path image_in(const fs::path& folder) {
   if (has_sketch(folder)) return {};
   std::vector<fs::path> images;
@@ -211,7 +210,7 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
 
 namespace {
 
-/// A stock robot that carries the board, by its name: "mega5"; else uno5.
+/// Returns a stock robot that carries the board, by its name: "mega5"; else uno5.
 std::string stock_robot_for(const BoardSpec* board) {
   std::string found = "uno5";
   if (!board) return found;
@@ -231,7 +230,7 @@ Choice choose_robot(const std::string& name, const SketchChoice& sketch, const s
   const BoardSpec* const other = named ? nullptr : sketch.project.stand_in;
   Choice choice = choose_robot(name, sketch.folder, target, other ? other : board);
   choice.board = board;
-  // Whoever has chosen a robot has chosen its board.
+  // A robot chosen by the user determines its board.
   const bool is_ours = name.empty() && !is_path(choice.path.string());
   if (other && is_ours) {
     choice.board = other;

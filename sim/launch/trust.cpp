@@ -10,7 +10,7 @@ namespace {
 
 struct Lack {
   const char* what;
-  const char* else_;  ///< what comes of it
+  const char* else_;  ///< the consequence
   std::string why;
 };
 
