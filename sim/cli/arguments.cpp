@@ -132,7 +132,7 @@ Command parse_flash(const Words& words) {
   return flash;
 }
 
-/// The action that has to come first; `usage` if help is asked for instead.
+/// Returns the action that must come first; `usage` if help is requested instead.
 std::optional<std::string> take_action(const std::string& command, Words& words,
                                        const std::vector<std::string>& actions) {
   if (words.empty()) throw InputError("robosim " + command + " needs to know what to do: " + one_of(actions));
@@ -235,7 +235,7 @@ double seconds_a_move(const std::string& text) {
   return value;
 }
 
-// "miss=0.01,slip=0.005"
+// Parses "miss=0.01,slip=0.005"
 void read_noise(const std::string& text, ClassicArguments& classic) {
   std::size_t at = 0;
   while (at <= text.size()) {

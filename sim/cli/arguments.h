@@ -1,4 +1,4 @@
-// The command line, read into values. `robosim --help` lists the commands (sim/cli/help_text.h).
+// The parsed command line. `robosim --help` lists the commands (sim/cli/help_text.h).
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@ namespace robosim::cli {
 
 /// `robosim run`. Names are as the user typed them; empty = not given.
 struct RunArguments : launch::Launch {
-  launch::Fleet fleet;              ///< several robots; without members it is one, as above
+  launch::Fleet fleet;              ///< several robots; without members it is a single one, as above
   std::string script;               ///< a file
-  std::vector<std::string> send;    ///< texts as a scenario writes them, between its double quotes
+  std::vector<std::string> send;    ///< texts in scenario syntax, between its double quotes
   std::vector<std::string> record;  ///< files
   std::vector<std::string> plot;    ///< files
-  std::string coverage;             ///< a folder; empty = nothing is counted
-  bool chip_only = false;           ///< no target named is that of the robot's board, not the host
+  std::string coverage;             ///< a folder; empty = lines are not counted
+  bool chip_only = false;           ///< without a named target, that of the robot's board, not the host
   bool view = false;
-  double speed = 1.0;   ///< of the view: simulated seconds a wall second; 0 = as fast as possible
+  double speed = 1.0;   ///< of the view: simulated seconds per second of wall time; 0 = as fast as possible
   bool live = false;    ///< driven by requests on the standard input (run/live.h)
   bool serial = false;  ///< the standard output is the sketch's serial text
   bool json = false;
@@ -39,7 +39,7 @@ struct WhyArguments {
 /// `robosim replay`
 struct ReplayArguments {
   std::string file;
-  double speed = 1.0;               ///< as of RunArguments
+  double speed = 1.0;               ///< see RunArguments
   std::string over;                 ///< a file; empty = none
   std::vector<std::string> record;  ///< files
 };
@@ -47,36 +47,36 @@ struct ReplayArguments {
 /// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
 struct SweepArguments {
   std::vector<std::string> sketches;
-  std::vector<std::string> maps;  ///< this and the next two: empty = as `run` chooses
+  std::vector<std::string> maps;  ///< likewise the next two: empty = as `run` chooses
   std::vector<std::string> robots;
   std::vector<std::string> targets;
-  RunArguments each;  ///< what all runs have in common; its sketch, map, robot, target and seed do not count
+  RunArguments each;  ///< common to all runs; its sketch, map, robot, target and seed are ignored
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 100;
-  std::size_t jobs = 1;  ///< runs at a time
+  std::size_t jobs = 1;  ///< simultaneous runs
   std::string csv;       ///< a file; empty = none
   bool resume = false;
   std::optional<double> min_rate;
-  bool sure = false;        ///< the runs must show it, see client::Demand
-  bool stop_early = false;  ///< leave out runs that cannot change whether min_rate is met
+  bool sure = false;        ///< the runs must prove it, see client::Demand
+  bool stop_early = false;  ///< skips runs that cannot change whether min_rate is met
   bool json = false;
   Shard shard;                     ///< of the runs
-  std::vector<std::string> merge;  ///< tables of other shards: their runs are not made again
+  std::vector<std::string> merge;  ///< tables of other shards: their runs are not repeated
 };
 
 /// `robosim report`
 struct ReportArguments {
   std::string file;  ///< of sweep --csv, or JUnit's XML
   std::string out = "report.html";
-  std::size_t runs = 40;  ///< that are made again, at most
-  RunArguments each;      ///< of a table: as of SweepArguments
+  std::size_t runs = 40;  ///< that are repeated, at most
+  RunArguments each;      ///< for a table: see SweepArguments
 };
 
 /// `robosim compare`
 struct CompareArguments {
-  std::vector<std::string> targets;  ///< the others are held against the first
-  std::string moves;                 ///< the one of several robots that is put on them; empty = all
-  RunArguments each;                 ///< its target and seed do not count
+  std::vector<std::string> targets;  ///< the others are compared to the first
+  std::string moves;                 ///< the one of several robots that runs on them; empty = all
+  RunArguments each;                 ///< its target and seed are ignored
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
   bool json = false;
@@ -100,7 +100,7 @@ struct FlashArguments {
   std::string environment;
   std::string robot;
   std::string port;
-  std::optional<std::uint64_t> baud;  ///< of the boot loader; without it what the board's has
+  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the board's
   std::vector<std::string> libraries;
   bool dry_run = false;
 };
@@ -110,8 +110,8 @@ struct MapArguments {
   std::string action;
   std::string map;
   std::string start;
-  bool json = false;  ///< of check and graph
-  bool dot = false;   ///< of graph
+  bool json = false;  ///< for check and graph
+  bool dot = false;   ///< for graph
 };
 
 /// `robosim map generate`
@@ -127,8 +127,8 @@ struct GenerateArguments {
 struct ImportArguments {
   std::string file;
   std::string out;       ///< a file; empty = standard output
-  double pixel_m = 0.0;  ///< of a picture; 0 = not given
-  double walls_m = 0.0;  ///< of a maze with walls, from cell to cell; 0 = lines
+  double pixel_m = 0.0;  ///< side of a picture's pixel; 0 = not given
+  double walls_m = 0.0;  ///< for a maze with walls, from cell to cell; 0 = lines
 };
 
 /// `robosim map print`
@@ -137,7 +137,7 @@ struct PrintArguments {
   std::string out;  ///< a file
   std::string paper = "A4";
   double margin_mm = 5.0;
-  bool black_on_white = false;  ///< whatever the map's paint
+  bool black_on_white = false;  ///< instead of the map's paint
 };
 
 /// `robosim serve`
@@ -151,15 +151,15 @@ struct ServeArguments {
 struct RobotArguments {
   std::string action;
   std::string robot;
-  bool full = false;  ///< show: with the robots that it is based on
+  bool full = false;  ///< show: including the robots that it is based on
 };
 
 /// `robosim wire`
 struct WireArguments {
   std::string sketch;
   std::string environment;
-  std::string board;         ///< empty = the project's, else the first there is
-  std::string map = "oval";  ///< that the draft is tried on
+  std::string board;         ///< empty = the project's, else the first one
+  std::string map = "oval";  ///< for trying the draft
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;
   std::string out;  ///< a file; empty = standard output
@@ -182,11 +182,11 @@ struct ClassicArguments {
   std::string map;
   std::string start;
   std::string algorithm;        ///< "left", "right", "ai", or a C++ file
-  double speed = 1.0;           ///< seconds a move takes
-  std::uint64_t steps = 0;      ///< moves allowed; 0 = see classic_command.cpp
+  double speed = 1.0;           ///< seconds per move
+  std::uint64_t steps = 0;      ///< maximum number of moves; 0 = see classic_command.cpp
   std::vector<std::string> to;  ///< stations by number or name, or "all"
-  std::string planner;          ///< empty = as AiNavigator chooses
-  double miss = 0.0;            ///< chances, 0..1
+  std::string planner;          ///< empty = AiNavigator's choice
+  double miss = 0.0;            ///< probabilities, 0..1
   double slip = 0.0;
   std::uint64_t seed = 1;
   bool trace = false;
@@ -202,20 +202,20 @@ struct PlayArguments {
 /// `robosim test`
 struct TestArguments {
   std::vector<std::string> sketches;
-  std::string checks;    ///< a file for all sketches; empty = the checks.toml beside each
+  std::string checks;    ///< a file for all sketches; empty = each sketch's checks.toml
   std::string junit;     ///< a file; empty = none
-  std::size_t jobs = 1;  ///< runs at a time
+  std::size_t jobs = 1;  ///< simultaneous runs
   bool untrusted = false;
 };
 
 /// `robosim mutate`
 struct MutateArguments {
   std::string sketch;
-  std::string checks;              ///< a file; empty = the checks.toml beside the sketch
-  std::vector<std::string> tests;  ///< programs of GoogleTest tests, in place of checks
+  std::string checks;              ///< a file; empty = the sketch's checks.toml
+  std::vector<std::string> tests;  ///< programs of GoogleTest tests, instead of checks
   std::uint64_t seed = 1;
-  std::size_t count = 20;  ///< bugs
-  std::size_t jobs = 1;    ///< runs at a time
+  std::size_t count = 20;  ///< number of bugs
+  std::size_t jobs = 1;    ///< simultaneous runs
   double min_score = 0.0;
   bool json = false;
 };
@@ -223,20 +223,20 @@ struct MutateArguments {
 /// `robosim hunt`
 struct HuntArguments {
   std::string sketch;
-  std::vector<std::string> maps;  ///< empty = as `run` chooses, or one that suits
-  bool only_maps = false;         ///< no maps are drawn
+  std::vector<std::string> maps;  ///< empty = as `run` chooses, or a suitable one
+  bool only_maps = false;         ///< draws no maps
   std::string robot;
   std::vector<std::string> targets;  ///< empty = the chip's, and the host
-  RunArguments each;                 ///< as of SweepArguments
-  std::uint64_t seed = 1;            ///< of what is drawn
+  RunArguments each;                 ///< see SweepArguments
+  std::uint64_t seed = 1;            ///< of the random choices
   std::uint64_t runs = 400;
-  double minutes = 0.0;  ///< wall time after which no further run begins; 0 = as many as there are runs
-  std::size_t jobs = 1;  ///< runs at a time
+  double minutes = 0.0;  ///< wall time after which no further run begins; 0 = no limit
+  std::size_t jobs = 1;  ///< simultaneous runs
   std::string out;       ///< a folder; empty = hunt-SKETCH
   bool resume = false;
   bool stop_early = false;
   Shard shard;                     ///< of the runs
-  std::vector<std::string> merge;  ///< folders of other shards; no runs are made
+  std::vector<std::string> merge;  ///< folders of other shards; then there are no runs
 };
 
 /// `robosim new`
@@ -244,7 +244,7 @@ struct NewArguments {
   std::string name;
 };
 
-/// Nothing to do but to print: --help, --version, or the examples of a bare `robosim`.
+/// Only prints a text: --help, --version, or the examples of a bare `robosim`.
 struct PrintText {
   std::string text;
 };
@@ -255,7 +255,7 @@ using Command = std::variant<RunArguments, WhyArguments, ReplayArguments, SweepA
                              PrintArguments, RobotArguments, CalibrateArguments, ServeArguments,
                              TestArguments, MutateArguments, HuntArguments, NewArguments, PrintText>;
 
-/// `words` without the program's name. Throws InputError.
+/// Parses `words`, without the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

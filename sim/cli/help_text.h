@@ -1,4 +1,4 @@
-// What `robosim` and `robosim --help` print.
+// The output of `robosim` and `robosim --help`.
 #pragma once
 
 namespace robosim::cli {

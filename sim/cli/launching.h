@@ -1,5 +1,5 @@
-// From a command line to a launch, what is said on standard error while it is prepared, and what recordings
-// say of it.
+// Converts a command line to a launch, reports its preparation on standard error, and describes it in
+// recordings.
 #pragma once
 
 #include <string>
@@ -12,23 +12,23 @@
 
 namespace robosim::cli {
 
-/// Of one file. Throws InputError.
+/// Reads one file. Throws InputError.
 std::string script_text(const std::string& file);
 
-/// The scenario's text: the file of --script, then a line for each --send. Throws InputError.
+/// Returns the scenario's text: the file of --script, then a line for each --send. Throws InputError.
 std::string scenario_text(const RunArguments& arguments);
 
-/// With that scenario.
+/// Returns the launch, with that scenario.
 launch::Launch launch_of(const RunArguments& arguments);
 
-/// What is said on standard error.
+/// The reports on standard error.
 struct Says {
-  bool choices = true;   ///< made for the user
+  bool choices = true;   ///< automatic ones
   bool warnings = true;  ///< of the compiler
 };
 launch::Listener listener_of(tui::Progress& progress, Says says = {});
 
-/// What recordings say of a run. `version`: the runner's.
+/// Returns the description of a run for recordings. `version`: the runner's.
 record::RecordedRun recorded(const launch::Prepared& run, const std::string& version);
 record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
                              const std::string& version);

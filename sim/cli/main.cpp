@@ -73,7 +73,7 @@ int perform(int count, char** words) {
   try {
     return std::visit(Perform{}, parse_arguments({words + 1, words + count}));
   } catch (const build::CompileError& error) {
-    return fail(ExitStatus::bad_input, "", error.what());  // begins with the place, as editors look for it
+    return fail(ExitStatus::bad_input, "", error.what());  // begins with the place, as editors expect
   } catch (const InputError& error) {
     return fail(ExitStatus::bad_input, "robosim: ", error.what());
   } catch (const ToolMissing& error) {
@@ -93,6 +93,6 @@ int perform(int count, char** words) {
 
 int main(int count, char** words) {
   robosim::cli::open_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on files is noticed when writing
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is noticed when writing
   return robosim::cli::perform(count, words);
 }

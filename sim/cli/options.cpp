@@ -36,7 +36,7 @@ void Options::positionals(const char* name, std::vector<std::string>& values, co
 }
 
 void Options::text(const char* name, std::string& value, const char* meta, const char* what) {
-  // parse() refuses a second value itself: CLI11's error for one has the type of that for a missing value.
+  // parse() refuses a second value itself: CLI11's error for one has the same type as for a missing value.
   app_->cli.add_option(name, value, what)->option_text(meta)->take_last();
 }
 
@@ -52,12 +52,12 @@ void Options::flag(const char* name, bool& value, const char* what) { app_->cli.
 
 std::optional<std::string> Options::parse(std::vector<std::string> words) {
   const std::string last = words.empty() ? "" : words.back();
-  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  std::reverse(words.begin(), words.end());  // CLI11 needs this order
   try {
     app_->cli.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     return app_->cli.help();
-  } catch (const CLI::ArgumentMismatch&) {  // an option takes the word behind it, whatever that is
+  } catch (const CLI::ArgumentMismatch&) {  // an option takes the next word, even another option
     throw InputError(last.substr(0, last.find('=')) + " needs a value after it");
   } catch (const CLI::ParseError& error) {
     throw InputError(command_ + ": " + error.what());

@@ -1,4 +1,4 @@
-// Standard output, with its errors checked; standard error.
+// Writes to standard output, with its errors checked, and to standard error.
 #pragma once
 
 #include <string_view>
@@ -7,17 +7,17 @@
 
 namespace robosim::cli {
 
-/// Writes and flushes; on a terminal as for_terminal() has it. Throws InputError if that fails (a full disk).
+/// Writes and flushes; on a terminal through for_terminal(). Throws InputError if that fails (a full disk).
 void print(std::string_view text);
 
-/// Writes to standard error, as for_terminal() has it. Where that cannot be written the exit status must do.
+/// Writes to standard error, through for_terminal(). If that fails, only the exit status remains.
 void complain(std::string_view text);
 
-// Write a screen with our own colours, in which the names and texts of others are visible already.
+// Write a screen with our own colours, in which foreign names and texts are escaped already.
 void print_coloured(std::string_view text);
 void complain_coloured(std::string_view text);
 
-/// Writes what a sketch sends to standard output: on a terminal as for_terminal() has it, else byte by byte.
+/// Writes the sketch's output to standard output: on a terminal through for_terminal(), else byte by byte.
 class SerialPrinter {
  public:
   void add(std::string_view text);
@@ -27,8 +27,8 @@ class SerialPrinter {
   TerminalText shown_;
 };
 
-/// Puts /dev/null in the place of standard streams that are closed, or the next file that is opened would be
-/// taken for one of them. Writing to such a standard output fails.
+/// Replaces closed standard streams by /dev/null. Otherwise the next opened file would be mistaken for one of
+/// them. Writing to such a standard output fails.
 void open_standard_streams();
 
 }  // namespace robosim::cli

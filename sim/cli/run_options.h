@@ -1,4 +1,4 @@
-// The options of a run that several commands have. Each command adds those groups that mean something to it.
+// The options of a run that several commands share. Each command adds the groups that it supports.
 #pragma once
 
 #include <string>
@@ -18,9 +18,9 @@ class RunOptions {
   void task();    ///< --start, --goal, --script
   void time();    ///< --for, --clock
   void seed();    ///< --seed
-  void common();  ///< --profile, --send, --env, --libraries: what every command that runs sketches has
+  void common();  ///< --profile, --send, --env, --libraries: for every command that runs sketches
 
-  /// Puts what was given into the run, once the options are parsed. Throws InputError.
+  /// Stores the given values in the run, once the options are parsed. Throws InputError.
   void finish();
 
  private:

@@ -1,5 +1,5 @@
-// A part of a campaign whose runs are made on several machines: --shard 2/8, and --merge of what came of
-// them.
+// A part of a campaign whose runs are distributed over several machines: --shard 2/8, and --merge of the
+// results.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@ struct Shard {
   std::uint64_t count = 1;  ///< 1 = all runs are made here
 
   bool whole() const { return count == 1; }
-  /// Every count-th, so that what takes long is spread over all.
+  /// Returns whether a run is of this shard: every count-th, so that slow runs are spread over all.
   bool has(std::size_t run) const { return run % count == index; }
-  /// The run of the campaign that is the n-th of this shard, both from 0.
+  /// Returns the campaign's number of this shard's n-th run, both from 0.
   std::uint64_t run(std::uint64_t n) const { return n * count + index; }
-  /// How many of so many are of this shard.
+  /// Returns how many of `runs` are of this shard.
   std::size_t share_of(std::size_t runs) const { return runs / count + (runs % count > index ? 1 : 0); }
-  /// "2/8"
+  /// Returns "2/8"
   std::string text() const;
 };
 
-/// The value of --shard. Throws InputError.
+/// Parses the value of --shard. Throws InputError.
 Shard read_shard(const std::string& text);
 
 }  // namespace robosim::cli

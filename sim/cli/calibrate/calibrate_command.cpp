@@ -84,7 +84,7 @@ int calibrate_command(const CalibrateArguments& arguments) {
   const calibrate::Task task{arguments.robot, arguments.logs, arguments.stopwatch, arguments.tape_m,
                              arguments.supply_volts};
   const calibrate::Calibration result = calibrate::calibrate(task);
-  // Of a link it is the file that is written.
+  // For a link, the file that it refers to is written.
   const std::string file = arguments.in_place ? fs::canonical(arguments.robot).string() : arguments.out;
   std::string written;
   if (!file.empty()) written = calibrate::calibrated_text(task, result, file);

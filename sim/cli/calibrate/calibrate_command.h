@@ -1,4 +1,4 @@
-// `robosim calibrate`: figures of a robot file from logs of the real robot (docs/calibrating.md).
+// `robosim calibrate`: parameters of a robot file from logs of the real robot (docs/calibrating.md).
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace robosim::cli {
 
-/// `words` after "calibrate". Throws InputError.
+/// Parses `words`, after "calibrate". Throws InputError.
 Command parse_calibrate(const std::vector<std::string>& words);
 
-/// Says what the logs tell, and writes it if a file is named for it. Throws InputError; then nothing is
+/// Reports the results from the logs, and writes them if a file is named. Throws InputError; then nothing is
 /// written.
 int calibrate_command(const CalibrateArguments& arguments);
 

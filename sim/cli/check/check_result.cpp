@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kDetected = "detected: ";
 
-/// "17.23", with as many digits as it takes to differ from the limit it is beyond.
+/// Returns "17.23", with enough digits to differ from the limit that it exceeds.
 std::string beyond(double value, double limit) {
   const std::string text = figure_text(value);
   return text == figure_text(limit) ? fmt::format("{}", value) : text;
@@ -33,7 +33,8 @@ std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunR
   return std::nullopt;
 }
 
-/// The first of `texts` that is not in `all` behind the one before it: "“b” by its serial port after “a”".
+/// Returns the first of `texts` that is missing in `all` after the previous one: "“b” by its serial port
+/// after “a”".
 std::optional<std::string> missing_of(const std::vector<std::string>& texts, const std::string& all,
                                       const char* by) {
   std::size_t at = 0;

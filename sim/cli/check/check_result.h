@@ -17,25 +17,25 @@ struct CheckResult {
   Place place;
   std::string where;  ///< "oval · uno5 · seeds 1..20"
   ExitStatus status = ExitStatus::interrupted;
-  std::string why;     ///< one sentence, of a failure
-  std::string replay;  ///< the command that makes the first failed run again; empty = there is none
-  /// `run` with the options of that run, and the trace that it came to.
+  std::string why;     ///< one sentence about a failure
+  std::string replay;  ///< the command that repeats the first failed run; empty = there is none
+  /// `run` with the options of that run, and its trace hash.
   std::string again, again_trace_hash;
-  std::string serial;  ///< what the sketch sent in that run
+  std::string serial;  ///< output of the sketch in that run
   std::size_t runs = 0;
   std::size_t passed = 0;
-  double time_s = 0.0;                  ///< simulated, of all runs
-  std::optional<wire::RunResult> only;  ///< of a check of one run
-  std::vector<std::string> traces;      ///< the trace hashes of all runs, in the order of the plan
+  double time_s = 0.0;                  ///< simulated, sum of all runs
+  std::optional<wire::RunResult> only;  ///< the result, if the check has one run
+  std::vector<std::string> traces;      ///< trace hashes of all runs, in the order of the plan
 
   bool ok() const { return status == ExitStatus::ok; }
 };
 
 struct SketchResult {
-  std::string name;    ///< for people: as the user named it, or that of the current folder
+  std::string name;    ///< for display: as the user named it, or the current folder's name
   std::string checks;  ///< the file
   std::vector<CheckResult> results;
-  /// Why there are none: a bad file, a sketch that does not compile.
+  /// The reason why there are none: a bad file, a sketch that does not compile.
   struct Problem {
     ExitStatus status = ExitStatus::bad_input;
     Place place;
@@ -48,12 +48,13 @@ struct SketchResult {
   ExitStatus status() const;
 };
 
-/// The most important status: an internal error, a missing tool, bad input, a failure, time was up.
+/// Returns the more important status. The order is: internal error, missing tool, bad input, failure,
+/// timeout.
 ExitStatus worse(ExitStatus a, ExitStatus b);
 
-/// Why a run does not meet the check, in one sentence; nullopt if it does.
+/// Returns why a run does not meet the check, in one sentence; nullopt if it does.
 std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result);
-/// Whether that is what a detector has seen.
+/// Returns whether `why` is a finding of a detector.
 bool is_of_detectors(const std::string& why);
 
 }  // namespace robosim::cli

@@ -20,14 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a compiler's messages the first error.
+/// Returns the first error of a compiler's messages.
 std::string first_error(const std::string& text) {
   const std::size_t error = std::min(text.find("error: "), text.size());
   const std::size_t begin = error == text.size() ? 0 : text.rfind('\n', error) + 1;
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// The place with which a compiler's message begins. It names the sketch's files from the sketch's folder.
+/// Returns the place with which a compiler's message begins. The sketch's files are relative to its folder.
 Place place_in(const std::string& line, const fs::path& folder) {
   const std::size_t colon = line.find(':');
   if (colon == std::string::npos) return {};
@@ -38,7 +38,7 @@ Place place_in(const std::string& line, const fs::path& folder) {
   return {(fs::exists(folder / file, error) ? folder / file : file).string(), number, 0};
 }
 
-/// "pupils/anna/" is called pupils/anna.
+/// Returns pupils/anna for "pupils/anna/".
 std::string name_of(const std::string& sketch) {
   if (sketch.empty()) return fs::current_path().filename().string();
   const std::size_t last = sketch.find_last_not_of('/');
@@ -69,7 +69,7 @@ std::string where_text(const SweepPlan& plan) {
   return text;
 }
 
-/// Which of a check's runs it was, as far as they differ.
+/// Describes a run of a check, by what differs between its runs.
 std::string run_text(const SweepPlan& plan, std::size_t run) {
   std::string text = plan.seeds > 1 ? fmt::format("seed {}", plan.seed_of(run)) : "";
   if (plan.combinations.size() == 1) return text;
@@ -78,8 +78,8 @@ std::string run_text(const SweepPlan& plan, std::size_t run) {
                      in.target);
 }
 
-/// Throws InputError where a check wants more than an untrusted sketch gets. Where `folder` is not empty, all
-/// files that the check names have to lie there.
+/// Throws InputError if a check needs more than an untrusted sketch gets. Unless `folder` is empty, all files
+/// that the check names must be in it.
 void confine(Check& check, const fs::path& folder) {
   SweepArguments& sweep = check.sweep;
   sweep.each.untrusted = sweep.each.chip_only = true;
@@ -183,7 +183,7 @@ client::Batch CheckSession::batch() {
           [this](std::size_t i, const client::Answer& answer) { answered(runs_[i], answer); },
           [this](std::size_t i) {
             Planned& planned = planned_[runs_[i].planned];
-            if (result_of(planned).status != ExitStatus::interrupted) return false;  // it cannot be made
+            if (result_of(planned).status != ExitStatus::interrupted) return false;  // there is no result
             return !planned.check.sweep.stop_early ||
                    !planned.tallies[runs_[i].number / planned.plan.seeds].decided();
           }};
@@ -226,7 +226,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
   result.again_trace_hash = run_result.trace_hash;
   result.replay = result.again;
-  if (is_of_detectors(*why)) result.replay += " --sanitize";  // that is how run asks them
+  if (is_of_detectors(*why)) result.replay += " --sanitize";  // which `run` needs for detectors
 }
 
 void CheckSession::finish(Planned& planned) {

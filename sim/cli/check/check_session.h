@@ -15,34 +15,34 @@ namespace robosim::cli {
 
 class CheckSession {
  public:
-  /// `untrusted`: the sketches are somebody else's. They run on chips; and checks beside them, which are
-  /// somebody else's, too, name no file outside of the sketch's folder.
+  /// `untrusted`: the sketches are a stranger's. They run on chips. Their own checks are a stranger's, too,
+  /// and name no file outside of the sketch's folder.
   explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
       : planner_(planner), untrusted_(untrusted) {}
 
-  /// Reads the sketch's checks (`file`, or those beside it if that is empty) and compiles. What is wrong with
-  /// a sketch or a file becomes its result.
+  /// Reads the sketch's checks (`file`, or its checks.toml if that is empty) and compiles. An error in a
+  /// sketch or a file becomes its result.
   void add(const std::string& sketch, const std::string& file);
 
-  /// All runs of all checks. They are counted as they are handed over.
+  /// Returns all runs of all checks. They are counted as they are handed out.
   client::Batch batch();
   std::size_t runs() const { return runs_.size(); }
   std::size_t runs_ended() const { return ended_; }
 
-  /// The results; checks with a run missing were interrupted.
+  /// Returns the results; checks with a missing run were interrupted.
   std::vector<SketchResult> results();
 
  private:
   /// A check whose runs are planned.
   struct Planned {
     std::size_t sketch;
-    std::size_t result;  ///< its place among the sketch's
+    std::size_t result;  ///< its index in the sketch's results
     Check check;
     SweepPlan plan;
     std::vector<analysis::Tally> tallies;
-    bool late_only = true;      ///< no run failed but by time
-    std::string first_failure;  ///< why
-    std::string first_name;     ///< of that run, where there are several: "seed 4"
+    bool late_only = true;      ///< all failed runs timed out
+    std::string first_failure;  ///< the reason
+    std::string first_name;     ///< the name of that run, if there are several: "seed 4"
   };
   struct Run {
     std::size_t planned;

@@ -51,7 +51,7 @@ constexpr Flag kFlags[] = {
 const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "toppled", "hung",
                                          "ended",   "crashed", "over_budget", "timeout"};
 
-/// A value as one would type it after its flag.
+/// Returns a value as typed after its flag.
 std::string word_of(const ConfigValue& value, const char* key) {
   if (value.kind == ConfigValue::Kind::integer) return std::to_string(value.integer);
   if (value.kind == ConfigValue::Kind::number) return fmt::format("{}", value.number);
@@ -60,7 +60,7 @@ std::string word_of(const ConfigValue& value, const char* key) {
   return word;
 }
 
-/// A string or an array of them.
+/// Returns a string or an array of them.
 std::vector<std::string> words_of(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array) return {word_of(value, key)};
   std::vector<std::string> words;
@@ -73,7 +73,7 @@ std::vector<std::string> words_at(TableReader& reader, const char* key) {
   return value ? words_of(*value, key) : std::vector<std::string>{};
 }
 
-/// "--min-rate" in a message becomes "min-rate".
+/// Converts "--min-rate" in a message to "min-rate".
 std::string without_hyphens(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -123,7 +123,7 @@ class CheckReader {
   }
 
  private:
-  /// As it is given to the flag: paths begin at the file's folder.
+  /// Returns the argument of the flag: paths are relative to the file's folder.
   std::string flag_word(const std::string& word, Text text) const {
     if (text == Text::sent) return escaped(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
@@ -161,7 +161,7 @@ class CheckReader {
     }
   }
 
-  /// `seed`, or 1 if there are no `seeds` either.
+  /// Returns `seed`, or 1 if there are no `seeds` either.
   std::optional<std::string> only_seed() {
     const ConfigValue* seed = reader_.find("seed");
     const ConfigValue* seeds = reader_.table().find("seeds");
@@ -177,7 +177,7 @@ class CheckReader {
     return word;
   }
 
-  /// Of the flag with which a message begins.
+  /// Returns the place of the flag with which a message begins.
   Place place_of(const std::string& message) const {
     for (const Flag& flag : kFlags) {
       const std::string name = fmt::format("--{}", flag.key);

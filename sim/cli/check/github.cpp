@@ -16,7 +16,7 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// As GitHub wants data of its commands; in properties ':' and ',' too.
+/// Escapes data for GitHub's commands; in properties ':' and ',' too.
 std::string workflow_text(const std::string& text, const char* special) {
   std::string data;
   for (const char c : text) {
@@ -27,7 +27,7 @@ std::string workflow_text(const std::string& text, const char* special) {
   return data;
 }
 
-/// GitHub knows files by their place in the repository.
+/// Returns the file's path in the repository, which GitHub needs.
 std::string in_the_repository(const std::string& file) {
   const std::string workspace = environment("GITHUB_WORKSPACE");
   if (workspace.empty()) return file;
@@ -45,7 +45,7 @@ std::string note(const Place& place, const std::string& title, const std::string
                      workflow_text(text, ""));
 }
 
-/// In a cell of a table.
+/// Escapes text for a cell of a table.
 std::string cell(const std::string& text) {
   std::string plain;
   for (const char c : text) {

@@ -10,7 +10,7 @@
 namespace robosim::cli {
 namespace {
 
-/// What a sketch sent, readable: with plain line ends.
+/// Formats a sketch's output, with plain line ends.
 std::string xml_log(const std::string& serial) {
   std::string xml;
   for (std::size_t begin = 0; begin < serial.size();) {

@@ -1,4 +1,4 @@
-// The results of `robosim test` as JUnit XML, as CI servers read it.
+// Writes the results of `robosim test` as JUnit XML, for CI servers.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace robosim::cli {
 
-/// A test suite for each sketch, a test case for each check, with its figures as properties, and of a failure
-/// what the sketch sent (system-out). All times are simulated, so that equal results give equal bytes.
+/// Returns a test suite for each sketch, with a test case for each check. Measurements are its properties,
+/// and a failure has the sketch's output (system-out). All times are simulated, so that equal results give
+/// equal bytes.
 std::string junit_xml(const std::vector<SketchResult>& sketches);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// What a sketch must never, sometimes and always send or show: the keys never, sometimes and always of
+// Texts that a sketch must never, sometimes or always send or show: the keys never, sometimes and always of
 // checks.toml.
 #pragma once
 
@@ -17,15 +17,15 @@ struct Promise {
   std::string words;
 
   bool is_in(const wire::RunResult& result) const;
-  /// As it was written: "serial: arrived".
+  /// Returns it as it was written: "serial: arrived".
   std::string text() const;
 };
 
-/// The promises of a file of checks; takes its keys. Throws InputError.
+/// Reads the promises of a file of checks; consumes its keys. Throws InputError.
 std::vector<Promise> read_promises(TableReader& file);
 
-/// Of never and always, in one sentence; empty if it is kept. What must always come has to by the end of a
-/// run.
+/// Returns why a run breaks a never or always promise, in one sentence; empty if it keeps it. A text of
+/// `always` must appear by the end of a run.
 std::string why_broken(const Promise& promise, const wire::RunResult& result);
 
 }  // namespace robosim::cli

@@ -8,9 +8,9 @@
 
 namespace robosim::cli {
 
-/// `words` after "test". Throws InputError.
+/// Parses `words`, after "test". Throws InputError.
 Command parse_test(const std::vector<std::string>& words);
-/// `words` after "new". Throws InputError.
+/// Parses `words`, after "new". Throws InputError.
 Command parse_new(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -19,7 +19,7 @@
 namespace robosim::cli {
 namespace {
 
-/// True if all runs ended.
+/// Returns true if all runs ended.
 bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress) {
   if (session.runs() == 0) return true;
   client::Pool pool(std::min(jobs, session.runs()));

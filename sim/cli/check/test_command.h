@@ -1,11 +1,11 @@
-// `robosim test`: the checks of one sketch or of many, all their runs through one pool.
+// `robosim test`: runs the checks of one sketch or of many, all through one pool.
 #pragma once
 
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
 
-/// The process's exit status. Throws InputError for errors that are not a sketch's.
+/// Returns the process's exit status. Throws InputError for errors that are not a sketch's.
 int test_command(const TestArguments& arguments);
 
 }  // namespace robosim::cli

@@ -13,7 +13,7 @@ std::string padded(const std::string& text, int width) {
   return text + std::string(static_cast<std::size_t>(std::max(0, width - tui::width_of(text))), ' ');
 }
 
-/// The most characters of what `text_of` gives.
+/// Returns the largest number of characters in the results of `text_of`.
 template <typename Items, typename TextOf>
 int widest(const Items& items, const TextOf& text_of) {
   int width = 0;
@@ -29,7 +29,7 @@ std::string mark(const CheckResult& result) {
     case ExitStatus::timeout:
       return "FAILED";
     default:
-      return "ERROR";  // it could not be made
+      return "ERROR";  // it could not run
   }
 }
 

@@ -1,4 +1,4 @@
-// What `robosim test` prints at the end.
+// The final output of `robosim test`.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace robosim::cli {
 
-/// For one sketch: a line for each check, below a failure why and the command that replays it.
+/// Returns the report on one sketch: a line for each check. A failure is followed by its reason and the
+/// command that replays it.
 std::string sketch_report(const SketchResult& sketch);
 
-/// For several: a line for each.
+/// Returns the report on several sketches: a line for each.
 std::string class_report(const std::vector<SketchResult>& sketches);
 
 }  // namespace robosim::cli

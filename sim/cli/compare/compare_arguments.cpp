@@ -10,7 +10,7 @@
 namespace robosim::cli {
 namespace {
 
-/// "host,avr", or "B=host,avr" of one robot.
+/// Parses "host,avr", or "B=host,avr" for one robot.
 void read_targets(const std::vector<std::string>& words, CompareArguments& compare) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const Named part = named(words[i]);

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// `words` after "compare". Throws InputError.
+/// Parses `words`, after "compare". Throws InputError.
 Command parse_compare(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -21,10 +21,10 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // round a difference
+constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // around a difference
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
-constexpr std::size_t kMostTicks = 10;  // at which the host is made to go the other's way
-constexpr std::size_t kSaid = 3;        // lines before the one that differs
+constexpr std::size_t kMostTicks = 10;  // at which the host is made to follow the other
+constexpr std::size_t kSaid = 3;        // lines before the different one
 
 class CompareCommand {
  public:
@@ -39,10 +39,10 @@ class CompareCommand {
     compared.sketch = title();
     const std::vector<Histories> histories = run_lanes(seed, compared);
     std::vector<Found> found = compare_with(0, histories, compared);
-    // What differs from a target that lacks something says nothing of the others.
+    // A difference from a target that lacks something says nothing about the others.
     if (lacks_something(compared.lanes[0]))
       for (Found& one : compare_with(1, histories, compared)) found.push_back(std::move(one));
-    // The earliest, but for those that say nothing of the sketch.
+    // The earliest, except those that say nothing about the sketch.
     std::optional<Compared> on_edge;
     std::deque<analysis::History> more;
     while (!found.empty()) {
@@ -69,14 +69,14 @@ class CompareCommand {
   }
 
  private:
-  /// A sketch, a file of several robots, or how many there are.
+  /// Returns a sketch, a file of several robots, or their number.
   std::string title() const {
     const launch::Fleet& fleet = lanes_[0].fleet;
     if (fleet.members.empty()) return lanes_[0].inputs(0).sketch;
     return fleet.file.empty() ? fmt::format("{} robots", fleet.members.size()) : fleet.file;
   }
 
-  /// Of a lane, one for each robot.
+  /// The histories of a lane, one for each robot.
   using Histories = std::vector<analysis::History>;
 
   struct Found {
@@ -85,7 +85,7 @@ class CompareCommand {
     Pair pair;
   };
 
-  /// The lanes behind `first` with that one.
+  /// Compares the lanes after `first` with that one.
   std::vector<Found> compare_with(std::size_t first, const std::vector<Histories>& histories,
                                   Compared& compared) {
     std::vector<Found> found;
@@ -105,7 +105,8 @@ class CompareCommand {
     return found;
   }
 
-  /// What differs where the host has gone the other's way at a tick of its clock. `more` keeps its run.
+  /// Returns the next difference after the host has followed the other at a tick of its clock. `more` stores
+  /// its run.
   std::optional<Found> behind_tick(const Compared& compared, const Found& at,
                                    std::deque<analysis::History>& more) {
     if (compared.edges.empty()) return std::nullopt;
@@ -153,7 +154,7 @@ class CompareCommand {
     return histories;
   }
 
-  /// Once more, to the difference only, with the sources of all that happens near it.
+  /// Runs once more, to the difference only, with the sources of all events near it.
   void look_closer(Compared& compared, const Pair& pair) {
     const analysis::Difference& d = *compared.difference;
     std::vector<analysis::PinLog> pins;
@@ -232,7 +233,7 @@ class CompareCommand {
         .result;
   }
 
-  /// The robots on the host, where no target that is compared is that; null where that cannot be.
+  /// Makes the robots for the host, if the host is not a compared target; null if that is impossible.
   Lane* make_host() {
     try {
       if (!host_) host_ = lane_of(arguments_, "host", progress_);

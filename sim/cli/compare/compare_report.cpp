@@ -28,7 +28,7 @@ std::string names_of(const Compared& c) {
   return text;
 }
 
-/// A line for each robot on each target.
+/// Returns a line for each robot on each target.
 std::string lanes_text(const Compared& c) {
   const auto robot_of = [&](const ComparedRun& run) {
     return c.moves.empty() ? run.inputs.robot : fmt::format("{}, {}", run.inputs.robot, run.inputs.target);
@@ -122,7 +122,7 @@ Json json_of(const ComparedLane& lane) {
   return {{"target", lane.target}, {"robots", std::move(robots)}};
 }
 
-/// "where it is 0.26 ms late from 3.90 s on": of what it has been late by, the last is what counts here.
+/// Returns "where it is 0.26 ms late from 3.90 s on": only the last lateness counts here.
 std::string late_text(const std::vector<wire::Lateness>& late) {
   if (late.empty()) return "as it is";
   const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);

@@ -1,4 +1,4 @@
-// What can be said of the difference that a comparison has found.
+// Facts about a difference that a comparison has found.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace robosim::cli {
 
-/// Whether a robot's sketch has used something that this lane's target lacks.
+/// Returns whether a robot's sketch has used a feature that this lane's target lacks.
 bool lacks_something(const ComparedLane& lane);
 
-/// Fills in what a side lacks of the chip, where the sketch had used that there before the difference, of a
-/// robot in two lanes. Not where the difference has a named cause, or the checks have found one.
+/// For a robot in two lanes: sets the chip features that a side lacks, if the sketch had used them before the
+/// difference. Skipped if the difference has a named cause, or the checks have found one.
 void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& lanes);
 
-/// Where the text of a side begins to differ from that of the other.
+/// Returns where the text of a side begins to differ from that of the other.
 std::size_t first_difference(const Compared& compared, std::size_t side, const std::string& text);
 
-/// When the difference has shown, at the latest: a place to which a side has not come it may come to later.
+/// Returns when the difference has shown, at the latest: a side may reach a missing place later.
 std::int64_t shows_by(const Compared& compared);
 
 }  // namespace robosim::cli

@@ -11,17 +11,17 @@
 namespace robosim::cli {
 namespace {
 
-// A clock is off from the beginning on, or so long before a difference, and until it shows.
+// A clock is off from the beginning on, or from this long before a difference until it shows.
 constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
-// An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by as much as this.
+// An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by up to twice that.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
-// Where both sides differ from themselves, but not in one way: how often do they go each?
+// For sides that both differ from themselves, but in several ways: measures how often they do each.
 constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  1500, -1500,
                                       2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
-// Where that is rare, these, and as many slow.
+// If that is rare, these, and as many slow ones.
 constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
-// An Uno's millis() may lag by two of its ticks, 2.048 ms, and targets take some milliseconds more or less
-// for what they do between two calls of delay(). Steps of a quarter of a tick.
+// An Uno's millis() may lag by two of its ticks, 2.048 ms. Targets differ by some milliseconds in what they
+// do between two calls of delay(). Steps of a quarter of a tick.
 constexpr std::int64_t kLate_us[] = {260,   520,  -260,  780,   -520, 1040,  -780, 1300, -1040, 1560,
                                      -1300, 1820, -1560, -1820, 2080, -2080, 3000, 5000, 10000};
 constexpr std::int64_t kLateBefore_ns[] = {100'000'000, 1'500'000'000, 5'000'000'000};  // or from the start
@@ -39,8 +39,8 @@ std::vector<Edge> EdgeFinder::find(const Compared& compared, const Pair& pair) {
   return find_of_ticks(compared, pair);
 }
 
-/// What one target alone does, such as by a race of its interrupts, is its own doing: so one must do what
-/// the other did there, and the other, too, or differ from itself in a like way.
+/// A behaviour of one target alone, such as by a race of its interrupts, is its own. So one side must do what
+/// the other did. The other must do so, too, or differ from itself in a similar way.
 std::vector<Edge> EdgeFinder::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
   bool there = false;
@@ -54,8 +54,8 @@ std::vector<Edge> EdgeFinder::find_of_clocks(const Compared& compared, const Pai
   return weigh(compared, pair);
 }
 
-/// Where chance has decided from the beginning on, each side differs from itself in many ways. Then both
-/// must go both ways, and about as often, with one clock or another.
+/// If chance has decided from the beginning on, each side differs from itself in many ways. Then both must
+/// show both behaviours, about equally often, with varied clocks.
 std::vector<Edge> EdgeFinder::weigh(const Compared& compared, const Pair& pair) {
   const auto choice = analysis::Choice::of(*compared.difference, *pair.histories[0], *pair.histories[1]);
   if (!choice) return {};
@@ -99,8 +99,8 @@ std::vector<Edge> EdgeFinder::weigh(const Compared& compared, const Pair& pair) 
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Where this lane, with its clock a little off, does as the other lane did; or, if it never does, differs
-/// from itself in a like way.
+/// Returns where this lane, with its clock a little off, does as the other lane did. If it never does,
+/// returns where it differs from itself in a similar way.
 std::optional<Edge> EdgeFinder::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   Lane& lane = *pair.lanes[side];
   progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.target));
@@ -125,12 +125,12 @@ std::optional<Edge> EdgeFinder::find_of_clock(const Compared& compared, std::siz
   return found;
 }
 
-/// What one program does on the host, where it is late by a fraction of a millisecond, is no target's doing:
-/// there it must go both ways. A robot that goes both with a clock that is off, too, is for find_of_clocks().
+/// Varying behaviour of one program on the host, delayed by a fraction of a millisecond, is not a target's.
+/// It must show both behaviours there. If a clock that is off also shows both, find_of_clocks() handles it.
 std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair& pair) {
   Lane* host = nullptr;
   std::array<bool, 2> done{};
-  std::size_t as = 0;  // the side whose lateness it has already
+  std::size_t as = 0;  // the side whose lateness it already has
   for (std::size_t side = 0; side < 2; ++side)
     if (pair.lanes[side]->is_on_host(pair.robot)) host = pair.lanes[side], done[side] = true, as = side;
   if (!host) host = make_host_();
@@ -138,14 +138,14 @@ std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair
   progress_.say("does the host both, a little later? …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // What is said behind it will be compared with what the host says where it is as late as that.
+  // Later output will be compared with the host's at the same lateness.
   const std::int64_t behind_ns = drives || pair.lanes[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   Watched watched = watched_of(compared, as, pair);
   std::array<std::vector<wire::Lateness>, 2> late{watched.late, watched.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
   std::optional<analysis::Difference> itself;
-  // One that goes this way must go the other no more: lines that come a little closer may be a stream, which
-  // is like much else.
+  // A run of one behaviour must not show the other any more. Lines that come slightly closer may be a stream,
+  // which resembles much else.
   const auto look = [&] {
     const analysis::History run = watch_.run(*host, watched);
     for (std::size_t side = 0; side < 2; ++side) {

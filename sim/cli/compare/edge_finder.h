@@ -1,5 +1,5 @@
-// Whether a difference is chance: what each target does with its clock a little off, and what one program
-// does on the host, a fraction of a millisecond later. docs/comparing.md says why that tells.
+// Decides whether a difference is chance. Runs each target with its clock a little off, and the program on
+// the host a fraction of a millisecond later. docs/comparing.md explains the method.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace robosim::cli {
 
-/// One robot in two lanes.
+/// A robot in two lanes.
 struct Pair {
   std::size_t robot = 0;
   std::array<Lane*, 2> lanes{};
@@ -28,13 +28,13 @@ struct Pair {
 
 class EdgeFinder {
  public:
-  /// `make_host` builds the robot for the host, where no lane has it there; null where that cannot be. It is
-  /// called once at most. All that is given must outlive this.
+  /// `make_host` builds the robot for the host, if no lane has it there; null if that is impossible. It is
+  /// called at most once. All arguments must outlive this.
   EdgeFinder(const Watch& watch, tui::Progress& progress, std::function<Lane*()> make_host)
       : watch_(watch), progress_(progress), make_host_(std::move(make_host)) {}
 
-  /// Of the difference in `compared`, whose sides are described. Empty: it is the targets'. Nothing is chance
-  /// that has a named cause, or where the checks have found something.
+  /// Returns the edges for the difference in `compared`, whose sides are described. Empty: it is the
+  /// targets'. A difference is never chance if it has a named cause, or if the checks have found something.
   std::vector<Edge> find(const Compared& compared, const Pair& pair);
 
  private:

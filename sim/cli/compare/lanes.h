@@ -1,4 +1,4 @@
-// What `robosim compare` runs side by side: a lane for each target, with the same robots in each.
+// The lanes of `robosim compare`: one for each target, with the same robots in each.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace robosim::cli {
 
-/// A target, what runs on it, and who runs it.
+/// A target, its robots, and its runner.
 struct Lane {
-  std::string target;  ///< of the robots that are put on it
+  std::string target;  ///< of the robots that run on it
   client::Runner runner;
-  launch::Fleet fleet;        ///< without members where there is one robot
-  launch::PreparedFleet run;  ///< of one robot, too
+  launch::Fleet fleet;        ///< without members for a single robot
+  launch::PreparedFleet run;  ///< also for a single robot
 
-  /// Of one of its robots, by number.
+  /// Returns the name of one of its robots, by number.
   const std::string& name(std::size_t robot) const;
-  /// Whether that robot's sketch runs on the host here.
+  /// Returns whether that robot's sketch runs on the host here.
   bool is_on_host(std::size_t robot) const { return run.members[robot].target == "host"; }
   static std::string& script(wire::RunRequest& request, std::size_t robot);
   static std::vector<wire::Lateness>& late(wire::RunRequest& request, std::size_t robot);
   RunInputs inputs(std::size_t robot) const;
 };
 
-/// Throws InputError and ToolMissing.
+/// Makes the lanes. Throws InputError and ToolMissing.
 std::vector<Lane> lanes_of(const CompareArguments& arguments, tui::Progress& progress);
-/// One more, of a target that is not compared. Throws the same.
+/// Makes a lane for a target that is not compared. Throws likewise.
 Lane lane_of(const CompareArguments& arguments, const std::string& target, tui::Progress& progress);
 
 /// The result of each robot, in the order of their numbers.
 using Results = std::vector<wire::RunResult>;
 
-/// Runs one request on each lane, all at a time.
+/// Runs one request on each lane, all simultaneously.
 std::vector<Results> run_all(const std::vector<Lane*>& lanes, const std::vector<wire::RunRequest>& requests,
                              const std::vector<wire::OnEvent>& listeners);
 

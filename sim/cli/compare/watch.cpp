@@ -9,7 +9,7 @@
 namespace robosim::cli {
 namespace {
 
-// The robot's axle is so far from the square line, and the middle of its sensors from the line with its
+// The robot's axle is this far from the square line, and the middle of its sensors from the line with its
 // bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 

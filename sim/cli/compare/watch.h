@@ -1,4 +1,5 @@
-// How `robosim compare` looks at a robot: the places of the map as it meets them, and what it asks a run for.
+// Observes a robot for `robosim compare`: the places of the map in its order, and the events that a run must
+// report.
 #pragma once
 
 #include <cstddef>
@@ -18,36 +19,36 @@ namespace robosim::cli {
 struct Watched {
   std::size_t robot = 0;
   std::uint64_t seed = 1;
-  std::int64_t until_ns = 0;         ///< when the run ends at the latest; in whole milliseconds
+  std::int64_t until_ns = 0;         ///< the latest end of the run; in whole milliseconds
   std::vector<wire::Lateness> late;  ///< of its sketch
 };
 
-/// By how much a robot's clock is off in a run.
+/// The deviation of a robot's clock in a run.
 struct ClockOff {
   std::int64_t from_ns = 0;
-  int ppm = 0;  ///< too fast, from then on
+  int ppm = 0;  ///< too fast, from that time on
 };
 
 class Watch {
  public:
-  /// The map, and where the robots start, are those of `request`.
+  /// Uses the map and the robots' starts in `request`.
   explicit Watch(const wire::RunRequest& request);
   Watch(const Watch&) = delete;
 
   std::size_t robots() const { return places_.size(); }
-  /// Must not outlive this.
+  /// The recorder must not outlive this.
   analysis::HistoryRecorder recorder_of(const Lane& lane, std::size_t robot) const;
   static wire::RunRequest request_of(const Lane& lane, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
-  /// Where there are several robots, the others' clocks are as far off the other way: who comes first where
-  /// ways cross may be chance, too.
+  /// Runs a lane. With several robots, the others' clocks deviate in the other direction: which robot comes
+  /// first at a crossing may be chance, too.
   analysis::History run(Lane& lane, const Watched& watched, const ClockOff& off = {}) const;
 
  private:
   std::string place_of(std::size_t robot, const wire::Sample& sample) const;
 
   grid::Map map_;
-  std::vector<grid::Places> places_;  ///< as each robot meets them, from its start on
+  std::vector<grid::Places> places_;  ///< in the order of each robot, from its start on
 };
 
 }  // namespace robosim::cli

@@ -24,7 +24,7 @@ build::Warnings warnings_of(const std::string& level) {
   return build::Warnings::standard;
 }
 
-/// The image and its products: where they are, or in `folder` if it is given.
+/// Returns the image and its products: in the cache, or in `folder` if it is given.
 std::vector<fs::path> put_files(const build::Image& image, const std::string& folder) {
   std::vector<fs::path> files{image.image};
   files.insert(files.end(), image.products.begin(), image.products.end());
@@ -121,7 +121,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
   if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
   const launch::Choice choice = launch::choose_robot(arguments.robot, sketch, arguments.target);
-  // The robot is the same for all targets, so the runner that is always there tells of it.
+  // The robot is the same for all targets, so the always installed runner describes it.
   client::Runner describer("host");
   const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
   launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)

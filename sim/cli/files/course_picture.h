@@ -1,4 +1,4 @@
-// A map with paths as text for a terminal: its floor in braille dots.
+// Draws a map with paths for a terminal: its floor in braille dots.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// The floor, an arrow at the start, and a line that explains it.
+/// Returns the floor, an arrow at the start, and a legend.
 std::string draw_course(const grid::Map& map, const grid::Start& start, const grid::PictureOptions& options);
 
 }  // namespace robosim::cli

@@ -39,7 +39,7 @@ std::string command_line(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Ctrl-C reaches every process of the terminal. It is avrdude's: this one waits for how it ends.
+/// Leaves Ctrl-C, which reaches every process of the terminal, to avrdude: this process waits for its end.
 class LeftToAvrdude {
  public:
   LeftToAvrdude() {
@@ -65,8 +65,8 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   return Child(start).wait();
 }
 
-/// Starts the boot loader of a board whose USB the sketch itself serves: the port is opened with 1200 baud
-/// and closed, goes away, and comes back as the boot loader's. Where it cannot be opened avrdude will say so.
+/// Starts the boot loader of a board whose USB the sketch itself serves. The port is opened with 1200 baud
+/// and closed, disappears, and returns as the boot loader's. If it cannot be opened, avrdude reports that.
 void touch(const std::string& port) {
   const Descriptor line(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   termios settings{};
@@ -76,7 +76,7 @@ void touch(const std::string& port) {
   ::tcsetattr(line.get(), TCSANOW, &settings);
 }
 
-/// Until the port is there again.
+/// Waits until the port exists again.
 void await_boot_loader(const std::string& port) {
   constexpr auto kLook = std::chrono::milliseconds(100);
   constexpr int kLeaves = 20, kReturns = 80;
@@ -85,7 +85,7 @@ void await_boot_loader(const std::string& port) {
   std::this_thread::sleep_for(5 * kLook);  // until it may be opened (udev)
 }
 
-/// What to try where the board may have an older boot loader.
+/// Returns a hint for boards that may have an older boot loader.
 std::string older_boot_loaders() {
   std::string text;
   for (int i = 0; const BoardSpec* board = board_at(i); ++i)
@@ -95,7 +95,7 @@ std::string older_boot_loaders() {
   return text;
 }
 
-/// Through whose boot loader a finished image goes: the robot's, if one is named, else its project's.
+/// Returns the board whose boot loader gets a finished image: that of a named robot, else of its project.
 const BoardSpec& board_of_image(const std::string& robot, const project::Project& project) {
   if (robot.empty() && project.board) return *project.board;
   if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());

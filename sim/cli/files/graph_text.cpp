@@ -25,8 +25,7 @@ struct End {
   int slot;
 };
 
-// Calls visit(end, arm) for each line once: from stations first, then from junctions, in the order of
-// numbers.
+// Calls visit(end, arm) for each line once: from stations first, then from junctions, in numerical order.
 template <typename Visit>
 void for_each_line(const TrueGraph& graph, Visit visit) {
   int id = 0;
@@ -83,7 +82,7 @@ std::string arm_text(const Arm& arm) {
   return "nothing";
 }
 
-// Within a string of the dot language.
+// Escapes text for a string of the dot language.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// A map's graph for people, for programs and for Graphviz: `robosim map graph`.
+// Formats a map's graph as text, JSON and for Graphviz: `robosim map graph`.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@ namespace robosim::cli {
 
 class JsonLines;
 
-/// A table of stations and one of junctions with their slots.
+/// Returns a table of stations and one of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Schema robosim.graph/1, see docs/maps.md.
+/// Returns the schema robosim.graph/1, see docs/maps.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
 /// Adds its members `stations`, `junctions` and `unreachable`.
 void add_graph(JsonLines& lines, const grid::TrueGraph& graph);
-/// The tables of graph_text alone.
+/// Returns only the tables of graph_text.
 std::string graph_tables(const grid::TrueGraph& graph);
 
-/// An undirected graph for `dot -Tsvg`, laid out as the map is; lines are labelled with their moves.
+/// Returns an undirected graph for `dot -Tsvg`, laid out like the map; lines are labelled with their moves.
 std::string graph_dot(const grid::Map& map, const grid::TrueGraph& graph);
 
 }  // namespace robosim::cli

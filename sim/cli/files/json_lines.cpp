@@ -9,7 +9,7 @@ namespace {
 
 using Json = JsonLines::Json;
 
-/// Bytes that are no UTF-8 become U+FFFD.
+/// Formats JSON in one line. Invalid UTF-8 becomes U+FFFD.
 std::string one_line(const Json& json) {
   if (!json.is_structured()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string text;

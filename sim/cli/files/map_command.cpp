@@ -29,7 +29,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr std::size_t kListed = 20;  // stations, bends: more are only counted
-constexpr double kRoom_m = 0.08;     // beside a path: half of a stock robot of middling width, and a little
+constexpr double kRoom_m = 0.08;     // beside a path: half of a medium stock robot, and a little
 
 struct Survey {
   grid::Map map;
@@ -44,7 +44,7 @@ Survey survey(const std::string& name, const std::string& start) {
   return s;
 }
 
-// The texts of the first few, and how many more there are.
+// Returns the texts of the first few, and the number of the others.
 template <typename Items, typename Text>
 std::string list(const Items& items, Text text) {
   std::string line;
@@ -104,10 +104,10 @@ std::string describe_path(const grid::PathSurvey& path) {
       path.corners ? ", " + counted(static_cast<std::size_t>(path.corners), "sharp corner") : "");
 }
 
-// Metres as people would write them: to a micrometre.
+// Rounds metres for display: to a micrometre.
 double shown(double m) { return std::round(m * 1e6) / 1e6; }
 
-// By the legend.
+// Counts the cells of the legend.
 std::ptrdiff_t surface_cells(const grid::Map& map) {
   return std::count_if(map.surface_of_cell.begin(), map.surface_of_cell.end(),
                        [](std::uint8_t surface) { return surface != 0; });
@@ -171,7 +171,7 @@ std::string station_text(const grid::Station& station) {
   return (station.name == id ? id : fmt::format("{} \"{}\"", id, station.name)) + " at " + at(station.cell);
 }
 
-// What is worn or glossy, and how many kinds of line are not as the others.
+// Describes worn and glossy areas, and the number of unusual kinds of line.
 std::string paint_text(const grid::Map& map) {
   std::vector<std::string> parts;
   if (map.worn > 0.0) parts.push_back(fmt::format("{:.10g} % worn", 100.0 * map.worn));
@@ -236,7 +236,7 @@ void describe(const Survey& s, std::ostream& out) {
   if (narrow) out << "  note: " << room_text(*narrow) << '\n';
 }
 
-// The terminal's size, less a line for the prompt; generous where there is no terminal.
+// Returns the terminal's size, less a line for the prompt; a generous size without a terminal.
 grid::PictureOptions screen() {
   grid::PictureOptions options;
   winsize size{};

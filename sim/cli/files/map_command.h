@@ -11,21 +11,21 @@
 
 namespace robosim::cli {
 
-/// Reads each map (a path, or the name of a sample) and says what was found: size, line, start, goal,
-/// stations, and what is odd about it. What is wrong goes to `errors`, and the other maps are still checked.
-/// `start` as on the command line; "" = the map's. `json`: the same for programs, an object each. ok, or
-/// bad_input if any map is wrong.
+/// Reads each map (a path, or the name of a sample) and reports size, line, start, goal, stations, and
+/// oddities. Errors go to `errors`, and the other maps are still checked. `start` as on the command line; ""
+/// = the map's. `json`: the report as one JSON object each. Returns ok, or bad_input if any map is invalid.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
                       std::ostream& errors, bool json = false);
 
-/// Draws one map with its stations as numbered from `start` ("" = the map's). Throws InputError.
+/// Draws one map with its stations numbered from `start` ("" = the map's). Throws InputError.
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
                     std::ostream& out);
 
-/// The true graph of one map as text, JSON or for Graphviz. Throws InputError.
+/// Returns the true graph of one map as text, JSON or for Graphviz. Throws InputError.
 std::string graph_of_map(const MapArguments& arguments);
 
-/// One of them, on the process's own streams and as wide as its terminal. The exit status. Throws InputError.
+/// Runs one of them, with the process's own streams and its terminal's width. Returns the exit status. Throws
+/// InputError.
 int map_command(const MapArguments& arguments);
 int generate_command(const GenerateArguments& arguments);
 

@@ -9,7 +9,7 @@
 namespace robosim::cli {
 
 /// Writes `count` maps, of seeds seed, seed + 1, …, as FOLDER/FAMILY-STATIONS-SEED.map. If any of these files
-/// exists already none is written. Throws InputError.
+/// already exists, none is written. Throws InputError.
 ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out);
 
 }  // namespace robosim::cli

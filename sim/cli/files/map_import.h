@@ -1,4 +1,4 @@
-// `robosim map import`: courses of other tools (docs/courses.md).
+// `robosim map import`: imports courses of other tools (docs/courses.md).
 #pragma once
 
 #include <iosfwd>
@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Writes the map as a file, and says what is in it; without --out to `out`. Nothing is overwritten.
+/// Writes the map as a file, and reports its content; without --out to `out`. Nothing is overwritten.
 ExitStatus import_map(const ImportArguments& arguments, std::ostream& out);
 
 int import_command(const ImportArguments& arguments);

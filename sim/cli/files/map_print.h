@@ -1,4 +1,4 @@
-// `robosim map print`: a floor on paper, in true size.
+// `robosim map print`: prints a floor on paper, in true size.
 #pragma once
 
 #include <iosfwd>
@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Writes the PDF, and says what is in it. Nothing is overwritten. Throws InputError.
+/// Writes the PDF, and reports its content. Nothing is overwritten. Throws InputError.
 ExitStatus print_map(const PrintArguments& arguments, std::ostream& out);
 
 int print_command(const PrintArguments& arguments);

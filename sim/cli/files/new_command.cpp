@@ -27,7 +27,7 @@ fs::path template_folder() {
   return fs::is_directory(installed, error) ? installed : data_folder() / "sim/cli/files/new";
 }
 
-/// As the Arduino IDE allows sketches to be named, which names its folder and its .ino.
+/// Checks a name by the Arduino IDE's rules for sketches: it becomes the names of the folder and the .ino.
 void check_name(const std::string& name) {
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   const auto may_follow = [&](unsigned char c) { return is_plain(c) || c == '-' || c == '.'; };

@@ -5,8 +5,8 @@
 
 namespace robosim::cli {
 
-/// Makes the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). In their
-/// names and texts NAME stands for the project's name. Nothing is overwritten. Throws InputError.
+/// Makes the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). The
+/// project's name replaces NAME in their names and texts. Nothing is overwritten. Throws InputError.
 int new_command(const NewArguments& arguments);
 
 }  // namespace robosim::cli

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// `words` behind the command's name. Throws InputError.
+/// Parses `words`, after the command's name. Throws InputError.
 Command parse_print(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -16,7 +16,7 @@
 namespace robosim::cli {
 namespace {
 
-/// The first comment line of a file, without its '#'.
+/// Returns the first comment line of a file, without its '#'.
 std::string first_comment(const std::string& text) {
   if (text.empty() || text[0] != '#') return "";
   const std::string line = text.substr(0, text.find('\n'));
@@ -41,7 +41,7 @@ void show(const std::string& robot) {
                                          : launch::stock_robot_folder() / (robot + ".toml")));
 }
 
-/// A pin as people read it: "D5 (PD5)" for its number; that of a shift register as it is.
+/// Formats a pin for display: "D5 (PD5)" for its number; that of a shift register unchanged.
 std::string pin_name(const BoardSpec& board, const std::string& pin) {
   const std::optional<std::uint64_t> number = parse_whole(pin);
   if (!number || *number >= board.pin_count) return pin;

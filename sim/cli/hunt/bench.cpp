@@ -24,11 +24,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where no map is given: a loop, and for sketches that find their way, a tree.
+/// The default maps: a loop, and for sketches that navigate, a tree.
 constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60;
 
-/// How many pieces of line more there are than a tree has.
+/// Returns the number of line segments in addition to a tree's.
 int cycles_of(const grid::Map& map) {
   int nodes = 0, links = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -73,12 +73,12 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
     targets.push_back(launch::chip_target(launch, describe));
     if (sketch.elf_target.empty() && targets.front() != "host") targets.push_back("host");
   }
-  // The chip without checks is held against the host without checks.
+  // The chip without checks is compared to the host without checks.
   const bool has_twin = targets.size() > 1 && targets.front() != "host" &&
                         std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
     for (const bool checked : {false, true}) {
-      // On the host the checks alone are of use where a chip runs, too.
+      // If a chip runs, too, only the checks are useful on the host.
       if (checked && (!sketch.elf_target.empty() || target == "stm32")) continue;
       if (!checked && target == "host" && targets.size() > 1) continue;
       launch.target = target;
@@ -101,7 +101,7 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
       space_.host_twin = space_.builds.size();
       space_.builds.push_back({"host", false});
     } catch (const build::CompileError&) {
-      // It is told already that it does not compile for the host.
+      // The compile error for the host is reported already.
     }
   }
   look_at_robot(arguments, describer);
@@ -203,7 +203,7 @@ void HuntBench::keep_maps(const std::vector<std::size_t>& maps) {
 wire::RunRequest HuntBench::request_of(const HuntWorld& world, const std::string& folder) const {
   wire::RunRequest request = prepared_[world.build].request;
   request.seed = world.seed;
-  request.detect = !space_.builds[world.build].checked;  // checks change the timing of what they watch
+  request.detect = !space_.builds[world.build].checked;  // checks change the timing
   request.clock_ns = world.clock_ms * 1'000'000;
   request.for_ns = static_cast<std::int64_t>(world.for_s * 1000.0) * 1'000'000;
   request.script = script_of(world);
@@ -260,7 +260,7 @@ bool HuntBench::run(const std::vector<HuntWorld>& worlds,
   results.assign(worlds.size(), std::nullopt);
   if (ran) ran->assign(worlds.size(), {});
   const std::vector<Task> tasks = tasks_of(worlds);
-  std::vector<std::size_t> alone;  // of families that cannot be all in one
+  std::vector<std::size_t> alone;  // of families that cannot be one run
   const auto counters = [&](std::size_t t) { return work_.path() / std::to_string(t) / "lines"; };
   const auto keep = [&](std::size_t i, wire::RunResult&& result, const fs::path& lines) {
     results[i] = std::move(result);

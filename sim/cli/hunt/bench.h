@@ -24,34 +24,34 @@ class HuntBench {
   const wire::RobotInfo& robot() const { return robot_; }
   const launch::Prepared& of(const HuntWorld& world) const { return prepared_[world.build]; }
   const std::string& version() const { return version_; }
-  /// In place of the robot's own; empty = that.
+  /// Returns the board that replaces the robot's own; empty = none.
   const std::string& board() const { return board_; }
-  /// Why a build that was to be run is left out; a sentence each.
+  /// Returns why requested builds are skipped, one sentence each.
   const std::vector<std::string>& left_out() const { return left_out_; }
-  /// Of everything that the runs come from.
+  /// Returns the fingerprint of everything that affects the runs.
   std::string fingerprint() const;
-  /// Whether the user has said where to drive; else the first map is a guess, and others may do.
+  /// Returns whether the user has chosen the maps; else the first map is a guess, and others are possible.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
-  /// The names of the others, on which the sketch is taken not to be meant to drive.
+  /// Returns the names of the others, for which the sketch is apparently not meant.
   const std::vector<std::string>& left_maps() const { return left_maps_; }
 
-  /// What happens meanwhile: the user's script, then the world's.
+  /// Returns the script of a world: the user's, then the world's.
   std::string script_of(const HuntWorld& world) const { return script_ + script_text(world, space_); }
-  /// `folder` gets the files of the world that are not there yet: world.map, robot.toml.
+  /// Returns the request of a world. Writes missing files of the world to `folder`: world.map, robot.toml.
   wire::RunRequest request_of(const HuntWorld& world, const std::string& folder) const;
 
-  /// The results, in the order of the worlds; none of a world that cannot be. `ran`: the sketch's lines that
-  /// ran, of worlds on a chip without checks. False if it was interrupted.
+  /// Runs worlds. Sets the results, in their order; none for an impossible world. `ran`: the sketch's lines
+  /// that ran, for worlds on a chip without checks. Returns false if it was interrupted.
   bool run(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }
-  /// Worlds that could not be, and why the first could not.
+  /// Return the number of impossible worlds, and the reason for the first.
   std::size_t refused() const { return refused_; }
   const std::string& refusal() const { return refusal_; }
 
  private:
-  /// One run: a world, or those of a family.
+  /// One run: of a world, or of the worlds of a family.
   struct Task {
     std::size_t first = 0, count = 1;
   };
@@ -67,14 +67,14 @@ class HuntBench {
   client::Pool pool_;
   HuntSpace space_;
   wire::RobotInfo robot_;
-  std::string board_;                       ///< in place of the robot's own
-  std::string script_;                      ///< of the user
-  std::vector<launch::Prepared> prepared_;  ///< of each build
-  std::vector<std::string> map_files_;      ///< of each map
+  std::string board_;                       ///< replaces the robot's own
+  std::string script_;                      ///< the user's
+  std::vector<launch::Prepared> prepared_;  ///< for each build
+  std::vector<std::string> map_files_;      ///< for each map
   std::vector<std::string> left_maps_;
   std::vector<std::string> left_out_;
   std::string version_;
-  std::string options_;  ///< all that was asked for, one thing a line
+  std::string options_;  ///< all options, one per line
   std::size_t refused_ = 0;
   std::string refusal_;
   bool maps_are_given_ = false;

@@ -24,7 +24,7 @@ void in_order(std::vector<Deed>& deeds) {
                    [](const Deed& a, const Deed& b) { return a.at_ms < b.at_ms; });
 }
 
-/// The first is one of the sketch's own as often as not: it is what commands begin with.
+/// Draws words. The first is one of the sketch's own in half of the cases, since commands begin with one.
 std::string some_words(const HuntSpace& space, const Die& die) {
   std::string text = pick(die, space.words);
   if (space.own_words > 0 && chance(die, 50))
@@ -187,7 +187,7 @@ void block(HuntWorld& world, const HuntSpace& space, const Die& die) {
 
 void draw_late_deeds(HuntWorld& world, const HuntSpace& space, const Die& die) {
   if (space.buttons.empty() && !hears(space)) return;
-  if (space.for_ms < k16Bits_ms - kAround_ms) return;  // shorter runs are wanted
+  if (space.for_ms < k16Bits_ms - kAround_ms) return;  // shorter runs are requested
   const bool presses = !space.buttons.empty() && (!hears(space) || chance(die, 50));
   Deed deed = presses ? pressing(space, die) : saying(space, die);
   deed.at_ms = k16Bits_ms - 500 - die(kAround_ms);

@@ -22,7 +22,7 @@ std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", es
 
 std::string seconds(double s) { return fmt::format("{:g}s", std::ceil(s * 10.0) / 10.0); }
 
-/// A path that is right from everywhere; names stay.
+/// Returns a path that is valid everywhere; names stay.
 std::string from_everywhere(const std::string& name) {
   return launch::is_path(name) ? fs::absolute(name).lexically_normal().string() : name;
 }
@@ -85,7 +85,7 @@ std::string Shown::Option::value_in(const fs::path& folder) const {
 std::string hunt_check(const HuntFinding& finding, std::size_t number) {
   const Symptom& symptom = finding.symptom;
   const std::string folder = std::to_string(number);
-  if (symptom.kind == kUnlike || symptom.kind == kWarned)  // no run fails by itself
+  if (symptom.kind == kUnlike || symptom.kind == kWarned)  // no single run fails
     return fmt::format("# {}\n# {}\n", symptom.sentence, replay_of(finding.shown, folder));
   std::string text = fmt::format("# {}\n[[check]]\nname = {}\n", symptom.sentence,
                                  in_quotes(fmt::format("hunt {}: {}", number, symptom.group)));

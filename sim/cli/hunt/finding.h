@@ -1,4 +1,4 @@
-// What a hunt has found, and the files that it leaves of it.
+// A finding of a hunt, and the files that describe it.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ struct Shown {
     std::string name, value;
     bool own_file = false;  ///< the value is a file in the finding's folder
 
-    /// With that folder in front, if it is one.
+    /// Returns the value, with that folder in front if it is a file.
     std::string value_in(const std::filesystem::path& folder) const;
   };
   std::string where;            ///< "avr with checks, oval"
-  std::string sketch;           ///< as the command names it
-  std::vector<Option> options;  ///< that are not as usual
+  std::string sketch;           ///< as in the command
+  std::vector<Option> options;  ///< that differ from the defaults
   bool checked = false;         ///< by --sanitize
   bool detected = false;        ///< by a detector
   bool compared = false;        ///< by `robosim compare`
@@ -31,23 +31,23 @@ struct Shown {
 
 struct HuntFinding {
   Symptom symptom;
-  HuntWorld world;              ///< the smallest that was found
-  std::set<std::string> needs;  ///< what of it is not plain
-  double time_s = 0.0;          ///< simulated, when it was over
-  std::size_t times = 1;        ///< runs that are taken to be the same
+  HuntWorld world;              ///< the smallest one found
+  std::set<std::string> needs;  ///< its differences from the baseline
+  double time_s = 0.0;          ///< simulated, at its end
+  std::size_t times = 1;        ///< number of runs with apparently the same cause
   Shown shown;
 
-  /// Whether such a run is taken to have the same cause: the same place in the sketch, or the same behaviour
-  /// in a world that has all that this one needs.
+  /// Returns whether such a run apparently has the same cause. It has the same place in the sketch, or the
+  /// same behaviour in a world with all the needs of this one.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 
-/// For people, with the command that makes the run again. Its files are in `out`/NUMBER.
+/// Returns the text for the user, with the command that repeats the run. Its files are in `out`/NUMBER.
 std::string hunt_text(const HuntFinding& finding, std::size_t number, const std::filesystem::path& out);
-/// A [[check]] that fails as long as the fault is there, with paths from the folder of the findings.
+/// Returns a [[check]] that fails until the fault is fixed, with paths relative to the findings' folder.
 std::string hunt_check(const HuntFinding& finding, std::size_t number);
 
-/// Writes `out`/NUMBER: the world's files, its script and a page that replays it; fills in what is shown.
+/// Writes `out`/NUMBER: the world's files, its script and a page that replays it; sets the `shown` fields.
 /// Throws InputError.
 void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, const HuntArguments& arguments,
           const std::filesystem::path& out);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried together
+constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried simultaneously
 constexpr std::size_t kMostTries = 80;  // of smaller worlds
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
 constexpr double kBehind_s = 1.0;
@@ -28,7 +28,7 @@ Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::pa
 
 std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
-/// What went wrong first, then what detectors have seen, then, in the plain world, what the compiler said.
+/// Returns the failure first, then detectors' findings, then, in the baseline run, compiler warnings.
 std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWorld& world) const {
   std::vector<Symptom> all;
   if (const auto broken = broken_promise(result, bench_.space().promises))
@@ -51,7 +51,7 @@ bool Hunt::look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<
   return look_at_twins(bench_, worlds, results, found);
 }
 
-/// Whether it would be a finding of its own.
+/// Returns whether it would be a finding of its own.
 bool Hunt::is_news(const Symptom& symptom, const std::set<std::string>& needs) const {
   return !has_enough_of(symptom) &&
          std::none_of(findings_.begin(), findings_.end(),
@@ -79,7 +79,7 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
   if (has_enough_of(finding.symptom)) return true;
   listener_.seen(finding.symptom, row.run);
   if (!shrink(finding)) return false;
-  // As small as it is now it may be one that is known.
+  // After shrinking it may equal a known one.
   if (is_known(finding, row)) return true;
   row.finding = findings_.size() + 1;
   keep(finding, row.finding, bench_, arguments_, out_);
@@ -120,7 +120,7 @@ bool Hunt::shrink(HuntFinding& finding) {
       }
     }
   }
-  // The board is a chip's: if it happens there, too, it is told of that.
+  // The board is a chip's: if it fails there, too, that is reported.
   if (finding.world.build == space.host_twin) {
     HuntWorld on_chip = finding.world;
     on_chip.build = 0;
@@ -148,7 +148,8 @@ void Hunt::tell(const HuntFinding& finding) {
   listener_.found(findings_.back(), findings_.size());
 }
 
-/// What it is, and, if it is a finding, its smallest world. None if that was interrupted.
+/// Classifies a symptom and, if it is a finding, finds its smallest world. Returns none if that was
+/// interrupted.
 std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result,
                                   const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
   HuntRow row;
@@ -228,7 +229,7 @@ bool Hunt::make_round() {
   return true;
 }
 
-/// At what no single run shows.
+/// Checks what no single run shows.
 void Hunt::look_back() {
   const auto add_plain = [&](Symptom symptom) {
     HuntFinding finding{std::move(symptom), plain_world_, {}, plain_.result.time_s};
@@ -243,7 +244,7 @@ void Hunt::look_back() {
                              promise.text()),
                  false});
   const wire::RunResult& result = plain_.result;
-  // Who neither looks at the line nor was told of a goal has another.
+  // A sketch that neither reads the line nor has a given goal has a different purpose.
   const bool has_goal = reads_the_floor(result, plain_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)
@@ -268,7 +269,7 @@ bool Hunt::go() {
   return true;
 }
 
-/// A row of another machine's, whose finding has its files in `files`: ours is the same one, or a new one.
+/// Takes a row of another machine, whose finding has its files in `files`: it equals one of ours, or is new.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();
@@ -281,7 +282,7 @@ void Hunt::adopt(HuntRow& row, const fs::path& files) {
 bool Hunt::merge(const std::vector<HuntPart>& parts) {
   if (!find_plain()) return false;
   for (const HuntPart& part : parts) {
-    std::vector<std::size_t> ours;  // the number here of each of its findings
+    std::vector<std::size_t> ours;  // the number here for each of its findings
     for (HuntRow row : part.rows) {
       if (row.fresh) {
         adopt(row, part.folder / std::to_string(row.finding));

@@ -1,5 +1,5 @@
-// The hunt itself: worlds are drawn in rounds, what goes wrong in them is grouped by cause and shrunk. What
-// is found depends on the seed and the number of runs only, not on how many are made at a time.
+// The hunt itself: draws worlds in rounds, groups failures by cause, and shrinks them. The findings depend
+// only on the seed and the number of runs, not on the number of simultaneous runs.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace robosim::cli {
 
-/// Who hears of it while it goes on.
+/// Receives progress reports.
 struct HuntListener {
   std::function<void(const std::string& sentence)> progress;
-  /// It was not seen before; whether it is a finding its smallest world says, which is looked for now.
+  /// Called for a new symptom; its smallest world, which is searched next, decides whether it is a finding.
   std::function<void(const Symptom& symptom, std::uint64_t run)> seen;
   std::function<void(const HuntFinding& finding, std::size_t number)> found;
 };
@@ -28,9 +28,10 @@ class Hunt {
   Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
        HuntListener listener);
 
-  /// Goes on until enough runs were made, or time is up. False if it was interrupted.
+  /// Continues until enough runs were made, or time is up. Returns false if it was interrupted.
   bool go();
-  /// In place of it: takes over what other machines have found, and looks at the whole. False likewise.
+  /// Alternative to go(): merges the findings of other machines, and evaluates them together. Returns false
+  /// likewise.
   bool merge(const std::vector<HuntPart>& parts);
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
@@ -38,7 +39,8 @@ class Hunt {
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Plain& plain() const { return plain_; }
-  /// What is strange, and no finding: the sketch may wait for what nobody does to it here. Empty = nothing.
+  /// Returns a remark on something odd that is not a finding, such as a sketch that waits for an input. Empty
+  /// = nothing.
   std::string remark() const;
   const HuntWorld& plain_world() const { return plain_world_; }
 
@@ -54,7 +56,7 @@ class Hunt {
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  /// What goes wrong in the worlds; nothing in those that cannot be. False if it was interrupted.
+  /// Sets the symptoms of the worlds; nothing for impossible ones. Returns false if it was interrupted.
   bool look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
   std::vector<Symptom> symptoms(const wire::RunResult& result, const HuntWorld& world) const;
@@ -77,8 +79,8 @@ class Hunt {
   std::vector<Noted> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
-  std::uint64_t reached_ = 0;    ///< of those that were to reach a goal
-  std::set<std::string> heard_;  ///< of what must come sometimes
+  std::uint64_t reached_ = 0;    ///< of those with a goal
+  std::set<std::string> heard_;  ///< promised texts of `sometimes`
   double simulated_s_ = 0.0;
   std::int64_t until_us_ = 0;  ///< wall time; 0 = for ever
 };

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// `words` after "hunt". Throws InputError.
+/// Parses `words`, after "hunt". Throws InputError.
 Command parse_hunt(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

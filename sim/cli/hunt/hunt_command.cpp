@@ -38,7 +38,7 @@ fs::path folder_for(const HuntArguments& arguments) {
   return folder;
 }
 
-/// With what must never and always be, which the checks keep, too.
+/// Includes the `never` and `always` promises, so that the checks keep them.
 std::string checks_text(const std::vector<HuntFinding>& findings, const HuntBench& bench) {
   std::string text;
   for (const auto& [key, when] :
@@ -92,7 +92,7 @@ std::string part_of(const HuntArguments& arguments) {
   return arguments.shard.whole() ? "" : arguments.shard.text();
 }
 
-/// A sentence for each shard that was not given.
+/// Returns a sentence for each shard that was not given.
 std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
   std::vector<std::string> sentences;
   for (std::uint64_t i = 0; !parts.empty() && i < parts.front().shard.count; ++i) {

@@ -1,11 +1,11 @@
-// `robosim hunt`: what goes wrong with a sketch that nobody has written a test for (docs/hunting.md).
+// `robosim hunt`: searches for bugs automatically: random worlds, inputs and faults (docs/hunting.md).
 #pragma once
 
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
 
-/// The exit status: 1 if anything was found. Throws InputError, ToolMissing and wire::RunnerError.
+/// Returns the exit status: 1 if anything was found. Throws InputError, ToolMissing and wire::RunnerError.
 int hunt_command(const HuntArguments& arguments);
 
 }  // namespace robosim::cli

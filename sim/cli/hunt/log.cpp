@@ -73,12 +73,12 @@ std::string header(const std::string& from, const std::string& part) {
   return json.dump() + "\n";
 }
 
-/// Discarded if it is not JSON.
+/// Returns a discarded value if it is not JSON.
 Json parsed(std::string_view line) {
   return is_within_json_limits(line) ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded);
 }
 
-/// Those of whole lines.
+/// Returns the rows of complete lines.
 std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
   std::vector<HuntRow> rows;
   int number = 1;
@@ -129,7 +129,7 @@ HuntLog::HuntLog(const std::filesystem::path& folder, const std::string& from, c
     if (!text.starts_with(kept))
       throw InputError({path_.string(), 1, 0}, kOfAnother + "; without --resume, --out DIR begins a new one");
     for (HuntRow& row : rows_in(text, path_.string())) rows_[row.run] = std::move(row);
-    kept = text.substr(0, text.rfind('\n') + 1);  // a last line that was cut off goes
+    kept = text.substr(0, text.rfind('\n') + 1);  // drops an incomplete last line
   }
   write_file(path_, kept);
   file_.reset(std::fopen(path_.c_str(), "a"));

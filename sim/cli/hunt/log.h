@@ -1,4 +1,4 @@
-// What a hunt has done so far, a line for each run, so that it can be gone on with: DIR/runs.jsonl.
+// The log of a hunt, one line for each run, so that it can be resumed: DIR/runs.jsonl.
 #pragma once
 
 #include <cstdint>
@@ -15,41 +15,42 @@
 
 namespace robosim::cli {
 
-/// What is kept of a run. Its world is drawn again.
+/// The stored data of a run. Its world is drawn again.
 struct HuntRow {
   std::uint64_t run = 0;  ///< from 0
   double time_s = 0.0;
   bool reached = false;
-  std::vector<std::string> traits;   ///< that no run before it had
-  Moment moment = {};                ///< of the first of these, where that is known
-  std::vector<std::string> heard;    ///< that must come sometimes, likewise
-  std::size_t finding = 0;           ///< whose number it is, from 1; 0 = none
-  std::optional<HuntFinding> fresh;  ///< that it is the first of
+  std::vector<std::string> traits;   ///< that no earlier run had
+  Moment moment = {};                ///< of the first of these, if known
+  std::vector<std::string> heard;    ///< promised texts of `sometimes`, likewise
+  std::size_t finding = 0;           ///< number of its finding, from 1; 0 = none
+  std::optional<HuntFinding> fresh;  ///< the finding that it is the first of
 };
 
-/// What one of several machines has done.
+/// The part of one of several machines.
 struct HuntPart {
   std::filesystem::path folder;
   Shard shard;
   std::vector<HuntRow> rows;
 };
 
-/// Throws InputError where a folder has no log, one of another hunt, or two are not parts of one.
+/// Reads the parts. Throws InputError if a folder has no log, one of another hunt, or two are not parts of
+/// one.
 std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const std::string& from);
 
-/// In place of a shard: such a folder has no runs of its own, and cannot be gone on with.
+/// Used instead of a shard: such a folder has no runs of its own, and cannot be resumed.
 inline constexpr const char* kMerged = "merged";
 
 class HuntLog {
  public:
-  /// In a folder that is there. `from` is what the runs come from, `part` a shard, kMerged or nothing; with
-  /// `resume` the rows of a hunt of the same are read, a last line that was cut off is left out. Throws
-  /// InputError.
+  /// Opens a log in an existing folder. `from` identifies the source of the runs, `part` is a shard, kMerged
+  /// or nothing. With `resume` the rows of an equal hunt are read, and an incomplete last line is skipped.
+  /// Throws InputError.
   HuntLog(const std::filesystem::path& folder, const std::string& from, const std::string& part, bool resume);
 
-  /// null = it was not made.
+  /// Returns the row; null = no such run yet.
   const HuntRow* row(std::uint64_t run) const;
-  /// Throws InputError if it cannot be written.
+  /// Appends a row. Throws InputError if it cannot be written.
   void add(const HuntRow& row);
 
  private:

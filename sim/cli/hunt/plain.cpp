@@ -1,4 +1,4 @@
-// How it goes without any trouble, and what the sketch is taken to be for by that.
+// The baseline run without any disturbance, and the sketch's purpose derived from it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
 constexpr double kWayAgain = 1.5,
-                 kWayOn_s = 15.0;  // most runs take so many times as long as the way, and this
+                 kWayOn_s = 15.0;  // added to a multiple of the way's time, for most runs
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 
@@ -44,7 +44,7 @@ bool Hunt::find_plain() {
   std::vector<std::optional<wire::RunResult>> results;
   if (!bench_.run(worlds, results)) return false;
   if (std::none_of(results.begin(), results.end(), reached)) {
-    // Those that are on their way may need longer.
+    // Robots that are still on their way may need longer.
     std::vector<HuntWorld> slow;
     for (std::size_t i = 0; i < worlds.size(); ++i)
       if (results[i] && results[i]->verdict == "timeout" && results[i]->metrics.distance_m > kMoved_m) {
@@ -66,7 +66,7 @@ bool Hunt::find_plain() {
   plain_ = {*results[*best], bench_.robot()};
   plain_world_ = worlds[*best];
   if (!bench_.maps_are_given()) {
-    // It is meant for all on which it comes to its goal, and runs into nothing.
+    // It is meant for all on which it reaches its goal, and does not collide.
     std::vector<std::size_t> kept{plain_world_.map};
     for (std::size_t i = 0; i < worlds.size(); ++i)
       if (reached(results[i]) && results[i]->metrics.collisions <= plain_.result.metrics.collisions &&
@@ -85,8 +85,7 @@ bool Hunt::find_plain() {
   return feel() && hear() && tour();
 }
 
-/// Who reads a whole port has read the bumper's pin, too: whether the sketch looks at it is seen when it is
-/// pressed.
+/// A read of a whole port includes the bumper's pin. So whether the sketch uses it is tested by pressing it.
 bool Hunt::feel() {
   const auto& unused = plain_.result.usage.unused;
   std::vector<HuntWorld> pressed;
@@ -105,7 +104,7 @@ bool Hunt::feel() {
   return true;
 }
 
-/// What it says of itself, after its goal, too: messages may come when it has said so.
+/// Collects its output, also after its goal: messages may come then.
 bool Hunt::hear() {
   if (!hears(bench_.space())) return true;
   HuntWorld world = plain_world_;
@@ -117,7 +116,7 @@ bool Hunt::hear() {
   return true;
 }
 
-/// A follower of loops that turns round where a line ends may tour one floor, and was never meant for others.
+/// A follower of loops that turns at a line's end may tour one floor without being meant for others.
 bool Hunt::tour() {
   HuntSpace& space = bench_.space();
   for (std::size_t map = 1; map < space.maps.size() && !bench_.maps_are_given() && space.draws_maps; ++map) {

@@ -18,7 +18,7 @@ constexpr std::size_t kMostSent = 200;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Each number is one #.
+/// Replaces each number by one #.
 std::string without_numbers(const std::string& text) {
   std::string plain;
   for (const char c : text)
@@ -36,12 +36,12 @@ std::string line_trait(const char* way, const std::string& line) {
   return way + without_numbers(line).substr(0, kLineBegins);
 }
 
-/// What came of what the robot did, and not what was done to it.
+/// Returns whether an event results from the robot's actions, not from a stimulus.
 bool is_robots(const std::string& event) {
   for (const char* const begin : {"station ", "lap ", "collision "})
     if (event.starts_with(begin)) return true;
   const bool was_done = event.starts_with("fault") || event.starts_with("\"");
-  return !was_done && event.find(": ") != std::string::npos;  // a part or the rules tell it
+  return !was_done && event.find(": ") != std::string::npos;  // a part or the rules report it
 }
 
 std::string place_of(const wire::Crash& crash) {
@@ -52,7 +52,7 @@ std::string place_of(const wire::Crash& crash) {
 Symptom crashed(const wire::RunResult& result) {
   const wire::Crash& crash = *result.crash;
   const std::string place = place_of(crash);
-  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // what a detector sees, too
+  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors find these, too
     return {"crashed", crash.check + " " + place, result.why, false};
   return {"crashed", fmt::format("{} {}", place.empty() ? without_numbers(crash.reason) : "crashed", place),
           result.why, false};
@@ -148,7 +148,7 @@ std::vector<Symptom> warned_in(const std::string& messages) {
 }
 
 std::optional<Symptom> broken_promise(const wire::RunResult& result, const std::vector<Promise>& promises) {
-  // What ended too soon has broken none of the others.
+  // A run that ended early has broken none of the others.
   const bool whole = result.verdict == "reached" || result.verdict == "timeout" || result.verdict == "ended";
   for (const Promise& promise : promises) {
     if (promise.when == Promise::When::always && !whole) continue;

@@ -17,7 +17,7 @@ constexpr std::size_t kOften = 20, kFirst = 3, kLongest = 60, kFarMore = 5;
 constexpr double kFar = 20.0, kNear = 0.1, kNearBy = 2.0;
 constexpr double kDrives_m = 0.3, kStands_m = 0.03;
 constexpr int kLater_ms = 37;
-constexpr std::int64_t kEarlier_ms = 10 << 16;  // for a clock of 16 bits the same
+constexpr std::int64_t kEarlier_ms = 10 << 16;  // equal for a clock of 16 bits
 constexpr std::uint64_t kOtherSeed = 1009;
 constexpr double kLonger = 1.3;
 
@@ -28,7 +28,7 @@ struct Line {
 
 std::vector<Line> lines_of(const std::string& serial) {
   std::vector<Line> lines;
-  std::istringstream stream(serial.substr(0, serial.rfind('\n') + 1));  // what was cut off is no line
+  std::istringstream stream(serial.substr(0, serial.rfind('\n') + 1));  // without an incomplete last line
   for (std::string text; std::getline(stream, text);) {
     while (!text.empty() && text.back() == '\r') text.pop_back();
     if (!text.empty()) lines.push_back({text, analysis::take_apart(text)});
@@ -36,7 +36,7 @@ std::vector<Line> lines_of(const std::string& serial) {
   return lines;
 }
 
-/// Lines of one form that come often: each form by itself, as nobody knows which comes between which.
+/// Removes frequent lines, sorted by form: the order of different forms is undefined.
 std::map<std::string, std::array<std::vector<Line>, 2>> take_frequent(std::vector<Line>& a,
                                                                       std::vector<Line>& b) {
   std::map<std::string, std::array<std::vector<Line>, 2>> all;
@@ -119,7 +119,7 @@ bool is_same(const Parting& a, const Parting& b) {
 HuntWorld twin_of(const HuntWorld& world, const HuntSpace& space) {
   HuntWorld twin = world;
   if (world.twin == Twin::host) twin.build = *space.host_twin;
-  // Before the wrap, and like the other behind all that is done once, some time after power-on.
+  // Before the wrap, and like the other one after all one-time actions that follow power-on.
   twin.clock_ms = world.twin == Twin::clock ? std::max(kPast_ms, world.clock_ms - kEarlier_ms) : 0;
   return twin;
 }

@@ -1,6 +1,7 @@
-// Runs that should be alike: the same world on the host and on the board's chip, or on the chip with its
-// clock near a wrap and without. Where they always part in the same place, the sketch depends on what it
-// should not: the width of an int, what is in flash, how long the power has been on.
+// Compares runs of the same world that should be alike. One is on the host and one on the board's chip, or
+// both on the chip, one with its clock near a wrap. If they always part at the same place, the sketch depends
+// on something that it should not. Examples are the width of an int, the content of flash, the time since
+// power-on.
 #pragma once
 
 #include <optional>
@@ -13,31 +14,31 @@
 
 namespace robosim::cli {
 
-/// Where two runs part: the first thing that is not alike.
+/// Where two runs part: the first difference.
 struct Parting {
-  std::string ours, other;                ///< what they do: `says "at 3"`
+  std::string ours, other;                ///< their actions: `says "at 3"`
   std::string form;                       ///< of both, without numbers
-  std::vector<double> of_ours, of_other;  ///< the numbers, if it is those that differ
+  std::vector<double> of_ours, of_other;  ///< the numbers, if those differ
 };
 
-/// Lines that come often are looked at by themselves, times are not; `numbers`: whether those count, if one
-/// is more than twice the other. Where they do not, one chip is held against itself, and how often a line
-/// comes counts, if it is more than five times as often.
+/// Returns where two runs part. Frequent lines are compared separately, times are not compared. `numbers`:
+/// whether a number counts that is more than twice the other. Otherwise one chip is compared to itself, and a
+/// line's frequency counts if it is more than five times the other.
 std::optional<Parting> parting(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
-/// Whether two pairs of runs part in the same way. Numbers that are another each time are chance.
+/// Returns whether two pairs of runs part in the same way. Numbers that vary each time are chance.
 bool is_same(const Parting& a, const Parting& b);
 
-/// The world that should be alike.
+/// Returns the world that should be alike.
 HuntWorld twin_of(const HuntWorld& world, const HuntSpace& space);
-/// The same with other noise, everything a little later, and (where one of the two may only be slow) more
-/// time: chance would not part them again.
+/// Returns the world with other noise, a little later, and with more time if one of the two may only be slow.
+/// A difference by chance would not repeat there.
 HuntWorld tried_again(const HuntWorld& world, const HuntSpace& space, int time);
 inline constexpr int kTriedAgain = 3;
 
 Symptom symptom_of(const Parting& parting, const HuntWorld& world, const HuntSpace& space);
 
-/// Makes the twins of those worlds that have one and went without a fault, and adds to what was found in
-/// them. False if it was interrupted.
+/// Runs the twins of those worlds that have one and ran without a fault, and adds their symptoms. Returns
+/// false if it was interrupted.
 bool look_at_twins(HuntBench& bench, const std::vector<HuntWorld>& worlds,
                    const std::vector<std::optional<wire::RunResult>>& results,
                    std::vector<std::vector<Symptom>>& found);

@@ -1,4 +1,4 @@
-// What a sketch's source says of the words that it may understand.
+// Extracts the words that a sketch may understand from its source.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace robosim::cli {
 
-/// Whether the source reads what is sent to it, by a serial port or another stream.
+/// Returns whether the source reads input, from a serial port or another stream.
 bool listens(std::string source);
-/// Whether it uses the EEPROM.
+/// Returns whether it uses the EEPROM.
 bool keeps(const std::string& source);
-/// Adds what stands between quotes and is not printed.
+/// Adds quoted texts that are not printed.
 void add_words(const std::string& source, std::vector<std::string>& words);
-/// Whether it fits a line of a script, and is no longer than commands are.
+/// Returns whether it fits in a line of a script, and is no longer than commands usually are.
 bool may_be_sent(const std::string& word);
 
 }  // namespace robosim::cli

@@ -24,9 +24,9 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by when it has met what is in its way
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by when it has met the obstacle
 
-/// Wide enough for the bends of the map that it is to be like.
+/// Wide enough for the bends of the map that it should resemble.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
@@ -45,7 +45,7 @@ void draw_map(HuntWorld& world, const HuntSpace& space, const Die& die, int most
   if (like.networks) world.network = network_like(like, 1 + die(most_pieces), die);
 }
 
-/// Many sketches look at their buttons when they are switched on; it is long over when the robot is to go.
+/// Many sketches read their buttons at power-on; the button is released long before the robot starts.
 void hold_a_button_at_power_on(HuntWorld& world, const HuntSpace& space, const Die& die) {
   const std::string kind = "press " + pick(die, space.buttons);
   const int first_ms = space.opening.empty() ? kAfterHeld_ms : space.opening.front().at_ms;
@@ -54,27 +54,27 @@ void hold_a_button_at_power_on(HuntWorld& world, const HuntSpace& space, const D
   world.deeds.insert(world.deeds.begin(), {0, kind + fmt::format(" {}ms", kHeldFor_ms), kind});
 }
 
-/// A little before a number of milliseconds, or of microseconds, does not fit any more.
+/// Draws a clock just before the milliseconds, or microseconds, overflow.
 void draw_clock(HuntWorld& world, const HuntSpace& space, const Die& die) {
   const std::int64_t wrap =
       pick<std::int64_t>(die, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,
                                kPast_ms + kInt_ms, kPast_ms + 2 * kInt_ms});
   int runs_ms = die(std::min<int>(span_ms(world, space) / 2, static_cast<int>(kInt_ms)));
-  // As often as not a little behind what is done to it.
+  // In half of the cases a little after a stimulus.
   if (!world.deeds.empty() && chance(die, 50))
     if (const Deed& deed = pick(die, world.deeds); deed.after.empty())
       runs_ms = std::min(deed.at_ms + die(kBehindDeed_ms), static_cast<int>(kInt_ms));
   world.clock_ms = wrap - 1 - runs_ms;
 }
 
-/// Its clock goes back to 0 while something stands in its way.
+/// Its clock wraps to 0 while an obstacle blocks it.
 void draw_wrap_while_blocked(HuntWorld& world, const HuntSpace& space, const Die& die) {
   block(world, space, die);
   world.is_long = true;
   world.clock_ms = kMillisWrap_ms - std::min(space.for_ms / 2, kBlockedAfter_ms + die(kBlockedFor_ms));
 }
 
-/// Nothing is broken.
+/// Draws a pair of worlds without faults.
 HuntWorld pair(const HuntSpace& space, const Die& die) {
   HuntWorld world;
   world.twin = space.host_twin && chance(die, space.feels ? 50 : 70) ? Twin::host : Twin::clock;
@@ -87,7 +87,7 @@ HuntWorld pair(const HuntSpace& space, const Die& die) {
   } else {
     if (hears(space) && chance(die, 80)) draw_talk(world, space, die);
     if (world.twin == Twin::host && chance(die, hears(space) ? 15 : 60)) draw_late_deeds(world, space, die);
-    // A cut parts a text elsewhere where something takes a millisecond more.
+    // A power cut splits a text elsewhere if something takes a millisecond longer.
     if (world.twin == Twin::host)
       std::erase_if(world.deeds, [](const Deed& deed) { return deed.kind == kPowerOff; });
     if (world.twin == Twin::clock) draw_clock(world, space, die);
@@ -120,7 +120,7 @@ HuntWorld fresh(const HuntSpace& space, const Die& die) {
   return world;
 }
 
-/// Those that stood on a line of another map.
+/// Drops obstacles that were on a line of another map.
 void drop_obstacles(HuntWorld& world, const HuntSpace& space) {
   const std::vector<grid::CellAt> line = cells_with_line(world, space);
   std::erase_if(world.deeds, [&](const Deed& deed) {
@@ -158,8 +158,8 @@ HuntWorld like(const Noted& noted, const HuntSpace& space, const Die& die) {
   return world;
 }
 
-/// Most worlds are gone through on the host, which is many times as fast as a chip. How the robot behaves
-/// is seen without checks alone.
+/// Most worlds run on the host, which is many times as fast as a chip. The robot's behaviour is only judged
+/// without checks.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const Die& die) {
   if (!space.host_twin) return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
   if (chance(die, 55)) return *space.host_twin;
@@ -169,7 +169,7 @@ std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const Die& die
   return pick(die, builds);
 }
 
-/// One after another by a number that decides what they are.
+/// Draws the worlds one by one, by a number that determines them.
 class Dice {
  public:
   Dice(std::uint64_t seed, const char* what, std::uint64_t number)
@@ -195,7 +195,7 @@ HuntWorld draw_world(const HuntSpace& space, const std::vector<Noted>& noted, st
   return world;
 }
 
-/// The last ones of a round become one, if there is a chip, and anything to branch from.
+/// Turns the last worlds of a round into a family, if there is a chip, and a moment to branch from.
 void draw_family(std::vector<HuntWorld>& worlds, const HuntSpace& space, const std::vector<Noted>& noted,
                  std::uint64_t seed, const std::vector<std::uint64_t>& runs) {
   std::vector<std::size_t> chips;

@@ -1,4 +1,4 @@
-// The worlds of a hunt: how they are drawn, and which are smaller.
+// The worlds of a hunt: how they are drawn, and how they are shrunk.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@
 
 namespace robosim::cli {
 
-/// Something that somebody does to the robot.
+/// A stimulus for the robot.
 struct Deed {
-  int at_ms = 0;     ///< from power-on, or from when the sketch has sent `after`
-  std::string what;  ///< as scripts have it: "press start 100ms"
-  std::string kind;  ///< for people: "press start", "send"
+  int at_ms = 0;     ///< after power-on, or after the sketch has sent `after`
+  std::string what;  ///< in script syntax: "press start 100ms"
+  std::string kind;  ///< for display: "press start", "send"
   std::string after = {};
   bool operator==(const Deed&) const = default;
 };
@@ -34,15 +34,14 @@ inline constexpr const char* kObstacle = "an obstacle";
 inline constexpr const char* kHeld = "a wheel that is held";
 inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
 
-/// Later than what a sketch does once, some time after power-on; a multiple of 2^16, as is what a clock of 16
-/// bits begins from here.
+/// Later than the one-time actions of a sketch after power-on. A multiple of 2^16, so that a clock of 16 bits
+/// starts at 0 here, too.
 inline constexpr std::int64_t kPast_ms = 4 << 16;
 
-/// What a world is made a second time for, and held against: see twin.h.
+/// The reason for a second run that is compared: see twin.h.
 enum class Twin : std::uint8_t { none, host, clock };
 
-/// When something new was seen in a run: at a time, or behind what the sketch has sent. Nothing where nobody
-/// knows.
+/// The moment when a run showed something new: a time, or after an output of the sketch. Empty = unknown.
 struct Moment {
   int at_ms = -1;
   std::string after = {};
@@ -51,45 +50,45 @@ struct Moment {
 
 struct HuntWorld {
   Twin twin = Twin::none;
-  std::size_t build = 0;  ///< of HuntSpace::builds
-  std::size_t map = 0;    ///< of HuntSpace::maps, if none is drawn
+  std::size_t build = 0;  ///< index in HuntSpace::builds
+  std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
   std::optional<worlds::Track> track;
   std::optional<worlds::LineNetwork> network;
-  worlds::RobotVariant robot;  ///< without levels it is the robot as its file has it
+  worlds::RobotVariant robot;  ///< without levels it is the robot in its file
   std::uint64_t seed = 1;
   worlds::FaultPlan faults;
   std::vector<Deed> deeds;
-  int later_ms = 0;  ///< than in the plain world is what makes it go: it stands for so long before
+  int later_ms = 0;  ///< delay of its opening relative to the baseline: the robot waits first
   std::int64_t clock_ms = 0;
-  std::uint64_t family = 0;  ///< of worlds that are the same up to `parting`, then each has its last deed;
-                             ///< 0 = of none. On a chip they are made as one run that parts (wire::Ways)
+  std::uint64_t family = 0;  ///< of worlds that are equal up to `parting`, then each has its last stimulus;
+                             ///< 0 = no family. On a chip they are one run that branches (wire::Ways)
   Moment parting = {};
-  bool to_goal = true;   ///< ends there; else it runs on until its time is up
-  bool is_long = false;  ///< takes all the time that there is for a run
-  int least_ms = 0;      ///< runs at least so long
+  bool to_goal = true;   ///< ends there; else it runs until its time is up
+  bool is_long = false;  ///< takes the maximum time of a run
+  int least_ms = 0;      ///< minimum duration
   double for_s = 60.0;
 
   bool drawn() const { return track || network; }
 };
 
-/// What there is to choose from.
+/// The possible choices.
 struct HuntSpace {
-  /// What is run: for which target, and whether the sketch checks itself.
+  /// A build: its target, and whether the sketch checks itself.
   struct Build {
     std::string target;
     bool checked = false;
   };
   struct Map {
     std::string name;
-    std::string goal;                       ///< empty = by the map
-    bool tracks = false, networks = false;  ///< which maps are drawn as this one is
-    int cycles = 0;                         ///< of its network, roughly
+    std::string goal;                       ///< empty = the map's
+    bool tracks = false, networks = false;  ///< the kind of maps drawn like this one
+    int cycles = 0;                         ///< of its network, approximately
     double cell_mm = 100.0, corner_mm = 0.0;
-    std::vector<grid::CellAt> line = {};  ///< its cells with line, but for the start
-    bool tours = true;                    ///< the sketch comes to its goal on others like it, too
+    std::vector<grid::CellAt> line = {};  ///< its cells with line, except the start
+    bool tours = true;                    ///< the sketch reaches its goal on similar ones, too
   };
   std::vector<Build> builds;
-  std::optional<std::size_t> host_twin;  ///< the build that chips are held against, the last one
+  std::optional<std::size_t> host_twin;  ///< the build to which chips are compared, the last one
   std::vector<Map> maps;
   bool draws_maps = true;
   std::string robot;  ///< the base of its variants: a name or a path
@@ -98,27 +97,27 @@ struct HuntSpace {
   worlds::FaultLimits limits;
   std::vector<std::string> buttons;  ///< and keys
   std::vector<std::pair<std::string, std::string>>
-      listeners;                   ///< parts that messages come by, and their types
-  std::vector<std::string> words;  ///< what may be sent; empty = nothing is
-  std::size_t own_words = 0;       ///< the last of them, so many, are the sketch's own
-  std::vector<Deed> opening;       ///< what makes it go
-  std::vector<std::string> said;   ///< what the sketch has sent in the plain world: how its lines begin, the
-                                   ///< last one last
+      listeners;                   ///< parts that receive messages, and their types
+  std::vector<std::string> words;  ///< that may be sent; empty = none
+  std::size_t own_words = 0;       ///< the number of the sketch's own among them, at the end
+  std::vector<Deed> opening;       ///< what starts it
+  std::vector<std::string> said;   ///< the sketch's output in the baseline run: the beginnings of its lines,
+                                   ///< the last line last
   bool keeps = false;              ///< it uses the EEPROM
-  bool feels = false;              ///< a bumper changes what it does, so that something may stand in its way
+  bool feels = false;              ///< a bumper changes its behaviour, so that obstacles are useful
   std::vector<Promise> promises;
-  int for_ms = 60'000;    ///< of a run, at most
+  int for_ms = 60'000;    ///< maximum of a run
   int usual_ms = 60'000;  ///< of most runs
 };
 
-/// How long it runs, roughly.
+/// Returns the approximate duration of its run.
 inline int span_ms(const HuntWorld& world, const HuntSpace& space) {
   return std::max(world.least_ms, world.is_long ? space.for_ms : space.usual_ms);
 }
-/// What makes it go there.
+/// Returns the stimuli that start it there.
 std::vector<Deed> opening_of(const HuntWorld& world, const HuntSpace& space);
 
-/// Those that are drawn.
+/// Returns the number of builds that are drawn.
 inline std::size_t drawn_builds(const HuntSpace& space) {
   return space.builds.size() - (space.host_twin ? 1 : 0);
 }
@@ -129,32 +128,34 @@ struct Noted {
   Moment moment = {};
 };
 
-/// For each number of a run a world, by it and the hunt's seed. Half of the worlds are like one of those in
-/// which something new was seen; a fifth of these branch from it: the same up to the moment, and then
-/// something is done to the robot. So are the last ones of a whole round on a chip, all from one moment.
+/// Draws a world for each run, by its number and the hunt's seed. Half of the worlds are variations of one in
+/// which something new was seen. A fifth of these branch from it: they are equal up to the moment, and then
+/// have another stimulus. So do the last ones of a whole round on a chip, all from one moment.
 std::vector<HuntWorld> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                   const std::vector<std::uint64_t>& runs);
 inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< worlds
 
-/// So many, in which nothing is done to it, each on another network that is like the map.
+/// Draws this number of worlds without stimuli, each on another network similar to the map.
 std::vector<HuntWorld> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
                                      std::size_t count);
 
-/// Simpler by a step; those that are simpler by far come first. Ends after finitely many steps.
+/// Returns the worlds that are simpler by a step; the much simpler ones first. Repeated calls end after
+/// finitely many steps.
 std::vector<HuntWorld> smaller(const HuntWorld& world, const HuntSpace& space);
 
-/// What of it is not plain: "another map", "chassis track", "fault noisy", "press start". Its opening is.
+/// Returns the differences from the baseline: "another map", "chassis track", "fault noisy", "press start".
+/// Its opening does not count.
 std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space);
 
-/// The cells of its map that have line, but for the start.
+/// Returns the cells of its map that have line, except the start.
 std::vector<grid::CellAt> cells_with_line(const HuntWorld& world, const HuntSpace& space);
 std::vector<grid::CellAt> cells_with_line(const grid::Map& map);
 
-/// As files have it. The map's is empty where none is drawn; the robot's where it is as in its file.
+/// Return the contents of files. The map's is empty if none is drawn; the robot's if it is unchanged.
 std::string map_text(const HuntWorld& world, const HuntSpace& space);
 std::string robot_text(const HuntWorld& world, const HuntSpace& space);
 std::string script_text(const HuntWorld& world, const HuntSpace& space);
-/// Of the lines of a drawn map.
+/// Returns the length of the lines of a drawn map.
 double line_length_m(const HuntWorld& world, const HuntSpace& space);
 
 }  // namespace robosim::cli

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// `words` after "mutate". Throws InputError.
+/// Parses `words`, after "mutate". Throws InputError.
 Command parse_mutate(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

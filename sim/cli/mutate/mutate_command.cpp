@@ -36,7 +36,7 @@ build::Reading read(const launch::Launch& launch, tui::Progress& progress) {
                                .wanted);
 }
 
-/// The sketch's source, as the first check builds it.
+/// Reads the sketch's source, as the first check builds it.
 build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
   launch::Launch launch = launch_of(check.sweep.each);
   launch.sketch = sketch;
@@ -47,7 +47,7 @@ build::Reading read(const std::string& sketch, const Check& check, tui::Progress
   return read(launch, progress);
 }
 
-/// As it is built where nothing else is said, or, if it is for an AVR alone, for that.
+/// Reads it as built by default, or, if it is for an AVR alone, for that.
 build::Reading read(const std::string& sketch, tui::Progress& progress) {
   launch::Launch launch;
   launch.sketch = sketch;

@@ -1,4 +1,4 @@
-// What `robosim mutate` has found, for people and for programs.
+// The results of `robosim mutate`, as text and as JSON.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace robosim::cli {
 struct Mutant {
   mutate::Mutation mutation;
   Trial trial;
-  bool observed = true;  ///< a run of it differs from the unchanged sketch's
+  bool observed = true;  ///< one of its runs differs from the unchanged sketch's
 };
 
 struct MutationResult {
@@ -22,22 +22,22 @@ struct MutationResult {
   std::string checks;  ///< their file, or the programs of tests
   std::string asked;   ///< "check" or "test"
   std::uint64_t seed = 1;
-  std::size_t places = 0;        ///< mutations that there are
-  std::size_t not_compiled = 0;  ///< drawn, and left out
-  std::vector<Mutant> mutants;   ///< in the order in which they were drawn
+  std::size_t places = 0;        ///< number of possible mutations
+  std::size_t not_compiled = 0;  ///< drawn, and skipped
+  std::vector<Mutant> mutants;   ///< in the order of drawing
   std::vector<Mutant> controls;
   bool complete = true;  ///< not interrupted
 
   std::size_t count(Trial::Ending ending) const;
   std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
   std::size_t unobserved() const;
-  std::size_t brittle() const;  ///< controls that did not pass
-  /// Of those that some run could show; 1 if there are none.
+  std::size_t brittle() const;  ///< controls that failed
+  /// Returns the share of mutants found among those that some run could show; 1 if there are none.
   double score() const;
 };
 
 std::string mutation_text(const MutationResult& result);
-/// Schema robosim.mutate/1, docs/mutation.md.
+/// Returns the schema robosim.mutate/1, docs/mutation.md.
 std::string mutation_json(const MutationResult& result);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// What is asked of a sketch - its checks, or programs of tests - asked of a changed copy of it.
+// Runs a sketch's checks, or programs of tests, on a changed copy of it.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 
 namespace robosim::cli {
 
-/// How a sketch did that was changed.
+/// The result of a changed sketch.
 struct Trial {
   enum class Ending {
     passed,
     failed,        ///< a check or a test found it
-    late,          ///< one did, since time was up or the sketch hung
-    not_compiled,  ///< it is no bug, then
+    late,          ///< one failed by a timeout, or since the sketch hung
+    not_compiled,  ///< then it is not a bug
     interrupted,
   };
   Ending ending = Ending::passed;
   std::vector<std::string> traces;  ///< the trace hashes of all runs
-  std::string check;                ///< or test, that found it
+  std::string check;                ///< or test, that failed
   std::string why;                  ///< in one sentence
 };
 
@@ -33,16 +33,16 @@ class Workbench {
   /// `folder` holds the sketch, `path` is it or a file in it.
   Workbench(const std::filesystem::path& folder, const std::filesystem::path& path);
 
-  /// Asks the copy, which is at that path.
+  /// Tests the copy, which is at that path.
   using Ask = std::function<Trial(const std::string& sketch)>;
 
   Trial try_unchanged(const Ask& ask) const { return ask(sketch_); }
   Trial try_with(const mutate::Mutation& mutation, const Ask& ask) const;
 
-  /// Where the original is, and where the copy: folders, without links.
+  /// Return the folders of the original and the copy, without links.
   const std::filesystem::path& original() const { return original_; }
   const std::filesystem::path& copy() const { return copy_; }
-  /// For files that are needed to ask.
+  /// Returns a folder for files that tests need.
   const std::filesystem::path& scratch() const { return work_.path(); }
 
  private:
@@ -51,10 +51,10 @@ class Workbench {
   std::string sketch_;
 };
 
-/// Makes the checks of a file.
+/// Runs the checks of a file.
 Workbench::Ask ask_checks(std::string file, std::size_t jobs);
 
-/// Runs programs of GoogleTest tests, which find the copy where they ask for the original: ROBOSIM_MUTANT.
+/// Runs programs of GoogleTest tests, which find the copy instead of the original: ROBOSIM_MUTANT.
 Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench);
 
 }  // namespace robosim::cli

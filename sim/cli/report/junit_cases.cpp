@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMostMessage_bytes = 4000;
 
-/// Of what a test has printed that which says why it failed: of GoogleTest what stands between the case's
-/// begin and its end, else the end of it.
+/// Returns the part of a test's output that explains its failure. For GoogleTest it is between the case's
+/// begin and end, else the end of the output.
 std::string why_in(std::string_view printed) {
   const std::size_t failed = printed.find("\n[  FAILED  ]");
   if (failed != printed.npos) {
@@ -41,7 +41,7 @@ class Reader {
       if (reader.text_ && reader.text_->size() < kMostText)
         reader.text_->append(text, static_cast<std::size_t>(size));
     });
-    // What a document type may declare could make a small file a huge one.
+    // A document type's declarations could make a small file expand to a huge one.
     XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, auto...) {
       static_cast<Reader*>(self)->refused_ = "a document type is not allowed here";
       XML_StopParser(static_cast<Reader*>(self)->parser_.get(), XML_FALSE);
@@ -62,7 +62,7 @@ class Reader {
 
  private:
   int line() const {
-#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // deprecates the other
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // which deprecates the other
     return static_cast<int>(XML_GetCurrentLineNumber64(parser_.get()));
 #else
     return static_cast<int>(XML_GetCurrentLineNumber(parser_.get()));
@@ -141,7 +141,7 @@ class Reader {
   std::string refused_;
   bool open_ = false;              ///< a case
   std::string failure_, printed_;  ///< of the case
-  std::string* text_ = nullptr;    ///< where the text goes that stands here
+  std::string* text_ = nullptr;    ///< the target of the present text
 };
 
 }  // namespace

@@ -10,9 +10,9 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::size_t kMostColumns = 12;  // of checks; more are told in words
+constexpr std::size_t kMostColumns = 12;  // of checks; more are reported in words
 
-/// Cases by a name of theirs, in the order in which the names come; numbers of cases.
+/// Numbers of cases, grouped by name, in the order of the names' first use.
 struct Table {
   std::vector<std::string> names;
   std::map<std::string, std::vector<std::size_t>> of;
@@ -24,7 +24,7 @@ struct Table {
   }
 };
 
-/// Which of the numbers ended so.
+/// Counts the cases that ended so.
 std::size_t count(const std::vector<JunitCase>& cases, const std::vector<std::size_t>& numbers,
                   JunitCase::Ending ending) {
   return static_cast<std::size_t>(std::count_if(numbers.begin(), numbers.end(),
@@ -38,7 +38,7 @@ std::string cell(const JunitCase& one, std::size_t number, const Shown& shown) {
                      linked(shown, number, "✗"));
 }
 
-/// A row for each group, and a column for each check if `columns`.
+/// Returns a row for each group, and a column for each check if `columns`.
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
                          bool columns, const Shown& shown) {
   std::string body =
@@ -72,7 +72,7 @@ std::string groups_table(const std::vector<JunitCase>& cases, const Table& group
   return body + "</table></div>\n";
 }
 
-/// A row for each check, over all groups.
+/// Returns a row for each check, over all groups.
 std::string checks_table(const std::vector<JunitCase>& cases, const Table& checks) {
   std::vector<double> all_times, all_off;
   for (const JunitCase& one : cases) {
@@ -103,7 +103,7 @@ std::string checks_table(const std::vector<JunitCase>& cases, const Table& check
   return body + "</table></div>\n";
 }
 
-/// Where there are too many checks for a table of them.
+/// Used if there are too many checks for a table.
 std::string times_of_all(const std::vector<JunitCase>& cases) {
   std::vector<double> times;
   for (const JunitCase& one : cases) times.push_back(one.time_s);
@@ -137,7 +137,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     passed += cases[i].ending == JunitCase::Ending::passed;
     failed += cases[i].ending == JunitCase::Ending::failed;
   }
-  // Tests of C++ have names of their own each; checks of a class have those of all others.
+  // Tests of C++ have different names; checks of a class have equal ones.
   const bool columns =
       checks.names.size() <= kMostColumns && groups.names.size() > 1 && checks.names.size() < cases.size();
   std::string body =

@@ -1,4 +1,4 @@
-// A run made again, to look at it: its recording, and where its robot left the line.
+// Repeats a run for a report: its recording, and where its robot left the line.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 
 namespace robosim::cli {
 
-/// What a report tells of a recording.
+/// The parts of a recording that a report needs.
 struct Seen {
   std::string map;       ///< its name
-  std::string map_text;  ///< empty, with `floor` absent, if the map is too large to be drawn
+  std::string map_text;  ///< empty, without `floor`, if the map is too large to be drawn
   std::optional<record::FloorShapes> floor;
-  std::vector<std::array<double, 2>> left_mm;  ///< x, y: where no sensor saw the line any more, for 20 ms
+  std::vector<std::array<double, 2>> left_mm;  ///< x, y: where no sensor had seen the line for 20 ms
 };
 
 Seen seen_in(const record::Recording& recording);
@@ -29,9 +29,9 @@ Seen seen_in(const record::Recording& recording);
 class MakeAgain {
  public:
   MakeAgain();
-  /// The bytes of a .rec; nothing if it comes out as another run. Throws InputError, ToolMissing.
+  /// Returns the bytes of a .rec; nothing if the run differs. Throws InputError, ToolMissing.
   std::optional<std::string> operator()(launch::Launch launch, const std::string& trace_hash);
-  /// Of several robots; `common`: what their requests have in common.
+  /// Repeats a run of several robots; `common`: what their requests have in common.
   std::optional<std::string> operator()(launch::Fleet fleet, wire::RunRequest common,
                                         const std::string& trace_hash);
 

@@ -1,4 +1,4 @@
-// What the pages of `robosim report` are made of: HTML and SVG in one file, without scripts.
+// Building blocks of the pages of `robosim report`: HTML and SVG in one file, without scripts.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@ namespace robosim::cli {
 
 std::string page_of(const std::string& title, const std::string& body);
 
-/// A bar, and "3/4".
+/// Returns a bar, and "3/4".
 std::string share_bar(std::size_t good, std::size_t all);
 
-/// How many values fall into equal parts of 0..most.
+/// Returns a histogram of values, in equal parts of 0..most.
 std::string bars(const std::vector<double>& values, double most, const std::string& unit);
 
 double most_of(const std::vector<double>& values);
 
-/// The text, as a link if the run has a replay.
+/// Returns the text, as a link if the run has a replay.
 std::string linked(const Shown& shown, std::size_t run, const std::string& markup);
 
-/// Where robots left the line, and which runs are not in it and why.
+/// Draws where robots left the line, and lists the runs that are missing and why.
 std::string places_left(const Shown& shown);
 
 }  // namespace robosim::cli

@@ -21,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes replays into a folder beside the page; none of them over another.
+/// Writes replays into a folder next to the page, without overwriting.
 class Replays {
  public:
   explicit Replays(const std::string& page)
       : beside_(fs::path(page).parent_path()), folder_(fs::path(page).stem().string() + "-runs") {}
 
-  /// The link. `number`: of the run, for a name that is there already.
+  /// Returns the link. `number`: of the run, for a name that exists already.
   std::string write(const std::string& title, std::size_t number, const std::string& recording) {
     std::string name;
     for (const char c : title) {
@@ -46,7 +46,7 @@ class Replays {
   std::set<std::string> names_;
 };
 
-/// The worst of each combination, then the others that failed.
+/// Returns the worst of each combination, then the others that failed.
 std::vector<std::size_t> worth_looking_at(const std::vector<SweptRun>& runs) {
   std::vector<std::size_t> order;
   for (const auto& combination : combinations_of(runs)) order.push_back(worst_of(runs, combination));
@@ -57,7 +57,7 @@ std::vector<std::size_t> worth_looking_at(const std::vector<SweptRun>& runs) {
   return order;
 }
 
-/// The first of each sketch that failed, then the others.
+/// Returns the first of each sketch that failed, then the others.
 std::vector<std::size_t> worth_looking_at(const std::vector<JunitCase>& cases) {
   std::vector<std::size_t> order, others;
   std::set<std::string> groups;
@@ -68,8 +68,8 @@ std::vector<std::size_t> worth_looking_at(const std::vector<JunitCase>& cases) {
   return order;
 }
 
-/// A page that a test has kept, named from where the test ran: looked for from here, and from where the XML
-/// stands upwards, since ctest runs in the build's folder.
+/// Returns the page that a test has saved under a path relative to its working folder. Looks for it from
+/// here, and from the XML's folder upwards, since ctest runs in the build's folder.
 fs::path found(const fs::path& named, const fs::path& xml) {
   std::error_code error;
   if (named.is_absolute() || fs::is_regular_file(named, error)) return named;
@@ -79,7 +79,7 @@ fs::path found(const fs::path& named, const fs::path& xml) {
   return named;
 }
 
-/// The run that a row of a table is of, with the sweep's options.
+/// Repeats the run of a table's row, with the sweep's options.
 std::optional<std::string> made_again(MakeAgain& again, const SweptRun& run, const RunArguments& each) {
   RunArguments arguments = each;
   arguments.request.seed = run.seed;
@@ -94,7 +94,7 @@ std::optional<std::string> made_again(MakeAgain& again, const SweptRun& run, con
   launch.map = run.map;
   launch.robot = run.robot;
   launch.target = run.target;
-  // A table names what stands beside the sketch, and was not asked for, as it is called there.
+  // A table names default files in the sketch's folder by their name there.
   const fs::path folder = launch::choose_sketch(run.sketch, launch.environment).folder;
   std::error_code error;
   for (std::string* name : {&launch.map, &launch.robot})
@@ -103,7 +103,7 @@ std::optional<std::string> made_again(MakeAgain& again, const SweptRun& run, con
   return again(launch, run.trace_hash);
 }
 
-/// The run of a check, by the command that `robosim test` has written.
+/// Repeats the run of a check, by the command that `robosim test` has written.
 std::optional<std::string> made_again(MakeAgain& again, const JunitCase& one, bool untrusted) {
   std::vector<std::string> words = shell_words(one.again).value_or(std::vector<std::string>());
   if (!words.empty()) words.erase(words.begin());
@@ -218,9 +218,9 @@ std::vector<std::vector<std::size_t>> combinations_of(const std::vector<SweptRun
 }
 
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination) {
-  const auto badness = [&](std::size_t i) {  // the less, the worse
+  const auto badness = [&](std::size_t i) {  // smaller is worse
     const SweptRun& run = runs[i];
-    if (run.verdict == "error") return std::tuple(2, 0.0, 0.0, 0.0);  // there is nothing to look at
+    if (run.verdict == "error") return std::tuple(2, 0.0, 0.0, 0.0);  // there is nothing to show
     if (run.reached()) return std::tuple(1, -run.time_s, 0.0, -run.cross_track_max_mm);
     return std::tuple(0, run.laps + run.stations, run.distance_m, -run.cross_track_max_mm);
   };

@@ -1,4 +1,4 @@
-// What a report shows of runs beyond its table: replays, and where robots left the line.
+// Additions of a report to its table: replays, and where robots left the line.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace robosim::cli {
 
-/// Where the robots of a map's runs left the line; maps of equal text are one.
+/// Where the robots of a map's runs left the line; maps of equal text count as one.
 struct LeftOn {
   std::string map;  ///< its name
   record::FloorShapes floor;
@@ -23,36 +23,36 @@ struct LeftOn {
 };
 
 struct Shown {
-  std::map<std::size_t, std::string> replays;  ///< of a run by its number: a link from the page
+  std::map<std::size_t, std::string> replays;  ///< by the number of a run: a link from the page
   std::vector<LeftOn> left;
-  std::size_t other = 0;      ///< runs that came out otherwise when they were made again
+  std::size_t other = 0;      ///< runs with another result when they were repeated
   std::size_t not_made = 0;   ///< failed, too, but there were enough
-  std::size_t written = 0;    ///< of `replays`, for this page
-  std::string cannot;         ///< why runs cannot be made again: of the first
-  std::size_t cannot_be = 0;  ///< and how many
+  std::size_t written = 0;    ///< number of `replays` for this page
+  std::string cannot;         ///< why runs cannot be repeated: the first reason
+  std::size_t cannot_be = 0;  ///< and their number
 
   void add(const Seen& seen);
 
  private:
-  std::map<std::string, std::size_t> places_;  ///< in `left`, by the map's text
+  std::map<std::string, std::size_t> places_;  ///< index in `left`, by the map's text
 };
 
-/// Of a table: runs are made again, the worst of each combination first, and that one gets its replay.
+/// For a table: repeats runs, the worst of each combination first, and that one gets its replay.
 Shown look_at_runs(const std::vector<SweptRun>& runs, const ReportArguments& arguments);
 
-/// Of tests: those of robosim test that failed are made again and get their replay, of each sketch the first
-/// one first; those in C++ have kept theirs.
+/// For tests: repeats the failed ones of robosim test, for each sketch the first one first, and they get
+/// their replays. Those in C++ have saved theirs.
 Shown look_at_cases(const std::vector<JunitCase>& cases, const ReportArguments& arguments);
 
-/// A link to a file, from a page in `folder`.
+/// Returns a link to a file, from a page in `folder`.
 std::string link_to(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// The run of a combination that is worth looking at: of those that failed the one with the fewest laps and
-/// stations, of equal ones that which has driven least; where none has failed the slowest, of equal ones the
-/// farthest off the line.
+/// Returns the run of a combination that is worth examining. Of failed runs it is the one with the fewest
+/// laps and stations, then the shortest distance. If none has failed it is the slowest, then the one with the
+/// largest cross-track error.
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination);
 
-/// Numbers of the runs with equal sketch, map, robot and target, in the table's order.
+/// Returns the numbers of the runs with equal sketch, map, robot and target, in the table's order.
 std::vector<std::vector<std::size_t>> combinations_of(const std::vector<SweptRun>& runs);
 
 }  // namespace robosim::cli

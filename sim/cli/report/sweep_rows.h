@@ -1,4 +1,4 @@
-// The table of a sweep, as a report reads it: any that sweep --csv has written, whatever it came from.
+// Reads the table of a sweep for a report: any that sweep --csv has written, with any inputs.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ struct SweptRun {
   double time_s = 0.0;
   double distance_m = 0.0;
   double cross_track_max_mm = 0.0;
-  double laps = 0.0, stations = 0.0;  ///< complete ones, and those that were visited
+  double laps = 0.0, stations = 0.0;  ///< complete laps, and visited stations
   std::string trace_hash, why;
 
   bool reached() const { return verdict == "reached"; }
 };
 
-/// Throws InputError with file and line.
+/// Reads the runs. Throws InputError with file and line.
 std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& file);
 
 }  // namespace robosim::cli

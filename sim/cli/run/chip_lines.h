@@ -1,4 +1,5 @@
-// How often the lines of a sketch ran on a chip: the file that a runner writes (wire::RunRequest::counters).
+// Reads how often the lines of a sketch ran on a chip: the file that a runner writes
+// (wire::RunRequest::counters).
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 
 namespace robosim::cli {
 
-/// By file and line. The file is removed; without one there are no lines.
+/// Returns counts by file and line, and removes the file; without one there are no lines.
 std::map<std::pair<std::string, int>, double> take_chip_lines(const std::filesystem::path& file);
 
 }  // namespace robosim::cli

@@ -21,10 +21,10 @@ namespace {
 
 using cells::Ending;
 
-// A scan takes two moves for each of the line's cells and some for its ends; with noise it may wander.
+// A scan takes two moves for each of the line's cells and some for its ends; with noise it may get lost.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
-// Notes moves, if they are to be printed, and passes them on.
+// Records moves, if they must be printed, and passes them on.
 class Tape final : public cells::MoveWatcher {
  public:
   explicit Tape(cells::MoveWatcher* next, bool wanted) : next_(next), wanted_(wanted) {}
@@ -44,7 +44,7 @@ ExitStatus status_of(Ending ending) {
   return ending == Ending::complete ? ExitStatus::ok : ExitStatus::failed;
 }
 
-// The station that a user means by a number or a name.
+// Returns the station for a number or a name.
 int station_of(const grid::TrueGraph& graph, const std::string& wanted) {
   std::vector<std::string> known;
   for (int id = 0; const grid::GraphStation& station : graph.stations) {
@@ -84,8 +84,8 @@ std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& gr
   return routes;
 }
 
-/// Everything from the start to the report. `library`: the user's own algorithm, if it is one; `progressed`
-/// is told of its moves.
+/// Does everything from the start to the report. `library`: the user's own algorithm, if any; `progressed`
+/// receives its moves.
 int run_on(const grid::Map& map, const grid::Start& start, const ClassicArguments& arguments,
            const std::filesystem::path& library, cells::MoveWatcher* progressed) {
   const cells::CellFloor floor(map);

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Gives the exit status.
+/// Returns the exit status.
 int classic_command(const ClassicArguments& arguments);
 
 }  // namespace robosim::cli

@@ -29,7 +29,7 @@ const char* name_of(Ending ending) {
   return kNames[static_cast<int>(ending)];
 }
 
-// What went wrong, for people; "" if nothing did.
+// Describes a failure; "" if there was none.
 std::string trouble(Ending ending, const std::string& why) {
   switch (ending) {
     case Ending::complete:

@@ -1,4 +1,4 @@
-// What `robosim classic` found, for people and for programs.
+// The results of `robosim classic`, as text and as JSON.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace robosim::cli {
 
 struct TapedMove {
-  cells::CellPose pose;  ///< and sense: before the move
+  cells::CellPose pose;  ///< likewise sense: before the move
   cells::Sense sense;
   cells::Move move;
   double clock;  ///< after it
@@ -29,7 +29,7 @@ struct ClassicReport {
 };
 
 std::string classic_text(const ClassicReport& report);
-/// Schema robosim.classic/1, see docs/classic.md.
+/// Returns the schema robosim.classic/1, see docs/classic.md.
 std::string classic_json(const ClassicReport& report);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// `run --coverage DIR`: from a run's counters to the report in DIR.
+// `run --coverage DIR`: adds a run's counters to the report in DIR.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace robosim::cli {
 
-/// The folder of --coverage, else the environment's $ROBOSIM_COVERAGE, else empty. The environment is for
-/// whole test suites: runs that cannot be counted (on a chip) go by it.
+/// Returns the folder of --coverage, else the environment's $ROBOSIM_COVERAGE, else empty. The environment is
+/// for whole test suites: it does not apply to runs that cannot be counted (on a chip).
 std::string coverage_folder(const std::string& option, const std::string& target);
 
-/// A file in the folder for a run's counters, until the end of the scope. Throws InputError if it cannot be.
+/// A file in the folder for a run's counters, until the end of the scope. Throws InputError if that fails.
 class CounterFile {
  public:
   explicit CounterFile(const std::filesystem::path& folder);
@@ -20,11 +20,10 @@ class CounterFile {
   CounterFile(const CounterFile&) = delete;
   CounterFile& operator=(const CounterFile&) = delete;
 
-  /// Adds the run to the folder and gives what there is to say: the lines that never ran, over all runs
-  /// there.
+  /// Adds the run to the folder and returns the report: the lines that never ran, over all runs there.
   std::string keep(const build::Request& request, const build::Image& image,
                    const std::string& description) const;
-  /// Makes the page of all runs there, if its tool is installed, and says where it is.
+  /// Makes the page of all runs there, if its tool is installed, and returns its place.
   std::string make_page() const;
   const std::filesystem::path& path() const { return path_; }
 

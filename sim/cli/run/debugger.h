@@ -1,4 +1,4 @@
-// `robosim run --gdb PORT`: what the user types in another terminal.
+// `robosim run --gdb PORT`: the command for the user's other terminal.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace robosim::cli {
 
-/// Throws InputError where debugging is not possible.
+/// Throws InputError if debugging is impossible.
 void check_debugger(int port, const std::string& target);
 
-/// "avr-gdb -d /…/Blink /…/Blink.elf -ex 'target remote :3333'" for a shell, with the debugger that is
-/// installed. `sources`: the sketch's folder, which the image does not name; empty = not known.
+/// Returns "avr-gdb -d /…/Blink /…/Blink.elf -ex 'target remote :3333'" for a shell, with the installed
+/// debugger. `sources`: the sketch's folder, which the image does not name; empty = unknown.
 std::string debugger_command(const std::filesystem::path& elf, const std::filesystem::path& sources,
                              const std::string& target, int port);
 

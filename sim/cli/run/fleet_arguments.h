@@ -1,6 +1,5 @@
-// Options of `run` and `compare` that may be of one robot of several: `--robot A=uno5` is robot A's, `--robot
-// uno5` that of all who have none of their own. A word in the place of the sketch may also name a fleet's
-// file.
+// Options of `run` and `compare` for one of several robots. `--robot A=uno5` is for robot A, `--robot uno5`
+// for all robots without their own. The sketch argument may also name a fleet's file.
 #pragma once
 
 #include <array>
@@ -12,12 +11,12 @@
 
 namespace robosim::cli {
 
-/// What a robot of the fleet has none of is that of all.
+/// Gives a robot of the fleet the common settings that it does not have itself.
 void fill_up(launch::Fleet& fleet, const RunArguments& all);
 
-/// "A=uno5" is of A; a path may have = in it behind its first '/' or '.'.
+/// "A=uno5" is for A; a path may contain = after its first '/' or '.'.
 struct Named {
-  std::string name;  ///< empty = of all
+  std::string name;  ///< empty = for all
   std::string value;
 };
 Named named(const std::string& word);
@@ -26,13 +25,13 @@ class FleetOptions {
  public:
   /// `compares`: its --target is the command's own.
   FleetOptions(Options& options, RunArguments& run, bool compares = false);
-  /// After options.parse(): hands out what was given. Throws InputError.
+  /// Call it after options.parse(): distributes the given values. Throws InputError.
   void finish();
   /// Throws InputError if no robot has this name.
   void check_known(const char* option, const std::string& name);
 
  private:
-  /// One option, and where its value goes.
+  /// One option, and the target of its value.
   struct Given {
     const char* option;  ///< empty = the sketch
     std::string& (*of)(launch::Launch&);

@@ -28,9 +28,9 @@
 namespace robosim::cli {
 namespace {
 
-/// 0 where all have reached their goals; else what went wrong most.
+/// Returns 0 if all have reached their goals; else the most important failure.
 int status_of(const std::vector<wire::RunResult>& results) {
-  // Where a sketch has taken the process down, the others are interrupted, too.
+  // If a sketch has taken the process down, the others are interrupted, too.
   if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
   for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
     for (const wire::RunResult& result : results)
@@ -121,7 +121,7 @@ int fleet_command(const RunArguments& arguments) {
   }
   if (arguments.timing) report.wall_s = 1e-6 * static_cast<double>(wall_us()) - began_s;
   progress.clear();
-  std::exception_ptr unwritten;  // told behind the verdicts
+  std::exception_ptr unwritten;  // reported after the verdicts
   try {
     recorders.finish(result);
   } catch (const InputError&) {

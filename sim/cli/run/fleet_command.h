@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// The exit status: 0 where all of them reached their goals.
+/// Returns the exit status: 0 if all of them reached their goals.
 int fleet_command(const RunArguments& arguments);
 
 }  // namespace robosim::cli

@@ -25,15 +25,15 @@ namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 60;
 constexpr std::int64_t kTick_ns = 1'000'000;
-constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // as fast as possible: until it looks for requests
+constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // as fast as possible: until it checks for requests
 constexpr double kFastest = 1000.0;
 constexpr std::size_t kLongestRequest = 1 << 17;
 constexpr long long kId = 1;  // there is one run
 
-/// Lines of the standard input, as they come.
+/// Reads lines of the standard input, as they arrive.
 class Requests {
  public:
-  /// Waits for one at most so long; -1 = for ever.
+  /// Waits at most this long; -1 = for ever.
   std::optional<std::string> next(std::int64_t wait_us) {
     for (;;) {
       if (const std::size_t end = unread_.find('\n'); end != std::string::npos) {
@@ -52,7 +52,7 @@ class Requests {
   bool ended() const { return ended_; }
 
  private:
-  // Whether there is something to read.
+  // Returns whether input is available.
   static bool wait(std::int64_t wait_us) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
     const timespec time{static_cast<time_t>(wait_us / 1'000'000),
@@ -173,15 +173,15 @@ class Live {
 
   const record::RecordedRun& recorded_;
   const wire::OnEvent& on_event_;
-  record::Gatherer gatherer_;  // for what begins as a recording does
+  record::Gatherer gatherer_;  // for the initial part of a recording
   std::size_t started_ = 0;    // robots
-  std::string begun_;          // what they told until all had; the recording comes before it
+  std::string begun_;          // their reports until all had started; the recording precedes them
   std::string told_;
   Requests requests_;
   tui::Pacer pacer_ = paused();
-  double next_ns_ = 0.0;            // where it is to stand next
-  std::int64_t leg_ns_ = kTick_ns;  // as fast as possible: what takes about a frame
-  client::DrivenRun run_;           // the last: what hears it is there before
+  double next_ns_ = 0.0;            // the time of the next pause
+  std::int64_t leg_ns_ = kTick_ns;  // as fast as possible: the duration of about a frame
+  client::DrivenRun run_;           // the last member: its listeners are constructed before
 
   static record::Gatherer begun(const record::RecordedRun& run) {
     record::Gatherer gatherer;

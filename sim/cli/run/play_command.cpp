@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The list of maps looks into small ones only.
+// The list of maps only examines small ones.
 constexpr std::uintmax_t kLargestListed_bytes = 256'000;
 
 volatile sig_atomic_t the_signal = 0;
 extern "C" void on_signal(int number) { the_signal = number; }
 
-/// SIGINT, SIGTERM and SIGHUP are noted, so that the terminal is given back before the program ends.
+/// Records SIGINT, SIGTERM and SIGHUP, so that the terminal is restored before the program ends.
 class NotedSignals {
  public:
   NotedSignals() {
@@ -70,7 +70,7 @@ class Host final : public play::SessionHost {
   std::vector<play::MapEntry> maps() override {
     std::vector<play::MapEntry> entries;
     std::error_code error;
-    // In a folder of maps that is the samples' own they would stand there twice.
+    // In the samples' own folder they would be listed twice.
     if (!fs::equivalent(fs::current_path(), launch::stock_map_folder(), error)) {
       for (const char* ending : {".map", ".dat"}) {
         for (const std::string& name : launch::names_in(".", ending)) {

@@ -5,8 +5,9 @@
 
 namespace robosim::cli {
 
-/// On a terminal that can address its cursor the session takes the whole screen; elsewhere it reads and
-/// writes lines. The exit status: 130 after Ctrl-C. Throws InputError for the map or start in the arguments.
+/// Runs the session. On a terminal that can address its cursor it takes the whole screen; elsewhere it reads
+/// and writes lines. Returns the exit status: 130 after Ctrl-C. Throws InputError for the map or start in the
+/// arguments.
 int play_command(const PlayArguments& arguments);
 
 }  // namespace robosim::cli

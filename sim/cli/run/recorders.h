@@ -1,4 +1,4 @@
-// The files that `run` is to leave behind.
+// The files that `run` writes.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace robosim::cli {
 
-/// Of --record and --plot. Throws InputError.
+/// Returns the recorders of --record and --plot. Throws InputError.
 record::Recorders recorders_of(const RunArguments& arguments);
-/// That nobody else writes these files meanwhile. Throws InputError.
+/// Claims these files, so that no other process writes them meanwhile. Throws InputError.
 std::vector<WriteClaim> claims_of(const RunArguments& arguments);
 
 }  // namespace robosim::cli

@@ -28,10 +28,10 @@ namespace {
 
 constexpr int kWidestEnd_columns = 78;
 
-/// Thrown through the recording when the user has seen enough.
+/// Thrown through the recording when the user quits.
 struct Left {};
 
-/// Of several robots; else empty.
+/// Returns the names of several robots; else empty.
 std::vector<std::string> names_of(const record::RecordingHeader& header) {
   std::vector<std::string> names;
   for (std::size_t i = 0; !header.others.empty() && i < header.robot_count(); ++i)
@@ -39,7 +39,7 @@ std::vector<std::string> names_of(const record::RecordingHeader& header) {
   return names;
 }
 
-/// What is said of all robots in one sentence.
+/// Returns a result for one sentence about all robots.
 wire::RunResult whole_result(const record::RecordingHeader& header) {
   wire::RunResult result = header.result;
   wire::RunRequest request;
@@ -72,7 +72,7 @@ void watch(const record::Recording& recording, const grid::Map& map, double spee
   view.finish(whole_result(header));
 }
 
-/// Writes what a recording has in other formats.
+/// Writes a recording in other formats.
 void write(const record::Recording& recording, const ReplayArguments& arguments, const record::Over* over) {
   for (const std::string& file : arguments.record) {
     const WriteClaim claim(file);
@@ -99,7 +99,7 @@ std::string apart_text(const record::Apart& a) {
       a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
 }
 
-/// Robots of several are held against those of the same name.
+/// Compares robots to those of the same name.
 std::string apart_text(const record::Recording& one, const std::vector<record::Track>& others,
                        const std::string& file) {
   std::string text;

@@ -42,21 +42,21 @@ namespace {
 
 double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
-/// How often samples are needed, as a multiple of 1 ms; 0 = not at all.
+/// Returns the sample period, as a multiple of 1 ms; 0 = no samples.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.view) return tui::kViewEvery_ns;
   if (arguments.live || (arguments.json && !progress)) return 0;
   return tui::trail_every_ns(arguments.request.for_ns);
 }
 
-/// RAM that neither variables nor the deepest stack took.
+/// Returns the RAM that neither variables nor the deepest stack used.
 std::optional<std::int64_t> free_bytes(const wire::RunResult& result, const BoardSpec& board) {
   if (!result.resources) return std::nullopt;
   const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(board.ram_bytes) - used);
 }
 
-/// How far the limits might be raised that the firmware states.
+/// Returns how far the firmware's stated limits could be raised.
 std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64_t> free) {
   std::vector<tui::Room> rooms;
   if (!free) return rooms;
@@ -68,7 +68,7 @@ std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64
   return rooms;
 }
 
-/// Everything that listens to a run's events.
+/// All listeners of a run's events.
 class Listeners {
  public:
   Listeners(record::Recorders& recorders, std::int64_t for_ns, tui::Progress& progress)
@@ -109,10 +109,10 @@ class Listeners {
   tui::LiveView* view_ = nullptr;
   bool print_serial_ = false;
   SerialPrinter serial_;
-  std::string debugger_;  ///< what to type to attach one
+  std::string debugger_;  ///< the command that attaches one
   wire::Started started_;
   tui::Trail trail_;
-  std::deque<wire::Note> notes_;  ///< that the trail has not heard of yet
+  std::deque<wire::Note> notes_;  ///< that were not yet passed to the trail
   double for_s_;
 };
 
@@ -161,7 +161,7 @@ int run_command(const RunArguments& arguments) {
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
-  launch.request.batches = !arguments.view && !arguments.live;  // which are for eyes
+  launch.request.batches = !arguments.view && !arguments.live;  // these are for viewers
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);
@@ -186,7 +186,7 @@ int run_command(const RunArguments& arguments) {
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   if (!run.remark.empty()) complain(fmt::format("robosim: {}\n", run.remark));
-  std::exception_ptr unwritten;  // told behind the verdict, which a full disk does not take away
+  std::exception_ptr unwritten;  // reported after the verdict, which a full disk does not affect
   try {
     recorders.finish(result);
   } catch (const InputError&) {
@@ -225,7 +225,7 @@ int run_command(const RunArguments& arguments) {
         drawn.get(), screen.columns, screen.look));
   }
   if (counters) {
-    // The same run counts once: what went into it, and what came out.
+    // The same run, by inputs and results, counts once.
     const std::string text = counters->keep(run.wanted, run.image, run.request.script + json(std::nullopt));
     if (!arguments.coverage.empty()) {
       const std::string shown = text + counters->make_page();
@@ -235,7 +235,7 @@ int run_command(const RunArguments& arguments) {
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
   if (unwritten) std::rethrow_exception(unwritten);
-  // A program that was only to say something has said it.
+  // A program that only prints has succeeded when it ends.
   if (arguments.serial && result.verdict == "ended") return static_cast<int>(ExitStatus::ok);
   return result.status;
 }

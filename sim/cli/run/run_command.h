@@ -1,11 +1,11 @@
-// `robosim run`: sketch to image, image to verdict, verdict to screen, files or JSON.
+// `robosim run`: builds a sketch, runs it, and shows the verdict on screen, in files or as JSON.
 #pragma once
 
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
 
-/// The process's exit status. Throws InputError, ToolMissing and client::RunnerError.
+/// Returns the process's exit status. Throws InputError, ToolMissing and client::RunnerError.
 int run_command(const RunArguments& arguments);
 
 }  // namespace robosim::cli

@@ -11,35 +11,35 @@
 
 namespace robosim::cli {
 
-/// What the result came from. Nothing in here may depend on the machine: equal inputs give equal bytes.
+/// The inputs of the result. They must not depend on the machine: equal inputs give equal bytes.
 struct RunInputs {
   std::string robosim;  ///< version
   std::string target;
-  std::string sketch;  ///< these three as the user named them
+  std::string sketch;  ///< likewise the next two: as the user named them
   std::string map;
   std::string robot;
   std::string sketch_sha256;
   std::string compiler;
   bool sanitize = false;
 };
-/// `robosim` is its version, as a runner says it.
+/// `robosim` is its version, as reported by a runner.
 RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim);
 
-/// One object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
+/// Returns one object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
 std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
                      const std::optional<Finding>& finding = {});
 
-/// The same object in one line, for JSON Lines.
+/// Returns the object in one line, for JSON Lines.
 std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result);
 
-/// One of several robots.
+/// A robot of several.
 struct RobotRun {
   std::string name;
   RunInputs inputs;
   wire::RunResult result;
 };
 
-/// Schema robosim.fleet/1: how many reached their goals, and the object of each with its name.
+/// Returns the schema robosim.fleet/1: how many reached their goals, and the object of each with its name.
 std::string fleet_json(const std::vector<RobotRun>& robots, std::optional<double> wall_s);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// What the screens at the end of runs have room for.
+// The size of the screen that ends a run, and the map on it.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,19 @@
 
 namespace robosim::cli {
 
-/// The standard output's width, as far as it is used, and how it shows things.
+/// The standard output's usable width, and its display options.
 struct ScreenSize {
   int columns;
   tui::Look look;
 };
 ScreenSize screen_size();
 
-/// Throws InputError where --view has no terminal.
+/// Throws InputError if --view has no terminal.
 void check_view(const RunArguments& arguments);
 
-/// The map of a run, as its seed draws it.
+/// Returns the map of a run, as its seed draws it.
 grid::Map map_of(const wire::RunRequest& request);
-/// The same for pictures; null if it is too large for one.
+/// Returns the map for pictures; null if it is too large for one.
 std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request);
 
 }  // namespace robosim::cli

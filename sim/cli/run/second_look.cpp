@@ -14,7 +14,7 @@ constexpr double kLongest_of_timeout_s = 60.0;
 // With its checks a sketch takes longer until it crashes.
 constexpr double kMargin_of_crash_s = 1.0;
 
-// In which a check would have to fail to explain what the first run came to.
+// Returns the time in which a check would have to fail to explain the first result.
 double limit_s(const wire::RunResult& first) {
   if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
   return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;

@@ -1,6 +1,6 @@
-// A second run of a sketch that has failed, now built with the checks of --sanitize: they may name the line
-// at fault, such as a product that does not fit a 16-bit int, or an index that overwrote something else long
-// before.
+// Runs a failed sketch a second time, built with the checks of --sanitize. They may report the line at fault,
+// such as a product that does not fit a 16-bit int. Another example is an index that overwrote other data
+// long before.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace robosim::cli {
 
-/// What the first check to fail has found.
+/// The finding of the first check that failed.
 struct Finding {
   wire::Crash fault;
-  double time_s = 0.0;  ///< simulated, when it was found
+  double time_s = 0.0;  ///< simulated, of the finding
   std::string advice;   ///< may be empty
 };
 
@@ -26,32 +26,32 @@ void fields(V& v, wire::Same<V, Finding>& f) {
   v("time_s", f.time_s, "when it was found", {.unit = "s"});
 }
 
-/// Whether it makes sense: the sketch has failed on an AVR, or crashed on the host, and had no checks.
+/// Returns whether that makes sense: the sketch has failed on an AVR, or crashed on the host, without checks.
 bool deserves_second_look(const build::Request& sketch, const wire::RunResult& first);
 
-/// Runs no longer than the first run did, of a timeout only the first minute, and a second more where it has
-/// crashed: checks take their time. Nothing if no check failed, if the sketch with checks does not compile,
-/// or if the user interrupts it. `robot`: whose sketch it is, of several.
+/// Runs no longer than the first run did, and for a timeout only the first minute. After a crash it runs a
+/// second more: checks take time. Returns nothing if no check failed, if the sketch with checks does not
+/// compile, or on interruption by the user. `robot`: the sketch's, of several.
 std::optional<Finding> look_again(client::Runner& runner, wire::RunRequest request,
                                   const build::Request& sketch, const wire::RunResult& first,
                                   std::size_t robot = 0);
 
-/// Whether detectors have something to tell: the sketch was asked to check itself, or has failed.
+/// Returns whether detectors may report: the sketch was requested to check itself, or has failed.
 bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first);
 
-/// A run of the sketch as it is flashed, without checks: these change its timing, and ask for more RAM and
-/// flash than the chip has.
+/// A run of the sketch as it is flashed, without checks. These change its timing, and need more RAM and flash
+/// than the chip has.
 struct AsFlashed {
   std::vector<wire::Detected> detected;
-  std::optional<wire::RunResult> crashed;  ///< that run, if it has: whatever the first came to
+  std::optional<wire::RunResult> crashed;  ///< that run, if it crashed: regardless of the first result
 };
-/// Empty if the user interrupts it.
+/// Returns an empty result on interruption by the user.
 AsFlashed detect_again(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                        const wire::RunResult& first);
 
-/// The run's `next`, with the flags that it takes.
+/// Returns the run's `next`, with the flags that it takes.
 std::string next_of(const wire::RunResult& result);
-/// What the first run's `next` becomes.
+/// Returns the new `next` of the first run.
 std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding);
 
 }  // namespace robosim::cli

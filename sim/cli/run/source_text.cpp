@@ -34,7 +34,7 @@ std::string trimmed(const std::string& text) {
 
 std::string without_comment(const std::string& line) { return line.substr(0, line.find("//")); }
 
-/// Its words that may be names, in their order.
+/// Returns its words that may be names, in their order.
 std::vector<std::string> names_in(const std::string& line) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at < line.size();) {
@@ -52,8 +52,8 @@ bool names(const std::string& line, const std::string& name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-/// `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C; those of functions and classes, which are
-/// indented, do not count.
+/// Returns the constants of a line: `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C. Indented
+/// ones, of functions and classes, do not count.
 std::set<std::string> constants_of(const std::string& text) {
   const std::vector<std::string> names = names_in(text);
   if (text.starts_with("#define") && names.size() > 1) return {names[1]};
@@ -70,7 +70,7 @@ std::set<std::string> constants_of(const std::string& text) {
   return constants;
 }
 
-/// `Servo arm(9);` declares arm; `int turn(int by);` is a function.
+/// Returns the object of a line: `Servo arm(9);` declares arm; `int turn(int by);` is a function.
 std::optional<std::string> object_of(const std::string& text) {
   static const std::regex object(R"((?:[A-Za-z_][\w:]*(?:<[^;()]*>)?\s+)+(\w+)\s*[({](.+)[)}]\s*;\s*)");
   static const std::regex parameter(R"((?:^|[(,])\s*(?:\w+\s+)*\w[\w:<>]*[\s*&]+\w+\s*(?:=[^,]*)?(?=,|$))");
@@ -82,7 +82,7 @@ std::optional<std::string> object_of(const std::string& text) {
   return parts[1];
 }
 
-/// `int a, b;` in a function leaves both without a value.
+/// Returns the variables without a value: `int a, b;` in a function declares two.
 std::set<std::string> without_value(const std::string& line) {
   static const std::regex declaration(
       R"(\s+(?:volatile\s+)?(?:(?:unsigned|signed|long|short)\s+)*(?:u?int\d+_t|int|long|short|unsigned|char|bool|boolean|byte|word|float|double|size_t)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*)");
@@ -98,14 +98,14 @@ bool opens_function(const std::string& line) {
   return std::regex_match(line, function) && !std::regex_match(line, statement);
 }
 
-/// `count = 1`, `count += 1`, `count++` and `++count` write it.
+/// Returns whether a line writes a variable: `count = 1`, `count += 1`, `count++` and `++count`.
 bool writes(const std::string& line, const std::string& name) {
   return std::regex_search(
       line, std::regex("(?:^|\\W)" + name + R"((?:\s*\[[^\]]*\])?\s*(?:[-+*/%&|^]|<<|>>)?=(?!=)|\b)" + name +
                        R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
 }
 
-/// The function that the line `at`, from 0, stands in; empty if that cannot be told.
+/// Returns the function that holds the line `at`, from 0; empty if unknown.
 std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
   static const std::regex head(R"((?:[A-Za-z_][\w:<>]*[\s*&]+)*([A-Za-z_]\w*)\s*\(.*\{.*)");
   for (std::size_t i = at + 1; i-- > 0;) {
@@ -152,7 +152,8 @@ void SourceText::add(wire::Cause& cause, const wire::SourceLine& where, std::siz
   if (cause.lines.size() < most && had_.insert({where.file, where.line}).second) cause.lines.push_back(where);
 }
 
-/// Those that these lines wait for: the handlers that write what they read, and who has them called.
+/// Returns the writers for which these lines wait: the handlers that write what they read, and the lines that
+/// install them.
 wire::Cause SourceText::writers_in(const std::deque<wire::SourceLine>& chain) {
   wire::Cause writers{0.0, "an interrupt handler writes", {}};
   std::set<std::string> done;
@@ -220,7 +221,7 @@ wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
   return named;
 }
 
-/// `file`, or the only one beside it that does.
+/// Returns `file`, or the only neighbouring one that does.
 std::string SourceText::file_that_declares(const std::string& name, const std::string& file) {
   if (declarations_in(file).contains(name)) return file;
   std::string found = file;
@@ -275,8 +276,8 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// A sketch can claim any name by #line: a name that leads out of its folder, or that is not a file, has no
-// lines. Of a library's the image knows "libraries/NAME/..." only.
+// A sketch can claim any name by #line. A name that leads out of its folder, or that is not a file, has no
+// lines. For a library the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

@@ -1,5 +1,4 @@
-// The text of a sketch's lines, as far as its files are found: an image knows where lines are, not what they
-// say.
+// The text of a sketch's lines, if its files are found: an image has the lines' places, not their text.
 #pragma once
 
 #include <deque>
@@ -16,27 +15,29 @@ namespace robosim::cli {
 
 class SourceText {
  public:
-  /// Where files may be: the sketch's folder, and folders of libraries or with libraries in them.
+  /// `folders` are where files may be: the sketch's folder, and folders of libraries or with libraries in
+  /// them.
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  /// Without the blanks around it; empty where it is not known.
+  /// Returns the line without surrounding blanks; empty if it is unknown.
   std::string line(const wire::SourceLine& where);
-  /// Leaves out lines that say nothing, and adds what the instructions cannot tell, found in the same files:
-  /// - who writes the `volatile` variables that are read, and who names those functions (attachInterrupt());
+  /// Removes lines without information, and adds facts that instructions do not show, from the same files:
+  /// - writers of the `volatile` variables that are read, and uses of those functions' names
+  ///   (attachInterrupt());
   /// - variables of functions that are declared without a value;
-  /// - constants and objects that the lines name, and those that their declarations name; they may be in the
-  ///   files beside.
+  /// - constants and objects that the lines name, and those that their declarations name; they may be in
+  ///   neighbouring files.
   void explain(std::vector<wire::Cause>& chain);
 
  private:
   const std::vector<std::string>& lines_of(const std::string& file);
   std::vector<std::filesystem::path> paths_of(const std::filesystem::path& file) const;
   std::string file_that_declares(const std::string& name, const std::string& file);
-  /// The headers, and tabs of the sketch, in the folder of a file.
+  /// Returns the headers, and tabs of the sketch, in the folder of a file.
   const std::vector<std::string>& beside(const std::string& file);
-  /// Constants and objects outside functions, with their lines.
+  /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
-  /// A brace, or a function's head, where only registers are saved.
+  /// Returns true for a brace, or a function's head that only saves registers.
   bool says_nothing(const wire::SourceLine& where);
   wire::Cause writers_in(const std::deque<wire::SourceLine>& chain);
   void add_handler(wire::Cause& writers, const std::string& file, std::size_t at,

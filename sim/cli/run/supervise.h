@@ -1,4 +1,4 @@
-// Runs what a user wrote in a process of its own, so that a crash or an endless loop is told in one sentence.
+// Runs user code in a separate process, so that a crash or an endless loop is reported in one sentence.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 namespace robosim::cli {
 
-/// How far the other process has come: shared memory, which survives it.
+/// The progress of the other process: shared memory, which survives it.
 class Progressed final : public cells::MoveWatcher {
  public:
   void moved(const cells::CellPose& pose, cells::Sense, cells::Move, double) override {
@@ -18,7 +18,7 @@ class Progressed final : public cells::MoveWatcher {
     moves_.fetch_add(1, std::memory_order_relaxed);
   }
   std::uint64_t moves() const { return moves_.load(std::memory_order_relaxed); }
-  /// Before the last move.
+  /// Returns the pose before the last move.
   const cells::CellPose& pose() const { return pose_; }
   void finish() { finished_ = true; }
   bool finished() const { return finished_; }
@@ -29,9 +29,9 @@ class Progressed final : public cells::MoveWatcher {
   bool finished_ = false;
 };
 
-/// `work` gets the memory, prints what there is to print and gives the exit status. A process that dies, ends
-/// by itself, or spends 5 s of processor time without a move gives exit status 1, and a sentence about `name`
-/// on the standard error.
+/// `work` gets the memory, prints its output and returns the exit status. A process that dies, exits by
+/// itself, or takes 5 s of processor time without a move gives exit status 1. Then a sentence about `name`
+/// goes to standard error.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// The words of `robosim why`.
+// The command line of `robosim why`.
 #pragma once
 
 #include <string>

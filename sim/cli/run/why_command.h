@@ -1,11 +1,11 @@
-// `robosim why`: from a run's verdict back along what caused it (docs/why.md).
+// `robosim why`: traces a run's verdict back to its causes (docs/why.md).
 #pragma once
 
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
 
-/// Throws InputError and ToolMissing. Returns the exit status: the verdict's, as `run` does.
+/// Runs the command. Throws InputError and ToolMissing. Returns the exit status: the verdict's, as for `run`.
 int why_command(const WhyArguments& arguments);
 
 }  // namespace robosim::cli

@@ -26,15 +26,15 @@ namespace {
 constexpr std::int64_t kMillisecond = 1'000'000, kSecond = 1'000 * kMillisecond;
 constexpr std::int64_t kMillisWrap = (std::int64_t{1} << 32) * kMillisecond;
 constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
-// So much lower a clock does not go back to 0 in the run, nor micros(), and millis() % 1000 is the same.
+// A clock that is lower by this wraps neither in the run, nor does micros(), and millis() % 1000 is equal.
 constexpr std::int64_t kLower = 2000 * kSecond;
-// What a clock passes at other times, and goes on: one digit more and one bit more, of the seconds, too.
+// Values that a clock also passes without a wrap: one digit more and one bit more, also of the seconds.
 struct Step {
-  std::int64_t to, beside;  ///< a clock that stands so much higher or lower passes none
+  std::int64_t to, beside;  ///< a clock higher or lower by this passes none
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Clocks that pass nothing: each turns a robot aside whose way depends on a microsecond, or by chance does
-// not.
+// Clocks that pass nothing. Each diverts a robot whose path depends on a microsecond, unless by chance it
+// does not.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
@@ -42,16 +42,16 @@ constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
 constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
-// A pin that is driven so much more often is driven in another way.
+// A pin that is driven this much more often is driven differently.
 constexpr int kFewChanges = 8, kManyTimes = 8;
 constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
 
-/// What a run looked like.
+/// The observations of a run.
 struct Look {
   wire::RunResult result;
   std::vector<wire::Sample> samples;
-  std::map<std::string, std::vector<std::int64_t>> changes;  ///< of each pin, when
+  std::map<std::string, std::vector<std::int64_t>> changes;  ///< times, by pin
 };
 
 Look run(client::Runner& runner, wire::RunRequest request, std::int64_t clock) {
@@ -97,14 +97,15 @@ bool differ(const Look& a, const Look& b, std::int64_t moment) {
          changes_more(a, b, moment) || changes_more(b, a, moment);
 }
 
-/// Of a sketch that does not look at how long it has been on.
+/// Returns whether a sketch ignores the time since power-on.
 bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
   const double far = a.metrics.distance_m, other = b.metrics.distance_m;
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
 }
 
-/// Whether it has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds or minutes, and
-/// so much with it that it may wait for the serial port: behind 0 that number has one digit, and takes less.
+/// Returns whether it has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds or
+/// minutes. With it goes so much other output that it may wait for the serial port. After 0 that number has
+/// one digit, and takes less time.
 bool prints_clock(const Look& look, std::int64_t clock) {
   constexpr std::int64_t kUnits[] = {1000,    kMillisecond, 10 * kMillisecond, 100 * kMillisecond,
                                      kSecond, 60 * kSecond};
@@ -130,9 +131,9 @@ bool prints_clock(const Look& look, std::int64_t clock) {
   return false;
 }
 
-/// Returns whether the sketch does something else with another clock, or as soon as its clock has a digit or
-/// a bit more: what takes a microsecond longer is enough for that. What such a sketch does when its clock
-/// goes back to 0 proves nothing. `usual` is its run with `clock`, which passes nothing.
+/// Returns whether the sketch's behaviour changes with another clock, or with one that has a digit or a bit
+/// more. One more microsecond is enough for that. Then a change after a wrap proves nothing. `usual` is its
+/// run with `clock`, which passes nothing.
 bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
                std::int64_t moment) {
   for (int i = 1; i <= kOtherClocks; ++i)
@@ -143,12 +144,12 @@ bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Lo
   });
 }
 
-/// Shortly after the sketch has driven a pin, before it drives none for long: there it may wait.
+/// Returns moments shortly after the sketch has driven a pin, before a long pause: it may wait there.
 std::vector<std::int64_t> moments_in(const Look& usual) {
   std::vector<std::int64_t> changes;
   for (const auto& [pin, times] : usual.changes) changes.insert(changes.end(), times.begin(), times.end());
   std::sort(changes.begin(), changes.end());
-  std::vector<std::pair<std::int64_t, std::int64_t>> quiet;  // how long, and from when on
+  std::vector<std::pair<std::int64_t, std::int64_t>> quiet;  // duration and start
   for (std::size_t i = 0; i + 1 < changes.size(); ++i)
     quiet.emplace_back(changes[i + 1] - changes[i], changes[i]);
   std::sort(quiet.rbegin(), quiet.rend());
@@ -162,7 +163,7 @@ std::vector<std::int64_t> moments_in(const Look& usual) {
   return moments;
 }
 
-/// How often lines ran until shortly behind the moment.
+/// Returns how often lines ran until shortly after the moment.
 std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire::RunRequest request,
                                                     std::int64_t clock, std::int64_t moment) {
   const fs::path file = fs::temp_directory_path() / fmt::format("robosim-lines-{}", ::getpid());
@@ -173,7 +174,7 @@ std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire
   return take_chip_lines(file);
 }
 
-/// The line that differs most in how often it ran.
+/// The line whose count differs most.
 struct Other {
   wire::SourceLine where;
   double wrapped = 0.0, other = 0.0;

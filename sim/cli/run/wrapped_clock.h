@@ -1,23 +1,23 @@
-// A deadline that breaks when millis() or micros() goes back to 0.
+// Detects deadlines that break when millis() or micros() wraps to 0.
 //
 //   if (millis() > next) { next = millis() + 50; steer(); }
 //
 // millis() is a number of 32 bits: after 49.7 days it goes from 4294967295 to 0, micros() after 71.6 minutes.
-// A moment that was reckoned before, `next`, is then 50 ms behind 0 already, so that it is passed at once; or
-// millis() is behind it for the next 49 days, and steer() is called no more.
+// A deadline computed before, `next`, may already be 50 ms after 0, so that it is passed at once. Or millis()
+// is after it for the next 49 days, and steer() is never called.
 //
-// So the run is made again with a clock that goes back to 0 on the way, and once more with one that stands
-// nearly as high and does not. Where these two differ from there on (another verdict, another way in the next
-// 2 s, a pin that changes no more), the sketch is not made for it. Which line ran far more often, or no more,
-// is found by counting lines. A robot that parts by a microsecond more or less does so with other clocks that
-// pass nothing, or where its clock has a digit or a bit more. Nothing is reported of such a sketch.
+// So the run is repeated with a clock that wraps to 0 during it. Another run has a clock that is nearly as
+// high and does not wrap. If these two differ from there on, the sketch cannot handle a wrap. A difference is
+// another verdict, another path in the next 2 s, or a pin that stops changing. Line counts show which line
+// ran far more often, or stopped running. If a microsecond more or less changes a robot's path, it differs
+// also with clocks that pass no wrap, or that gain a digit or a bit. Nothing is reported for such a sketch.
 //
-// The moments that are tried are the middle of the run, and those at which the sketch has just driven a pin
-// and then drives none for long, as while it waits. What it cannot see: deadlines that are pending at none of
-// them; variables of 16 bits; sketches that look at how long they have been on, or send their clock (in
-// microseconds to minutes) among 64 bytes and more each second: its digits are fewer from there on.
+// The tested moments are the middle of the run, and moments after which the sketch drives no pin for long.
+// Not detected: deadlines that are pending at none of them; variables of 16 bits. Nor sketches that use the
+// time since power-on itself, or that send their clock (in microseconds to minutes) among 64 or more bytes
+// per second. It has fewer digits after the wrap.
 //
-// Mended by comparing durations, which are right across 0: millis() - start >= 50, both `unsigned long`.
+// Fix it by comparing durations, which are correct across 0: millis() - start >= 50, both `unsigned long`.
 #pragma once
 
 #include <vector>
@@ -27,8 +27,8 @@
 
 namespace robosim::cli {
 
-/// `request`: of the sketch as it is flashed, on an AVR; `first`: what it came to. Empty if nothing was
-/// found.
+/// Returns the findings; empty if there are none. `request`: of the sketch as it is flashed, on an AVR;
+/// `first`: its result.
 std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunRequest request,
                                          const wire::RunResult& first);
 

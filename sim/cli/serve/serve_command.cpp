@@ -21,7 +21,7 @@ int serve_command(const ServeArguments& arguments) {
     throw ToolMissing(
         "robosim serve was not built: it needs the package libcpp-httplib-dev when Robosim is built");
   const std::string port = std::to_string(arguments.port);
-  const char* wrapper = std::getenv("ROBOSIM_WRAPPER");  // a checkout's, which builds a chip's runner
+  const char* wrapper = std::getenv("ROBOSIM_WRAPPER");  // in a checkout, which builds a chip's runner
   const std::string robosim = wrapper ? wrapper : fs::read_symlink("/proc/self/exe").string();
   ::execl(program.c_str(), program.c_str(), folder.c_str(), arguments.address.c_str(), port.c_str(),
           robosim.c_str(), nullptr);

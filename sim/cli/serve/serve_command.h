@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Becomes the server's program. Throws InputError for a folder there is none of, ToolMissing where the
+/// Replaces this process by the server's program. Throws InputError for a missing folder, ToolMissing if the
 /// server was not built.
 int serve_command(const ServeArguments& arguments);
 

@@ -1,5 +1,5 @@
-// The figures of a run that a check can limit and a table shows, under the names that `run --json` gives
-// them: its time, and the numbers among its metrics and resources.
+// The measurements of a run that a check can limit and a table shows, with their names in `run --json`. They
+// are its time, and the numbers among its metrics and resources.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ namespace robosim::cli {
 
 struct Figure {
   const char* name;
-  bool chip_only;  ///< known of a chip's emulator only
+  bool chip_only;  ///< only known on an emulated chip
 
-  /// One value, one for each lap, or none if it is not known.
+  /// Returns one value, one for each lap, or none if it is unknown.
   std::vector<double> values(const wire::RunResult& result) const;
 };
 
 const std::vector<Figure>& figures();
 
-/// For people: four digits are enough.
+/// Formats a value for display: with four digits.
 std::string figure_text(double value);
 
 }  // namespace robosim::cli

@@ -10,16 +10,16 @@
 
 namespace robosim::cli {
 
-/// `words` after "sweep". Throws InputError.
+/// Parses `words`, after "sweep". Throws InputError.
 Command parse_sweep(const std::vector<std::string>& words);
 
-/// The value of --seeds, "17" or "1..100". Throws InputError.
+/// Parses the value of --seeds, "17" or "1..100". Throws InputError.
 void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last);
 
-/// "host,avr" as well as "host avr".
+/// Accepts "host,avr" as well as "host avr".
 std::vector<std::string> split_at_commas(const std::vector<std::string>& words);
 
-/// The value of --jobs; empty = one for each core. Throws InputError.
+/// Parses the value of --jobs; empty = one for each core. Throws InputError.
 std::size_t number_of_jobs(const std::string& text);
 
 }  // namespace robosim::cli

@@ -21,7 +21,7 @@
 namespace robosim::cli {
 namespace {
 
-/// A run that Robosim failed to make, in the shape of all others.
+/// Returns the result of a run that Robosim failed to make, in the usual format.
 wire::RunResult error_result(const Combination& c, const wire::RunRequest& request,
                              const std::string& message) {
   wire::RunResult result;
@@ -38,7 +38,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
   return result;
 }
 
-/// A file that changes in the middle of a sweep would make a table of two different things.
+/// Detects a file that changes during a sweep, which would mix two different things in one table.
 void check_unchanged(const Combination& c, const wire::RunResult& result) {
   const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
     if (then != now)
@@ -80,7 +80,7 @@ class Sweep {
   const std::vector<SweepOutcome>& outcomes() const { return outcomes_; }
   bool failed_itself() const { return failed_itself_; }
   std::size_t made() const { return made_; }
-  /// Of this shard.
+  /// Returns the number in this shard.
   std::size_t runs() const { return runs_; }
 
  private:
@@ -94,7 +94,7 @@ class Sweep {
     return arguments_.shard.has(run) && !outcomes_[run].made() && !counters_[run / plan_.seeds].decided();
   }
 
-  /// In the order of the runs, those of the table gone on with included.
+  /// Counts the outcomes in the order of the runs, including those of the resumed table.
   void count() {
     for (; counted_ < plan_.runs(); ++counted_) {
       analysis::Tally& counter = counters_[counted_ / plan_.seeds];
@@ -129,7 +129,7 @@ class Sweep {
   tui::Progress& progress_;
   std::vector<SweepOutcome> outcomes_;
   std::optional<SweepTable> table_;
-  std::vector<analysis::Tally> counters_;  ///< without a demand unless runs may be left out
+  std::vector<analysis::Tally> counters_;  ///< without a demand unless runs may be skipped
   std::size_t counted_ = 0;
   std::size_t made_ = 0;
   std::size_t runs_;  ///< of the shard

@@ -1,12 +1,12 @@
-// `robosim sweep`: many runs, side by side.
+// `robosim sweep`: makes many runs in parallel.
 #pragma once
 
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
 
-/// The process's exit status: 1 if --min-rate is not met, 3 if a run failed by a fault of Robosim's own, 130
-/// after an interrupt. Throws InputError, ToolMissing and client::RunnerError.
+/// Returns the process's exit status: 1 if --min-rate is not met, 3 if a run failed by a fault of Robosim,
+/// 130 after an interrupt. Throws InputError, ToolMissing and client::RunnerError.
 int sweep_command(const SweepArguments& arguments);
 
 }  // namespace robosim::cli

@@ -26,7 +26,7 @@ std::string time_word(std::int64_t ns) {
   return fmt::format("{}ns", ns);
 }
 
-/// The options of `robosim run` that differ from its defaults.
+/// Returns the options of `robosim run` that differ from its defaults.
 std::string options_of(const RunArguments& each) {
   const RunArguments usual;
   std::string text;
@@ -47,7 +47,7 @@ std::string options_of(const RunArguments& each) {
   return text;
 }
 
-/// All that runs share, one thing a line.
+/// Returns everything that runs share, one item per line.
 std::string conditions_of(const wire::RunRequest& r, const std::string& version) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", version, r.start, r.goal, r.for_ns, r.clock_ns, r.profile,
                      r.script);
@@ -68,7 +68,7 @@ class SweepSupplies {
     return launch::prepare(launcher_, fleet, std::move(chosen), common, describe_, describer().hello());
   }
 
-  /// Of a launch that asks for a chip and names none.
+  /// Returns the target of a launch that requests a chip without naming one.
   std::string chip_target(const launch::Launch& launch) { return launch::chip_target(launch, describe_); }
 
   const std::string& version() { return describer().hello().version; }
@@ -105,7 +105,7 @@ class SweepSupplies {
 
 namespace {
 
-/// Gives the combinations of one sweep.
+/// Makes the combinations of one sweep.
 class Combiner {
  public:
   Combiner(const SweepArguments& arguments, SweepSupplies& supplies)
@@ -126,14 +126,14 @@ class Combiner {
         }
       }
     }
-    std::vector<launch::Chosen> chosen;  // a wrong name is told before anything is compiled
+    std::vector<launch::Chosen> chosen;  // a wrong name is reported before anything is compiled
     for (const launch::Launch& launch : launches) chosen.push_back(choose(launch));
     for (std::size_t i = 0; i < launches.size(); ++i)
       combinations.push_back(combine(launches[i], std::move(chosen[i])));
   }
 
  private:
-  /// Of several robots. What they have none of is that of the combination.
+  /// Adds several robots. They get the combination's settings that they do not have themselves.
   void add_fleet(const std::string& file, std::vector<Combination>& combinations) {
     if (arguments_.each.chip_only) throw InputError({file}, "several robots are not run with --untrusted");
     for (const std::string& map : or_default(arguments_.maps)) {

@@ -1,4 +1,4 @@
-// What a sweep is made of: every sketch on every map with every robot on every target, each with all seeds.
+// The plan of a sweep: every sketch on every map with every robot on every target, each with all seeds.
 #pragma once
 
 #include <array>
@@ -16,25 +16,25 @@
 
 namespace robosim::cli {
 
-/// A fingerprint of everything that a run came from but its seed, in parts, so that it can be told what has
-/// changed: 8 hexadecimal digits each, the beginning of a SHA-256.
+/// A fingerprint of all inputs of a run except its seed, in parts, so that the changed one can be reported.
+/// Each has 8 hexadecimal digits, the beginning of a SHA-256.
 struct Fingerprint {
   /// Image, map, robot; and everything else: Robosim's version and the options that all runs share.
   std::array<std::string, 4> parts;
-  /// "0123abcd-…"
+  /// Returns "0123abcd-…"
   std::string text() const;
 };
 
 /// One sketch on one map with one robot on one target.
 struct Combination {
-  RunInputs inputs;   ///< as `--json` tells them
+  RunInputs inputs;   ///< as reported by `--json`
   client::Task task;  ///< without its seed
   std::string image_sha256;
   std::string map_sha256;
   std::string robot_sha256;
   Fingerprint fingerprint;
-  std::string replay;  ///< the command that makes one of its runs, without --seed
-  /// "PidFollower on oval with uno5, target host"
+  std::string replay;  ///< the command that repeats one of its runs, without --seed
+  /// Returns "PidFollower on oval with uno5, target host"
   std::string text() const;
 };
 
@@ -52,20 +52,20 @@ struct SweepPlan {
 
 class SweepSupplies;
 
-/// Finds the files, compiles the sketches. What several sweeps share is compiled, read and said once.
+/// Finds the files, compiles the sketches. Work that several sweeps share is done and reported once.
 class SweepPlanner {
  public:
   SweepPlanner(tui::Progress& progress, Says says);
   ~SweepPlanner();
 
-  /// Throws InputError, ToolMissing and client::RunnerError.
+  /// Makes the plan. Throws InputError, ToolMissing and client::RunnerError.
   SweepPlan plan(const SweepArguments& arguments);
 
  private:
   std::unique_ptr<SweepSupplies> supplies_;
 };
 
-/// The command that makes one run again.
+/// Returns the command that repeats one run.
 std::string replay_command(const Combination& combination, std::uint64_t seed);
 
 }  // namespace robosim::cli

@@ -19,11 +19,11 @@ std::optional<analysis::Demand> demand_of(const SweepArguments& arguments) {
   return analysis::Demand{*arguments.min_rate, arguments.sure};
 }
 
-// To four digits, never up to a 1 that it is not, nor down to such a 0.
+// Round to four digits, down or up, so that a share next to 0 or 1 does not become that.
 std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
 std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
 
-/// The runs of one combination that count, by index.
+/// Visits the runs of one combination that count, by index.
 template <typename Visit>
 analysis::Tally count(const SweepArguments& arguments, const SweepPlan& plan, std::size_t combination,
                       const std::vector<SweepOutcome>& outcomes, const Visit& visit) {
@@ -40,7 +40,7 @@ analysis::Tally count(const SweepArguments& arguments, const SweepPlan& plan, st
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Columns as wide as they must be; the first `left` of them to the left, the others to the right.
+/// Aligns columns by their widths; the first `left` of them to the left, the others to the right.
 std::string aligned(const Lines& lines, std::size_t left) {
   std::vector<int> widths(lines[0].size());
   for (const auto& line : lines) {
@@ -58,7 +58,7 @@ std::string aligned(const Lines& lines, std::size_t left) {
   return text;
 }
 
-// Of the runs that count: the least, the mean and the greatest.
+// The minimum, mean and maximum of the runs that count.
 struct Scores {
   double least = 0.0, sum = 0.0, most = 0.0;
   int count = 0;
@@ -91,7 +91,7 @@ std::vector<std::string> line_of(const Combination& c, const analysis::Tally& ta
   return line;
 }
 
-/// What did not reach its goal, with a command for each of the first.
+/// Lists the failures, with a command for each of the first.
 std::string failures_text(const SweepPlan& plan, std::size_t combination, const analysis::Tally& tally,
                           const std::vector<std::size_t>& failures,
                           const std::vector<SweepOutcome>& outcomes) {
@@ -115,7 +115,7 @@ std::string failures_text(const SweepPlan& plan, std::size_t combination, const 
   return text;
 }
 
-/// Whether the demand is met, where that is known, and how sure it is.
+/// Reports whether the demand is met, if that is known, and how certain it is.
 std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
                         const std::vector<analysis::Tally>& tallies) {
   const analysis::Demand demand = *demand_of(arguments);

@@ -1,4 +1,4 @@
-// What a sweep prints at the end.
+// The final output of a sweep.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace robosim::cli {
 
-/// The runs of each combination, counted in the order of their seeds; with `stop_early` up to the one that
-/// decided. Runs that were not made are passed over.
+/// Counts the runs of each combination, in the order of their seeds; with `stop_early` up to the deciding
+/// one. Missing runs are skipped.
 std::vector<analysis::Tally> count_runs(const SweepArguments& arguments, const SweepPlan& plan,
                                         const std::vector<SweepOutcome>& outcomes);
 
-/// A table with a line for each combination; then what failed, with the commands that make the first of it
-/// again; then whether --min-rate holds. It depends on the outcomes alone.
+/// Returns a table with a line for each combination, then the failures, with commands that repeat the first
+/// ones. Then follows whether --min-rate holds. It depends on the outcomes alone.
 std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
                          const std::vector<SweepOutcome>& outcomes);
 

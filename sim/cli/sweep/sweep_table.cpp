@@ -30,9 +30,8 @@ enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTi
 
 constexpr const char* kScore = "score";
 
-/// Those of a run that have a column of their own, under their names, one behind another. Laps have others,
-/// the score's stands behind the stations', and the tables that are made so far hold neither junctions nor
-/// energy that came back.
+/// Returns the measurements that have their own columns, with their names, in order. Laps have other columns,
+/// and the score's is after the stations'. Existing tables have neither junctions nor recovered energy.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
@@ -56,7 +55,8 @@ std::vector<std::string_view> names_of(Columns columns) {
   return all;
 }
 
-/// By the first line of a table, with its line feed if it is whole. None: no header of a sweep's.
+/// Returns the columns by the first line of a table, with its line feed if it is complete. None: not a
+/// sweep's header.
 std::optional<Columns> columns_of(std::string_view line) {
   for (const Columns columns : {Columns::all, Columns::without_score})
     if (sweep_header(columns).starts_with(line)) return columns;
@@ -70,9 +70,9 @@ std::string_view first_line(std::string_view text) {
 
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
                                                "an option, or the version of Robosim,"};
-constexpr std::size_t kGroup = 8;  ///< digits, with a hyphen between two groups
+constexpr std::size_t kGroup = 8;  ///< digits, with a hyphen between groups
 
-/// A field without line feeds: each row is one line.
+/// Returns a field without line feeds: each row is one line.
 std::string field(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r') c = ' ';
@@ -88,14 +88,14 @@ std::optional<Number> parse_number(const std::string& text) {
   return value;
 }
 
-/// Of a row without one.
+/// Returns the checksum of a row without one.
 std::string seal_of(const std::vector<std::string>& fields) {
   return sha256(fmt::format("{}", fmt::join(fields, "\n"))).substr(0, kGroup);
 }
 
 std::string& inputs_field(std::vector<std::string>& fields) { return fields[fields.size() - 2]; }
 
-/// False if there is one and it does not fit. Tables of former versions have none.
+/// Returns false if there is one and it does not match. Older tables have none.
 bool take_seal(std::vector<std::string>& fields) {
   std::string& inputs = inputs_field(fields);
   if (inputs.size() == kParts.size() * (kGroup + 1) - 1) return true;
@@ -105,7 +105,7 @@ bool take_seal(std::vector<std::string>& fields) {
   return seal == seal_of(fields);
 }
 
-/// Finds the run that a row is of.
+/// Finds the run of a row.
 class Reader {
  public:
   Reader(const std::string& file, const SweepPlan& plan, Columns columns)
@@ -272,7 +272,7 @@ SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::v
   }
   columns_ = columns_of(first_line(text)).value_or(Columns::all);
   const std::string whole = content_of(rows, columns_);
-  if (whole != text) write_file(path_, whole);  // without a row that was cut off, and without errors
+  if (whole != text) write_file(path_, whole);  // without an incomplete row, and without errors
   open("a");
 }
 

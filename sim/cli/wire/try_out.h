@@ -1,5 +1,5 @@
-// A draft of a robot, tried out with the sketch that it is for: what the sketch then does to its pins makes
-// the next draft, and which of several ways to wire it follows a line decides what nobody can guess.
+// Tries out a draft of a robot with its sketch. The sketch's use of its pins refines the next draft. Of
+// several possible wirings, the one that follows a line is chosen.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,23 @@
 
 namespace robosim::cli {
 
-/// Whether it has driven its lap along the line. A robot that is half its width off it on average comes round
-/// an easy map, too; so does one whose sensors see it less than half of the time, unless they sit beside it.
+/// Returns whether it has driven a lap along the line. An easy map can be lapped with a mean cross-track
+/// error of half the robot's width. So can it with sensors that see the line less than half of the time,
+/// unless they are beside it.
 bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
 
 class TryOut {
  public:
-  /// `launch` without a robot; its scratch files go below `folder`.
+  /// `launch` has no robot; its scratch files go below `folder`.
   TryOut(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
          launch::Listener listener);
 
-  /// Drafts, until a run shows nothing new. Throws InputError where the sketch does not build.
+  /// Makes drafts until a run shows nothing new. Throws InputError if the sketch does not build.
   wiring::RobotDraft draft();
-  /// `draft` becomes the way that drives best of those that are open in it. Gives what came of its run.
+  /// Sets `draft` to the one of its open variants that drives best. Returns the result of its run.
   wire::RunResult choose(wiring::RobotDraft& draft);
-  /// How many ways choose() has tried, and whether the chosen one follows the line for a lap.
+  /// Return the number of variants that choose() has tried, and whether the chosen one follows the line for a
+  /// lap.
   int tried() const { return tried_; }
   bool follows() const { return follows_; }
 

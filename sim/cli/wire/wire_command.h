@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// The process's exit status: 0 where a draft was made, however good it is. Throws as `run` does.
+/// Returns the process's exit status: 0 if a draft was made, good or bad. Throws as `run` does.
 int wire_command(const WireArguments& arguments);
 
 }  // namespace robosim::cli
