@@ -132,7 +132,7 @@ std::vector<std::string> dead_mentions(const Files& sources, const std::string& 
   std::vector<std::string> dead;
   for (const auto& [file, content] : sources) {
     for (auto at = content.find(kFolder); at != content.npos; at = content.find(kFolder, at + 1)) {
-      const auto end = content.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", at + kFolder.size());
+      const auto end = content.find_first_not_of("abcdefghijklmnopqrstuvwxyz-/", at + kFolder.size());
       if (end == content.npos || content.compare(end, 3, ".md") != 0) continue;
       const std::string name = content.substr(at, end + 3 - at);
       if (!fs::exists(fs::path(root) / name))
@@ -144,12 +144,11 @@ std::vector<std::string> dead_mentions(const Files& sources, const std::string& 
 
 Files read_documents(const std::string& root) {
   Files files;
-  for (const char* folder : {".", "docs"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(root) / folder)) {
-      if (entry.path().extension() == ".md")
-        files[entry.path().lexically_relative(root).lexically_normal().string()] = read_file(entry.path());
-    }
-  }
+  const auto add = [&](const fs::path& file) {
+    if (file.extension() == ".md") files[file.lexically_relative(root).string()] = read_file(file);
+  };
+  for (const auto& entry : fs::directory_iterator(root)) add(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(root) / "docs")) add(entry.path());
   return files;
 }
 

@@ -16,6 +16,11 @@ TEST(Documents, NameOnlyFilesAndHeadingsThatExist) {
   for (const std::string& sentence : dead_references(documents, kRoot)) ADD_FAILURE() << sentence;
 }
 
+TEST(Documents, AreReadInEveryFolderBelowDocs) {
+  const Files documents = read_documents(kRoot);
+  EXPECT_TRUE(documents.count("CHANGELOG.md") && documents.count("docs/howto/install.md"));
+}
+
 TEST(Documents, NameOnlyFunctionsThatExist) {
   Files guides = read_documents(kRoot);
   std::erase_if(guides, [](const auto& file) {
@@ -58,8 +63,9 @@ TEST(References, ToAFunctionThatNoSourceHasAreDead) {
 }
 
 TEST(References, OfSourcesAreDeadIfThePageIsGone) {
-  EXPECT_THAT(dead_mentions({{"sim/x.h", "// docs/design.md, docs/gone.md"}}, kRoot),
-              ElementsAre("sim/x.h: names docs/gone.md, and there is no such file"));
+  EXPECT_THAT(dead_mentions({{"sim/x.h", "// docs/design.md, docs/gone.md, docs/howto/gone.md"}}, kRoot),
+              ElementsAre("sim/x.h: names docs/gone.md, and there is no such file",
+                          "sim/x.h: names docs/howto/gone.md, and there is no such file"));
 }
 
 }  // namespace
