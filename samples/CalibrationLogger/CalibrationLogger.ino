@@ -1,6 +1,6 @@
 /*
  * Writes what robosim calibrate reads: what the sensors see while the robot turns slowly on a tape, and how
- * its wheels start and roll out. docs/calibrating.md says how to use it.
+ * its wheels start and roll out. docs/howto/calibrating.md says how to use it.
  *
  * Put the robot on a straight tape, its axle on the middle of it, with 1.5 m of free floor around.
  * Adapt the constants, flash, and save the serial monitor's text (115200 baud) as log.csv.
@@ -178,7 +178,7 @@ void setup() {
   delay(3000);                                     // hands off
   sweep(1);
   sweep(-1);
-  if (HAS_ENCODERS) {                              // else: docs/calibrating.md, by stopwatch
+  if (HAS_ENCODERS) {                              // else: docs/howto/calibrating.md, by stopwatch
     step(FAST, FAST, FAST_MS);
     step(-FAST, -FAST, FAST_MS);
     step(SLOW, SLOW, SLOW_MS);

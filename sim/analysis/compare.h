@@ -2,7 +2,7 @@
 // Instructions take different times on each target, so the same robot turns a little later, and in a slightly
 // different place.
 //
-// docs/comparing.md says what counts as a difference; in short:
+// docs/howto/comparing.md says what counts as a difference; in short:
 //
 //   places    their names and order
 //   lines     their text and order, numbers aside; a text that comes more than 20 times, or 5 times in 2 s,

@@ -1,6 +1,6 @@
 // The profile of a run: how realistic it is. `ideal` has no noise and no spread, and never changes. `typical`
-// has both, with sources (docs/fidelity.md). When its models or parameters change it gets a new version, and
-// older versions stay available.
+// has both, with sources (docs/explanation/fidelity.md). When its models or parameters change it gets a new
+// version, and older versions stay available.
 #pragma once
 
 #include <initializer_list>

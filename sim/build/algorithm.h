@@ -1,4 +1,5 @@
-// Compiles a user's own navigation algorithm, one C++ file, for the robot on cells (docs/algorithms.md).
+// Compiles a user's own navigation algorithm, one C++ file, for the robot on cells
+// (docs/reference/algorithms.md).
 #pragma once
 
 #include <filesystem>

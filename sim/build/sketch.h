@@ -1,5 +1,5 @@
 // Builds a sketch folder to an image that a runner loads or a chip is flashed with, by Arduino's rules
-// (docs/sketches.md).
+// (docs/reference/sketches.md).
 //
 //   const Image image = build({find_sketch("PidFollower"), *find_board("uno")});
 //

@@ -1,4 +1,4 @@
-// `robosim calibrate`: figures of a robot file from logs of the real robot (docs/calibrating.md).
+// `robosim calibrate`: figures of a robot file from logs of the real robot (docs/howto/calibrating.md).
 #pragma once
 
 #include <optional>

@@ -137,7 +137,7 @@ class Reader {
     if (is_drive_ && !counts_left)
       fail(
           "a drive without the columns count_left and count_right says nothing; without encoders use a "
-          "stopwatch: docs/calibrating.md");
+          "stopwatch: docs/howto/calibrating.md");
     if (!is_drive_ && names_.size() < (counts_left ? 4u : 2u))
       fail(
           "no column is named after a sensor of the robot; a sweep has t_us, perhaps count_left and "

@@ -1,4 +1,4 @@
-// Logs of a real robot, as samples/CalibrationLogger writes them (docs/calibrating.md): tables of comma
+// Logs of a real robot, as samples/CalibrationLogger writes them (docs/howto/calibrating.md): tables of comma
 // separated numbers, each under a line of column names.
 //
 //   # counts_per_period = 2               edges counted in each period of an encoder's channel

@@ -63,7 +63,8 @@ Command parse_run(const Words& words) {
   options.flag("--untrusted", run.untrusted, kUntrusted);
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
-  options.flag("--live", run.live, "for programs: play, pause, step, act, by JSON lines (docs/serving.md)");
+  options.flag("--live", run.live,
+               "for programs: play, pause, step, act, by JSON lines (docs/howto/serving.md)");
   options.flag("--serial", run.serial, "print what the sketch sends, and the result to standard error");
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also say how much wall time the run took");
@@ -176,7 +177,7 @@ Command parse_import(const Words& words) {
   Options options("map import",
                   "Makes a map of another tool's course: robotrace_course_cad's and rcj-rescue-cms' JSON, "
                   "lengths with curvatures, "
-                  "points, mazes of micromouse, a picture (docs/courses.md).");
+                  "points, mazes of micromouse, a picture (docs/reference/courses.md).");
   options.positional("FILE", import.file, "the course");
   options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
   options.text("--pixel", pixel, "LENGTH", "of a picture: the side of a pixel, such as 0.5mm");

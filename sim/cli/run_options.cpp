@@ -6,7 +6,7 @@ void RunOptions::task() {
   options_.text("--start", run_.request.start, "X,Y,DIR",
                 "start cell (column, row) and heading: N, S, E or W");
   options_.text("--goal", run_.request.goal, "GOAL",
-                "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
+                "tour, laps:N, station:N, still, none, or a competition's (docs/reference/courses.md)");
   options_.text("--script", run_.script, "FILE", "what happens meanwhile: buttons, serial, faults");
 }
 

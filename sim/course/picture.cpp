@@ -21,7 +21,8 @@ Imported import_picture(std::string png, const std::string& file, const std::str
   map.cells.assign(cells, grid::Cell::floor);
   map.light_line = map.image->darkness_in({0.0, 0.0}, {wide, high}) > 0.5;
   imported.remarks.push_back(
-      "where the picture's line goes is not read from it: add a [[path]] (docs/maps.md) before you run a "
+      "where the picture's line goes is not read from it: add a [[path]] (docs/reference/maps.md) before you "
+      "run a "
       "robot "
       "there, as start, laps, cross-track error and “lost” are measured by it");
   return imported;

@@ -1,4 +1,4 @@
-// A picture that is painted on the floor: `floor = "floor.png"` of a map (docs/maps.md).
+// A picture that is painted on the floor: `floor = "floor.png"` of a map (docs/reference/maps.md).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// A map: a grid of cells read from text, and the content of its front matter. The format is in docs/maps.md.
+// A map: a grid of cells read from text, and the content of its front matter. The format is in
+// docs/reference/maps.md.
 #pragma once
 
 #include <bit>

@@ -26,7 +26,7 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-// `1` for lines where `.` beside `#` would look swapped: see docs/maps.md.
+// `1` for lines where `.` beside `#` would look swapped: see docs/reference/maps.md.
 char line_character(const Map& map) {
   const auto lines = static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), Cell::line));
   return lines * 2 > map.cells.size() ? '1' : '.';

@@ -1,5 +1,5 @@
 // The paint of lines, where it differs from the map's usual one. [[path]], its segments and [[mark]] may have
-// their own width, colour, wear and gloss (docs/maps.md).
+// their own width, colour, wear and gloss (docs/reference/maps.md).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Lines that do not follow cells: straights, arcs and corners. Each begins where the previous one ends, in
-// its direction. A map's [[path]] (docs/maps.md) is such a line, as in most competitions' courses.
+// its direction. A map's [[path]] (docs/reference/maps.md) is such a line, as in most competitions' courses.
 #pragma once
 
 #include <vector>

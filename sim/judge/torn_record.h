@@ -11,9 +11,10 @@
 //     too;
 //   - nothing else was written just before or after, such as a mark that names the valid record.
 //
-// The finding has the time during which a cut would tear the record, and a script line (docs/scripts.md) that
-// cuts there. To fix it, store a checksum after the number and check it when reading. Or write two records
-// alternately, each with a number and a checksum, so that the older one survives.
+// The finding has the time during which a cut would tear the record, and a script line
+// (docs/reference/scripts.md) that cuts there. To fix it, store a checksum after the number and check it when
+// reading. Or write two records alternately, each with a number and a checksum, so that the older one
+// survives.
 //
 // Not detected: larger records; numbers of which all bytes change each time, such as floats; sketches that
 // check the number by its range, or never read it.

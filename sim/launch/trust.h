@@ -1,4 +1,4 @@
-// Checks whether this machine can confine a stranger's sketch (docs/security.md).
+// Checks whether this machine can confine a stranger's sketch (docs/explanation/security.md).
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ struct Edit {
 };
 
 struct Mutation {
-  std::string kind;         ///< "relational", "constant" …; docs/mutation.md lists them
+  std::string kind;         ///< "relational", "constant" …; docs/howto/mutation.md lists them
   std::vector<Edit> edits;  ///< in the order of their places; all of one file. The first says where it is
   int line = 0;             ///< of the first, from 1
   std::string was, now;     ///< for people: the text at the first place, and what it becomes

@@ -1,4 +1,4 @@
-// Reads a recording (docs/recordings.md has the format): a line that says what it is, then, compressed, a line
+// Reads a recording (docs/reference/recordings.md has the format): a line that says what it is, then, compressed, a line
 // of JSON and the columns that it lists.
 
 const MAGIC = 'robosim.rec/1\n';

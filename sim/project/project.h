@@ -1,5 +1,5 @@
 // What other tools' files say of a project: Arduino's sketch.yaml, PlatformIO's platformio.ini, and what
-// arduino-cli and PlatformIO write beside what they build (docs/sketches.md).
+// arduino-cli and PlatformIO write beside what they build (docs/reference/sketches.md).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Recordings as .csv: a run's samples as a table. The format is in docs/recordings.md.
+// Recordings as .csv: a run's samples as a table. The format is in docs/reference/recordings.md.
 #pragma once
 
 #include "sim/base/new_file.h"

@@ -1,5 +1,6 @@
 // Recordings as .vcd: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
-// 1364-2005, chapter 18). The signals are listed in docs/recordings.md. Of several robots each has a scope.
+// 1364-2005, chapter 18). The signals are listed in docs/reference/recordings.md. Of several robots each has
+// a scope.
 #pragma once
 
 #include <cstdint>

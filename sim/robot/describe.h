@@ -1,4 +1,4 @@
-// A robot's description for clients (describe_robot in docs/runner-protocol.md) and for the world.
+// A robot's description for clients (describe_robot in docs/reference/runner-protocol.md) and for the world.
 #pragma once
 
 #include <cstdint>

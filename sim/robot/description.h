@@ -1,4 +1,5 @@
-// A robot file (robot.toml), read and checked. docs/robots.md lists every key with unit, range and default.
+// A robot file (robot.toml), read and checked. docs/reference/robots.md lists every key with unit, range and
+// default.
 #pragma once
 
 #include <cstdint>

@@ -129,7 +129,7 @@ class Robot {
   /// Covers a sensor, or all of an array, so that it sees black.
   void cover(const std::string& part, bool covered);
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
-  /// Kinds and arguments are in docs/robots.md.
+  /// Kinds and arguments are in docs/reference/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
   /// Do so in two steps: the words are read before the run, and the fault comes later.
   PartFault read_fault(const std::string& part, const std::string& kind,

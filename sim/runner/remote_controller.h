@@ -1,4 +1,5 @@
-// A run's controller at the other end of the pipe: docs/runner-protocol.md, "Driving a run step by step".
+// A run's controller at the other end of the pipe: docs/reference/runner-protocol.md, "Driving a run step by
+// step".
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// A runner's conversation with its client: JSON lines in, JSON lines out (docs/runner-protocol.md).
+// A runner's conversation with its client: JSON lines in, JSON lines out (docs/reference/runner-protocol.md).
 #pragma once
 
 #include <filesystem>

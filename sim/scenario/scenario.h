@@ -1,4 +1,5 @@
-// A scenario: what happens to the robot from outside, and when. The language is described in docs/scripts.md.
+// A scenario: what happens to the robot from outside, and when. The language is described in
+// docs/reference/scripts.md.
 //
 //   at 2s press start 100ms
 //   after serial "Ready" send "3\n"

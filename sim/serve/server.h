@@ -4,7 +4,7 @@
 //   GET  /api/folder          what there is to choose from
 //   POST /api/run             runs it; the answer is a line of JSON for each piece of text that it prints,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
-//   GET  /recording/N.html    the page of run N (docs/recordings.md)
+//   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
 //   POST /api/live            notes what is to be watched while it runs: {"live": N}
 //   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
 //                             and {"done": …}. The run ends when nobody listens any more

@@ -1,4 +1,4 @@
-// Saves the files of a run whose test failed. docs/testing.md lists them.
+// Saves the files of a run whose test failed. docs/howto/testing.md lists them.
 #pragma once
 
 #include <string>

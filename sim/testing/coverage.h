@@ -1,4 +1,4 @@
-// Line coverage of a sketch by its tests: $ROBOSIM_COVERAGE, docs/coverage.md.
+// Line coverage of a sketch by its tests: $ROBOSIM_COVERAGE, docs/howto/coverage.md.
 #pragma once
 
 #include <string>

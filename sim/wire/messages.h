@@ -1,4 +1,4 @@
-// All messages of the runner protocol (docs/runner-protocol.md) as C++ values.
+// All messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
 #pragma once
 
 #include "sim/wire/driven.h"

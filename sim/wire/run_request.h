@@ -107,7 +107,7 @@ struct RunRequest {
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
   bool interactive = false;  ///< driven step by step: see driven_run.h
-  bool detect = false;       ///< detectors watch the sketches (docs/sanitizers.md)
+  bool detect = false;       ///< detectors watch the sketches (docs/howto/sanitizers.md)
   bool why = false;          ///< follow its verdict back to what caused it
   std::string counters;      ///< file for how often the sketch's lines ran; empty = none
   std::optional<Ways> ways;  ///< it parts; on chips only

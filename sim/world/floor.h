@@ -26,7 +26,7 @@
 namespace robosim::world {
 
 /// Returns the default standard deviation of a floor's brightness, as a share of it. Of two measured floors
-/// one has 0.05, the other 0.15: docs/fidelity.md.
+/// one has 0.05, the other 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
 /// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of grid::Stripes.

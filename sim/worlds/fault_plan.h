@@ -9,7 +9,7 @@
 
 namespace robosim::worlds {
 
-/// What may break, and how badly at most; 0 = never. docs/robots.md says what each does.
+/// What may break, and how badly at most; 0 = never. docs/reference/robots.md says what each does.
 struct FaultLimits {
   int at_most = 1;               ///< in a run
   int from_ms = 0;               ///< they begin between these times

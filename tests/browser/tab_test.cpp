@@ -1,4 +1,4 @@
-// The bench in a tab (docs/tab.md), served by a plain file server and without one.
+// The bench in a tab (docs/howto/tab.md), served by a plain file server and without one.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

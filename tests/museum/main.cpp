@@ -1,10 +1,12 @@
-// robosim_museum: which bugs does the suite of tests/firmware find? docs/museum.md has what it says.
+// robosim_museum: which bugs does the suite of tests/firmware find? docs/explanation/museum.md has what it
+// says.
 //
 //   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
 //                                    firmware, and runs the suite against it. First the suite must pass.
 //   --docs FILE                      writes the table into this page, too
 //   --jobs N                         so many bugs at a time; default: one for each core
-//   --check BUG...                   what CI does, in seconds: all patches apply, the page docs/museum.md has
+//   --check BUG...                   what CI does, in seconds: all patches apply, the page
+// docs/explanation/museum.md has
 //                                    them all, and these bugs are caught
 //
 // Where the host does not find a bug, the chips are asked, and where they do not, the library's unit tests.
@@ -195,7 +197,7 @@ bool run(const Arguments& arguments) {
   std::vector<Stage> stages;
   for (unsigned i = 0; i < arguments.jobs; ++i) stages.emplace_back(work / fmt::format("stage{}", i));
   if (!all_apply(stages[0], all)) return false;
-  if (arguments.check && !all_are_in(data_folder() / "docs/museum.md", all)) return false;
+  if (arguments.check && !all_are_in(data_folder() / "docs/explanation/museum.md", all)) return false;
 
   std::optional<LibraryTests> library;
   if (!arguments.check) library.emplace(work / "museum_library_tests");

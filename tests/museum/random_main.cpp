@@ -1,5 +1,5 @@
 // robosim_random_bugs: what share of small bugs, drawn at random over firmware/, does the suite of
-// tests/firmware find? docs/museum.md has what it says.
+// tests/firmware find? docs/explanation/museum.md has what it says.
 //
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //

@@ -1,4 +1,4 @@
-// What came of each bug, as the table of docs/museum.md.
+// What came of each bug, as the table of docs/explanation/museum.md.
 #pragma once
 
 #include <string>

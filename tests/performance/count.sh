@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work in valgrind's callgrind,
-# and compares them with the table of docs/performance.md, or writes them into it.
+# and compares them with the table of docs/explanation/performance.md, or writes them into it.
 # Status 1: something takes more than 2 % more than the table says.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-page=$here/../../docs/performance.md
+page=$here/../../docs/explanation/performance.md
 way=$1
 build=$2
 work=$build/performance
@@ -96,7 +96,7 @@ workload() {  # the table's first column
     'a move on cells, many at once') work_of many-moves 1000 101000 ;;
     'a scan on cells') work_of scans 1 3 ;;
     'a map'\''s row') work_of map-rows 1000 3000 ;;
-    *) echo "docs/performance.md: there is no workload '$1'" >&2; return 1 ;;
+    *) echo "docs/explanation/performance.md: there is no workload '$1'" >&2; return 1 ;;
   esac
 }
 
@@ -126,5 +126,5 @@ if [[ $way == performance_table ]]; then
   printf '%s' "$written" >"$page"
   exit 0
 fi
-((status == 0)) || echo 'If that is meant: cmake --build build/ci --target performance_table writes docs/performance.md anew.'
+((status == 0)) || echo 'If that is meant: cmake --build build/ci --target performance_table writes docs/explanation/performance.md anew.'
 exit "$status"

@@ -8,7 +8,8 @@
 
 namespace robosim::test {
 
-/// Drives an uno5 (docs/robots.md has its pins): a proportional-derivative controller on five analog sensors.
+/// Drives an uno5 (docs/reference/robots.md has its pins): a proportional-derivative controller on five
+/// analog sensors.
 class BuiltInDriver final : public exec::Executor {
  public:
   /// `period`: simulated time between two looks at all sensors.

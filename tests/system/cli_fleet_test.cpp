@@ -1,4 +1,4 @@
-// `robosim run` with several robots: docs/fleets.md.
+// `robosim run` with several robots: docs/howto/fleets.md.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

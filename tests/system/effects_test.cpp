@@ -1,6 +1,6 @@
 // What light, height, slow sensors, a noisy ADC, a weak battery and a shut door do to a sketch: for each a
-// pair of runs without and with it, in which a figure changes as docs/models.md says, and of two ways to read
-// sensors the one that gets through and the one that does not.
+// pair of runs without and with it, in which a figure changes as docs/explanation/models.md says, and of two
+// ways to read sensors the one that gets through and the one that does not.
 #include <fmt/format.h>
 
 #include <fstream>

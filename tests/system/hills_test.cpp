@@ -1,5 +1,5 @@
 // What hills and wet floors do to a sketch: pairs of runs without and with them, in which a figure changes as
-// docs/models.md says, and a sketch that gets through beside one that does not.
+// docs/explanation/models.md says, and a sketch that gets through beside one that does not.
 #include <fstream>
 
 #include "sim/base/file.h"

@@ -1,5 +1,5 @@
 // What a sketch for the host may not do: it is code of this machine, and whoever runs it need not know who
-// wrote it. docs/security.md says what is held off.
+// wrote it. docs/explanation/security.md says what is held off.
 #include <fmt/format.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // --untrusted: sketches of somebody else are run where this machine can confine them, and are graded on a
-// chip. docs/security.md says what that holds off.
+// chip. docs/explanation/security.md says what that holds off.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// Reads checks.toml, the checks for `robosim test`. docs/checks.md explains it and lists the keys.
+// Reads checks.toml, the checks for `robosim test`. docs/reference/checks.md explains it and lists the keys.
 #pragma once
 
 #include <filesystem>

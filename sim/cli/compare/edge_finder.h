@@ -1,5 +1,5 @@
 // Decides whether a difference is chance. Runs each target with its clock a little off, and the program on
-// the host a fraction of a millisecond later. docs/comparing.md explains the method.
+// the host a fraction of a millisecond later. docs/howto/comparing.md explains the method.
 #pragma once
 
 #include <array>

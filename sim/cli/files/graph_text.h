@@ -13,7 +13,7 @@ class JsonLines;
 /// Returns a table of stations and one of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Returns the schema robosim.graph/1, see docs/maps.md.
+/// Returns the schema robosim.graph/1, see docs/reference/maps.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
 /// Adds its members `stations`, `junctions` and `unreachable`.

@@ -1,4 +1,4 @@
-// `robosim map import`: imports courses of other tools (docs/courses.md).
+// `robosim map import`: imports courses of other tools (docs/reference/courses.md).
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,4 @@
-// `robosim hunt`: searches for bugs automatically: random worlds, inputs and faults (docs/hunting.md).
+// `robosim hunt`: searches for bugs automatically: random worlds, inputs and faults (docs/howto/hunting.md).
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -1,4 +1,4 @@
-// `robosim mutate`: measures how many small bugs a sketch's checks find (docs/mutation.md).
+// `robosim mutate`: measures how many small bugs a sketch's checks find (docs/howto/mutation.md).
 #pragma once
 
 #include "sim/cli/arguments.h"

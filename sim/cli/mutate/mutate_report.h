@@ -37,7 +37,7 @@ struct MutationResult {
 };
 
 std::string mutation_text(const MutationResult& result);
-/// Returns the schema robosim.mutate/1, docs/mutation.md.
+/// Returns the schema robosim.mutate/1, docs/howto/mutation.md.
 std::string mutation_json(const MutationResult& result);
 
 }  // namespace robosim::cli

@@ -29,7 +29,7 @@ struct ClassicReport {
 };
 
 std::string classic_text(const ClassicReport& report);
-/// Returns the schema robosim.classic/1, see docs/classic.md.
+/// Returns the schema robosim.classic/1, see docs/reference/classic.md.
 std::string classic_json(const ClassicReport& report);
 
 }  // namespace robosim::cli

@@ -34,7 +34,7 @@ FleetOptions::FleetOptions(Options& options, RunArguments& run, bool compares)
              Given{"--goal", [](launch::Launch& l) -> std::string& { return l.request.goal; }}} {
   options.positionals("SKETCH", given_[0].values,
                       "folder, .ino file or name; default: the current folder; or several robots: a .toml, "
-                      "or NAME=SKETCH for each (docs/fleets.md)");
+                      "or NAME=SKETCH for each (docs/howto/fleets.md)");
   options.texts(
       "--robot", given_[1].values, "ROBOT",
       "file, or name of a stock robot; with @BOARD behind it, on that board; this, --target, --start, "
@@ -42,7 +42,7 @@ FleetOptions::FleetOptions(Options& options, RunArguments& run, bool compares)
   if (!compares) options.texts("--target", given_[2].values, "TARGET", "host, avr or stm32");
   options.texts("--start", given_[3].values, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
   options.texts("--goal", given_[4].values, "GOAL",
-                "tour, laps:N, station:N, still, none, or a competition's (docs/courses.md)");
+                "tour, laps:N, station:N, still, none, or a competition's (docs/reference/courses.md)");
   options.texts("--script", scripts_, "FILE", "what happens meanwhile: buttons, serial, faults");
 }
 

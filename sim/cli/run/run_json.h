@@ -1,4 +1,4 @@
-// `robosim run --json`, schema robosim.run/1: docs/json.md describes every key.
+// `robosim run --json`, schema robosim.run/1: docs/reference/json.md describes every key.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// `robosim why`: traces a run's verdict back to its causes (docs/why.md).
+// `robosim why`: traces a run's verdict back to its causes (docs/howto/why.md).
 #pragma once
 
 #include "sim/cli/arguments.h"

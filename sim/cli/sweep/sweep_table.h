@@ -1,5 +1,5 @@
-// The table of a sweep (--csv): docs/sweeps.md describes its columns. It is written during the sweep. So it
-// holds whole rows however the sweep ends, and can be resumed.
+// The table of a sweep (--csv): docs/howto/sweeps.md describes its columns. It is written during the sweep.
+// So it holds whole rows however the sweep ends, and can be resumed.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // Counts how often the lines of a sketch ran on a chip. The image has the addresses where lines begin, and
-// the emulator counts their instructions. docs/coverage.md explains the numbers.
+// the emulator counts their instructions. docs/howto/coverage.md explains the numbers.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Confines a process that runs firmware for the host: a filter of system calls (seccomp, by libseccomp), and
-// limits. docs/security.md lists what that prevents, and what it does not.
+// limits. docs/explanation/security.md lists what that prevents, and what it does not.
 #pragma once
 
 #include <signal.h>

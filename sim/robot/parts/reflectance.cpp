@@ -27,7 +27,7 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
 // A footprint against height, where the file has none: one for all elements of a part. Edges that were
-// measured say 0.3 and 0.97: docs/fidelity.md.
+// measured say 0.3 and 0.97: docs/explanation/fidelity.md.
 constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau against the time from 10 to 90 %

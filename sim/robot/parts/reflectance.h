@@ -65,7 +65,7 @@ class ReflectanceSpec final : public PartSpec {
   Number noise;        ///< standard deviation of blackness
   Number ambient;      ///< of blackness
   Number height;       ///< m
-  Number footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/models.md
+  Number footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/explanation/models.md
   Number source_ohms;  ///< analog
   Number rise;         ///< s, from 10 to 90 % of a step of light
   Pin emitter = kNoPin;

@@ -1,4 +1,4 @@
-// Draws maps (docs/maps.md). The text is the map: what is drawn changes the text, and what the text means is said by the
+// Draws maps (docs/reference/maps.md). The text is the map: what is drawn changes the text, and what the text means is said by the
 // server, which reads it as every run does; so nothing is lost that only the text can say, and a broken text stays as it is.
 
 import { post } from '/watch.js';

@@ -1,4 +1,4 @@
-// What a hand does to the robot, as a line of the script (docs/scripts.md) at the moment that the replay shows: for the
+// What a hand does to the robot, as a line of the script (docs/reference/scripts.md) at the moment that the replay shows: for the
 // page of `robosim serve`, and for the tab (sim/tab).
 
 /** The robot's buttons, for `act` to press. */

@@ -1,4 +1,4 @@
-// The script of what is run (docs/scripts.md). Of several robots each has its own, and the text is that of the robot that
+// The script of what is run (docs/reference/scripts.md). Of several robots each has its own, and the text is that of the robot that
 // is looked at.
 
 export class Scripts {

@@ -1,4 +1,4 @@
-// A run that is watched while it runs: server-sent events in, requests out (docs/serving.md). What comes is shown by the
+// A run that is watched while it runs: server-sent events in, requests out (docs/howto/serving.md). What comes is shown by the
 // page of a recording, which is empty at first (sim/page/live.js).
 
 const headers = { 'Content-Type': 'application/json', 'X-Robosim': '1' };

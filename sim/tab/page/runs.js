@@ -14,7 +14,7 @@ class Bench {
     return bench;
   }
 
-  /** `files`: contents by name, for the `request` (a run of docs/runner-protocol.md) to name. Gives { result } or { error },
+  /** `files`: contents by name, for the `request` (a run of docs/reference/runner-protocol.md) to name. Gives { result } or { error },
    *  and `recording`: what stands compressed in a .rec. */
   run(files, request) {
     const { FS, cwrap, _robosim_recording, _robosim_recording_size } = this.module;

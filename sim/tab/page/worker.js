@@ -3,7 +3,7 @@ importScripts('robosim.js', 'runs.js');
 
 const MAGIC = 'robosim.rec/1\n';
 
-/** The bytes of a .rec (docs/recordings.md). */
+/** The bytes of a .rec (docs/reference/recordings.md). */
 async function rec(content) {
   const stream = new Blob([content]).stream().pipeThrough(new CompressionStream('deflate'));
   const packed = await new Response(stream).blob();

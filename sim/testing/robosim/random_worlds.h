@@ -1,6 +1,6 @@
 // Tests in random worlds: maps, robots, faults and seeds that RapidCheck draws. A failure is reduced to the
 // smallest world found that still fails. It is saved as files with the command that replays it:
-// docs/testing.md.
+// docs/howto/testing.md.
 //
 //   #include <robosim/random_worlds.h>   // next to <robosim/testing.h>; target robosim::random_worlds
 //
@@ -56,7 +56,7 @@ rc::Gen<std::string> tracks(Tracks limits = {});
 /// needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
-/// The faults to draw, and their worst degree; 0 = never. docs/robots.md describes each.
+/// The faults to draw, and their worst degree; 0 = never. docs/reference/robots.md describes each.
 struct Faults {
   int at_most = 1;               ///< in a run
   Duration from{};               ///< they begin between these times

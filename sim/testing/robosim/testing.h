@@ -1,4 +1,4 @@
-// Tests of line-follower firmware that read like the requirement: docs/testing.md.
+// Tests of line-follower firmware that read like the requirement: docs/howto/testing.md.
 //
 //   #include <robosim/testing.h>
 //   using namespace robosim::testing;

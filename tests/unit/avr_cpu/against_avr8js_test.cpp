@@ -1,9 +1,9 @@
 // Random instructions on the processor and on avr8js's, each from the same random state: afterwards program
 // counter, cycles, status, stack pointer, registers and memory are equal.
 //
-// Left out is what avr8js 0.21 does otherwise than the manual (docs/conformance.md lists it), and what it
-// does not do at the ends of flash and memory. It needs node, and avr8js in the folder that ROBOSIM_AVR8JS
-// names (`npm install avr8js` there).
+// Left out is what avr8js 0.21 does otherwise than the manual (docs/explanation/conformance.md lists it), and
+// what it does not do at the ends of flash and memory. It needs node, and avr8js in the folder that
+// ROBOSIM_AVR8JS names (`npm install avr8js` there).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -102,7 +102,7 @@ TEST(Chips, AreTheOnesThatTheFilesForTheLinkerAndForPlainCmakeSpeakOf) {
 }
 
 TEST(Boards, AreInTheDocumentsAsTheyAre) {
-  const std::string robots = ours("docs/robots.md");
+  const std::string robots = ours("docs/reference/robots.md");
   for (int i = 0; const BoardSpec* board = board_at(i); ++i) {
     std::ostringstream row;
     row << "| `" << board->name << "` | " << board->chip->name << " | " << board->clock_hz / 1e6 << " MHz | "

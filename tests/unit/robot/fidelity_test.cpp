@@ -1,5 +1,6 @@
-// Compares our models with published measurements: the table of docs/fidelity.md, between `<!-- ledger -->`
-// and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*' regenerates it.
+// Compares our models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
+// ledger -->` and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*'
+// regenerates it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -591,7 +592,8 @@ TEST(Fidelity, TheLedgerSaysWhatOursAreAndWhyAnyIsOff) {
                          range(in(Profile::typical_1), figure), range(now, figure),
                          within ? "within" : figure.why_not);
   }
-  const std::filesystem::path file = std::filesystem::path(ROBOSIM_SOURCE_DIR) / "docs/fidelity.md";
+  const std::filesystem::path file =
+      std::filesystem::path(ROBOSIM_SOURCE_DIR) / "docs/explanation/fidelity.md";
   const std::string page = read_file(file);
   const std::string begin = "<!-- ledger -->\n\n", end = "\n<!-- end of ledger -->";
   const std::size_t from = page.find(begin), to = page.find(end);

@@ -17,7 +17,7 @@ std::vector<std::string> dead_references(const Files& documents, const std::stri
 /// has.
 std::vector<std::string> dead_functions(const Files& documents, const Files& sources);
 
-/// The same for the documents that sources name: docs/maps.md.
+/// The same for the documents that sources name: docs/reference/maps.md.
 std::vector<std::string> dead_mentions(const Files& sources, const std::string& root);
 
 /// The Markdown files of a checkout: those of its root and below docs.

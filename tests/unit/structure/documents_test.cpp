@@ -12,7 +12,7 @@ const std::string kRoot = ROBOSIM_SOURCE_DIR;
 
 TEST(Documents, NameOnlyFilesAndHeadingsThatExist) {
   const Files documents = read_documents(kRoot);
-  EXPECT_TRUE(documents.count("README.md") && documents.count("docs/design.md"));
+  EXPECT_TRUE(documents.count("README.md") && documents.count("docs/explanation/design.md"));
   for (const std::string& sentence : dead_references(documents, kRoot)) ADD_FAILURE() << sentence;
 }
 
@@ -24,7 +24,7 @@ TEST(Documents, AreReadInEveryFolderBelowDocs) {
 TEST(Documents, NameOnlyFunctionsThatExist) {
   Files guides = read_documents(kRoot);
   std::erase_if(guides, [](const auto& file) {
-    return file.first != "CONTRIBUTING.md" && file.first != "docs/design.md";
+    return file.first != "CONTRIBUTING.md" && file.first != "docs/explanation/design.md";
   });
   for (const std::string& sentence : dead_functions(guides, read_sources(kRoot))) ADD_FAILURE() << sentence;
 }
@@ -63,9 +63,10 @@ TEST(References, ToAFunctionThatNoSourceHasAreDead) {
 }
 
 TEST(References, OfSourcesAreDeadIfThePageIsGone) {
-  EXPECT_THAT(dead_mentions({{"sim/x.h", "// docs/design.md, docs/gone.md, docs/howto/gone.md"}}, kRoot),
-              ElementsAre("sim/x.h: names docs/gone.md, and there is no such file",
-                          "sim/x.h: names docs/howto/gone.md, and there is no such file"));
+  EXPECT_THAT(
+      dead_mentions({{"sim/x.h", "// docs/explanation/design.md, docs/gone.md, docs/howto/gone.md"}}, kRoot),
+      ElementsAre("sim/x.h: names docs/gone.md, and there is no such file",
+                  "sim/x.h: names docs/howto/gone.md, and there is no such file"));
 }
 
 }  // namespace

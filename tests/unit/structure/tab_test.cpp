@@ -1,4 +1,5 @@
-// CI does not build the bench in a tab (docs/tab.md): this tells beforehand what would not compile there.
+// CI does not build the bench in a tab (docs/howto/tab.md): this tells beforehand what would not compile
+// there.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -10,7 +10,8 @@
 //
 // and run it:   robosim classic d --algorithm ./mine.cpp
 //
-// The run ends when navigate() returns, or when the moves are used up (--steps). docs/algorithms.md has more.
+// The run ends when navigate() returns, or when the moves are used up (--steps). docs/reference/algorithms.md
+// has more.
 #pragma once
 
 namespace robosim {

@@ -1,5 +1,5 @@
 // The base class of detectors. They watch a sketch on the chip as it is flashed, and report what would fail
-// on a real robot (docs/sanitizers.md). They do not change the run.
+// on a real robot (docs/howto/sanitizers.md). They do not change the run.
 #pragma once
 
 #include <cstdint>

@@ -87,7 +87,7 @@ class Drive {
   std::string verdict() const;
   /// Returns one sentence about the verdict, if the run ended.
   std::string why() const;
-  /// Returns the score of a competition, if the run ended and there is one; docs/courses.md.
+  /// Returns the score of a competition, if the run ended and there is one; docs/reference/courses.md.
   std::optional<Score> score() const;
   /// Returns the usage until now, on a chip.
   std::optional<Usage> usage() const;

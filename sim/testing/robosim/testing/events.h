@@ -63,8 +63,8 @@ Event motors_stop();
 Event stands_still(Duration time = 500_ms);
 /// Occurs when the robot has hit a wall, an obstacle or the map's edge.
 Event collides();
-/// Occurs when the run has ended with this verdict, such as "lost" or "crashed" (docs/verdicts.md). A test
-/// that waits for a verdict does not fail because of it.
+/// Occurs when the run has ended with this verdict, such as "lost" or "crashed" (docs/reference/verdicts.md).
+/// A test that waits for a verdict does not fail because of it.
 Event ends(const std::string& verdict);
 
 }  // namespace robosim::testing

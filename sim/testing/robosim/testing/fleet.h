@@ -1,4 +1,4 @@
-// Several robots on one map, driven step by step: docs/testing.md.
+// Several robots on one map, driven step by step: docs/howto/testing.md.
 //
 //   Fleet both({.robots = {{.name = "A", .sketch = "MyFollower", .goal = "laps:1"},
 //                          {.name = "B", .sketch = "MyFollower", .target = "avr", .start = "20,2,W"}},
@@ -35,7 +35,7 @@ struct FleetMember {
 /// The robots to run, or a file with them.
 struct FleetTrial {
   std::vector<FleetMember> robots;  ///< in the order of their numbers
-  std::string file;                 ///< with [[agent]]s: docs/fleets.md
+  std::string file;                 ///< with [[agent]]s: docs/howto/fleets.md
   std::string map;                  ///< as in a Trial; "" = the file's, else the first sketch's, else oval
   std::uint64_t seed = 1;
   std::string profile = "typical";

@@ -25,12 +25,12 @@ struct Trial {
   std::uint64_t seed = 1;
   std::string profile = "typical";         ///< or "ideal": no noise, no spread
   std::string start;                       ///< "X,Y,DIR"; "" = the map's
-  std::string goal = "none";               ///< where the run ends by itself; docs/verdicts.md
+  std::string goal = "none";               ///< where the run ends by itself; docs/reference/verdicts.md
   std::string script;                      ///< a scenario, from the beginning on
   Duration limit = std::chrono::hours(1);  ///< the run ends here, whatever happens
   Duration clock_start{};                  ///< what millis() begins with; chip targets only
   std::vector<std::string> libraries;      ///< folders of further Arduino libraries
-  bool detect = true;                      ///< what a detector sees fails the test: docs/sanitizers.md
+  bool detect = true;                      ///< what a detector sees fails the test: docs/howto/sanitizers.md
 };
 
 class Simulation {
@@ -38,7 +38,7 @@ class Simulation {
   /// Compiles the sketch and puts the robot on the map; time is 0. Throws std::exception with a sentence if
   /// that is impossible: a wrong name, a sketch that does not compile, a missing tool.
   explicit Simulation(Trial trial);
-  /// Ends the run. If the test has failed, saves what is needed to understand it (docs/testing.md).
+  /// Ends the run. If the test has failed, saves what is needed to understand it (docs/howto/testing.md).
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
