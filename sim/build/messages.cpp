@@ -1,6 +1,7 @@
 #include "sim/build/messages.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,7 +14,6 @@
 #include "sim/build/hints.h"
 #include "sim/build/process.h"
 #include "sim/build/slips.h"
-#include "sim/build/walls.h"
 #include "sim/elf/avr_addresses.h"
 
 namespace robosim::build {
@@ -190,16 +190,36 @@ void check_seen(const fs::path& sketch, const Place& place, const std::string& h
   }
 }
 
-// Reports failures that the confinement of a compiler has caused.
+/// Whether the user has set a limit below ours.
+static bool has_lower_limit(int what, rlim_t ours) {
+  rlimit limit{};
+  ::getrlimit(static_cast<__rlimit_resource_t>(what), &limit);
+  return limit.rlim_cur < ours;
+}
+
+// What the walls around a compiler made of it.
 void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
-  if (says("CPU time limit exceeded"))
+  if (says(kWaits))
+    throw CompileError(
+        fmt::format("the compiler was stopped after {} s in which it only waited: expected files, got a "
+                    "pipe or another special file",
+                    kWaitSeconds));
+  if (says(kTooMuchTime))
+    throw CompileError(fmt::format(
+        "the compilers were stopped: all together took more than {} s of processor time, and may not",
+        kStepSeconds));
+  if (says(kTimeExceeded))
     throw CompileError(fmt::format(
         "the compiler was stopped after {} s of processor time: the sketch makes it work without end",
         kCompileSeconds));
-  if (says("out of memory allocating") || says("virtual memory exhausted") || says("memory exhausted"))
+  if (lacks_memory({1, messages}))
     throw CompileError(
         fmt::format("the compiler took more than {} MB of memory, and may not", kCompileBytes >> 20));
+  if (says("File size limit exceeded") || says("File too large"))
+    if (!has_lower_limit(RLIMIT_FSIZE, kMadeBytes))
+      throw CompileError(
+          fmt::format("the compiler made a file of more than {} MB, and may not", kMadeBytes >> 20));
   std::smatch match;
   static const std::regex by_assembler(
       R"(Error: (?:file not found: |can't open )([^\n:]*?)(?: for reading)?(?:\n|:|$))");
@@ -265,6 +285,7 @@ void fail(const Target& target, const std::string& messages) {
 
 void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,
                std::string output) {
+  fail_at_walls(output);
   check_machine("the linker", output);
   output = cut(output);
   if (toolchain.target.chip) check_room(toolchain, sketch, output);

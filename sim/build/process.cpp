@@ -1,15 +1,21 @@
 #include "sim/build/process.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <deque>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -17,7 +23,8 @@
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
-#include "sim/build/walls.h"
+#include "sim/base/program_sandbox.h"
+#include "sim/base/wall_clock.h"
 
 extern char** environ;
 
@@ -25,6 +32,8 @@ namespace robosim::build {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr int kLook_ms = 1000;  ///< how often programs are looked at
 
 std::vector<std::string> clean_environment() {
   static constexpr const char* kDropped[] = {"LC_",
@@ -53,54 +62,73 @@ std::vector<std::string> clean_environment() {
   return kept;
 }
 
-/// Returns the folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
-std::vector<fs::path> program_folders() {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
-  std::vector<fs::path> folders;
-  while (!rest.empty()) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (fs::path folder = rest.substr(0, colon); folder.is_absolute()) folders.push_back(std::move(folder));
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
+double processor_s_of_children() {
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+}
+
+bool has_failed_with(const CommandResult& result, std::string_view text) {
+  return result.status != 0 && result.output.find(text) != std::string::npos;
+}
+
+bool exceeds_time(const CommandResult& result) {
+  return has_failed_with(result, kTimeExceeded) || has_failed_with(result, kTooMuchTime) ||
+         has_failed_with(result, kWaits);
+}
+
+std::string list_of_children(pid_t process) { return fmt::format("/proc/{0}/task/{0}/children", process); }
+
+/// gcc's own children do the work, and outlive it. Empty where the kernel does not list them.
+std::vector<pid_t> descendants(pid_t process) {
+  std::vector<pid_t> all;
+  std::ifstream list(list_of_children(process));
+  for (pid_t child = 0; list >> child;) {
+    all.push_back(child);
+    const std::vector<pid_t> more = descendants(child);
+    all.insert(all.end(), more.begin(), more.end());
   }
-  return folders;
+  return all;
 }
 
-/// Removes the user's environment except the path: a sketch can make a compiler print the rest.
-std::vector<std::string> walled_environment(const fs::path& scratch) {
-  std::string path;
-  for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
-  return {
-      "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
-      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // if the compiler is ccache, which cannot see its folder
+void end_with_descendants(const Child& child) {
+  child.send(SIGSTOP);  // it starts no more of them
+  for (const pid_t one : descendants(child.pid())) ::kill(one, SIGKILL);
+  child.send(SIGKILL);
 }
 
-std::vector<char*> null_ended(const std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
-  result.push_back(nullptr);
-  return result;
+double processor_s_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Starts a confined ChildStart, like Child. After the fork, only async-signal-safe calls.
-Child start_within(const Walls& walls, const ChildStart& start) {
-  constexpr int kCannotStart = 127;
-  const std::vector<std::string> settings = walled_environment(walls.scratch());
-  const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
-  return Child([&] {
-    const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    const bool ready =
-        ::dup2(input, STDIN_FILENO) == STDIN_FILENO && ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
-        ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO && walls.enter(start.folder.c_str());
-    if (ready) ::execve(words[0], words.data(), environment.data());
-    return kCannotStart;
-  });
-}
+/// Whether a program has hardly worked for a while: it waits for what does not come, such as a writer of
+/// a pipe that it includes.
+struct Idleness {
+  bool look(pid_t process, int most_s) {
+    static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();
+    constexpr double kBusyMachine = 20.0;  // a program that works gets at least this part of a processor
+    double now_s = processor_s_of(process);
+    for (const pid_t one : descendants(process)) now_s += processor_s_of(one);
+    const double passed_s = 1e-6 * static_cast<double>(wall_us() - since_us);
+    const bool works = now_s < worked_s || now_s - worked_s > passed_s / kBusyMachine;
+    if (works) *this = {now_s, wall_us()};
+    return can_tell && !works && passed_s > most_s;
+  }
+  double worked_s = 0.0;
+  std::int64_t since_us = wall_us();
+};
+
+std::size_t programs_at_once() { return std::clamp(std::thread::hardware_concurrency(), 1u, 4u); }
 
 struct Running {
   std::size_t index;
   Descriptor output;
   Child child;
+  Idleness idleness;
 };
 
 Running start(const Command& command, std::size_t index, const std::vector<std::string>& environment) {
@@ -121,7 +149,12 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
     start.input = input.get();
   }
   start.output = start.errors = pipe.write.get();
-  return {index, std::move(pipe.read), command.walls ? start_within(*command.walls, start) : Child(start)};
+  return {index,
+          std::move(pipe.read),
+          command.walls
+              ? start_within(*command.walls, start, command.most_memory ? command.most_memory : kCompileBytes)
+              : Child(start),
+          {}};
 }
 
 /// Returns false at the end of the output.
@@ -136,8 +169,8 @@ bool read_some(int descriptor, std::string& output) {
 
 std::vector<CommandResult> run(const std::vector<Command>& commands) {
   const std::vector<std::string> environment = clean_environment();
-  // Each compiler takes some 100 MB: at most four, so that 1 GB of memory is enough.
-  const std::size_t at_once = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
+  const std::size_t at_once = programs_at_once();
+  const double begin_s = processor_s_of_children();
   std::vector<CommandResult> results(commands.size());
   std::vector<Running> running;
   std::size_t next = 0;
@@ -148,18 +181,30 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
     }
     std::vector<pollfd> waiting;
     for (const Running& one : running) waiting.push_back({one.output.get(), POLLIN, 0});
-    if (::poll(waiting.data(), waiting.size(), -1) < 0) continue;
+    if (::poll(waiting.data(), waiting.size(), kLook_ms) < 0) continue;
     for (std::size_t i = running.size(); i-- > 0;) {
-      if (!waiting[i].revents) continue;
+      const bool is_walled = commands[running[i].index].walls != nullptr;
+      const bool is_idle = is_walled && running[i].idleness.look(running[i].child.pid(),
+                                                                 commands[running[i].index].most_wait_s);
+      if (!waiting[i].revents && !is_idle) continue;
       CommandResult& result = results[running[i].index];
-      if (result.output.size() < commands[running[i].index].most_output) {
+      if (is_idle) {
+        end_with_descendants(running[i].child);
+        result.output.insert(0, std::string(kWaits) + "\n");
+      } else if (result.output.size() < commands[running[i].index].most_output) {
         if (read_some(running[i].output.get(), result.output)) continue;
       } else {
-        running[i].child.send(SIGKILL);
+        end_with_descendants(running[i].child);
         result.output.insert(0, std::string(kTooMuchOutput) + "\n");
       }
       const Ending ending = running[i].child.wait();
       result.status = ending.signal > 0 ? 128 + ending.signal : ending.status;
+      if (is_walled && processor_s_of_children() - begin_s > kStepSeconds) {
+        result.status = std::max(result.status, 1);
+        result.output.insert(0, std::string(kTooMuchTime) + "\n");
+      }
+      if (is_walled && exceeds_time(result))
+        for (; next < commands.size(); ++next) results[next].status = 1;
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
@@ -171,16 +216,27 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
 
 CommandResult run(const Command& command) { return std::move(run(std::vector<Command>{command})[0]); }
 
-std::vector<CommandResult> run_within(const std::vector<fs::path>& read, std::vector<Command> commands) {
-  std::deque<Walls> walls;
-  for (Command& command : commands) command.walls = &walls.emplace_back(read, command.scratch);
-  return run(commands);
+bool lacks_memory(const CommandResult& result) {
+  constexpr std::string_view kSaid[] = {"out of memory allocating", "virtual memory exhausted",
+                                        "memory exhausted", "Cannot allocate memory"};
+  return std::any_of(std::begin(kSaid), std::end(kSaid),
+                     [&](std::string_view text) { return has_failed_with(result, text); });
 }
 
-fs::path find_program(const std::string& name) {
-  for (const fs::path& folder : program_folders())
-    if (fs::path candidate = folder / name; ::access(candidate.c_str(), X_OK) == 0) return candidate;
-  return {};
+std::vector<CommandResult> run_within(const std::vector<fs::path>& read, std::vector<Command> commands) {
+  std::deque<ProgramSandbox> walls;
+  for (Command& command : commands) command.walls = &walls.emplace_back(read, command.scratch);
+  const std::size_t at_once = std::min(commands.size(), programs_at_once());
+  for (Command& command : commands)
+    if (command.most_memory == 0) command.most_memory = kCompileBytes / std::max<std::size_t>(at_once, 1);
+  std::vector<CommandResult> results = run(commands);
+  for (std::size_t i = 0; at_once > 1 && i < commands.size(); ++i) {
+    if (commands[i].most_memory >= kCompileBytes || !lacks_memory(results[i])) continue;
+    commands[i].most_memory = kCompileBytes;
+    results[i] = run(commands[i]);
+    if (lacks_memory(results[i]) || exceeds_time(results[i])) break;
+  }
+  return results;
 }
 
 }  // namespace robosim::build

@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostShared = 1000, kMostSource_bytes = std::size_t{4} << 20;
+/// Names in #include, of all files together. What comes after them is not shared.
+constexpr std::size_t kMostNames = 20'000;
 
 bool is_below(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
@@ -74,12 +76,14 @@ class Shared {
       return;
     }
     for (const std::string& name : included_by(real))
-      for (const fs::path& from : {file.parent_path(), folder_}) pending_.push_back(from / name);
+      if (names_++ < kMostNames)
+        for (const fs::path& from : {file.parent_path(), folder_}) pending_.push_back(from / name);
   }
 
   fs::path folder_, reach_;
   std::vector<fs::path> pending_;
   std::set<fs::path> seen_, own_;
+  std::size_t names_ = 0;
 };
 
 }  // namespace

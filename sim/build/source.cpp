@@ -105,7 +105,10 @@ std::string unix_text(std::string text) {
 
 namespace {
 
-/// Prevents a project's file from opening other folders of this machine to compilers.
+/// Of all files of a sketch, which Robosim reads whole.
+constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
+
+/// A project's file may not open other folders of this machine to compilers.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);
   if (!lies_in(folder, reach))
@@ -130,7 +133,7 @@ Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   for (const std::string& name : inos_in(sources))
     sketch.inos.push_back((sources / name).lexically_relative(sketch.folder).string());
   std::stable_partition(sketch.inos.begin(), sketch.inos.end(), [&](const std::string& name) {
-    return read_file(sketch.folder / name).find("void setup") != std::string::npos;
+    return read_file(sketch.folder / name, kMostSources_bytes).find("void setup") != std::string::npos;
   });
   if (sketch.inos.empty() && sketch.sources.empty())
     throw InputError({rules.sources.string()}, "holds no sources: neither a .cpp nor an .ino file");
@@ -146,9 +149,22 @@ Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   return sketch;
 }
 
-}  // namespace
+void check_size(const Sketch& sketch) {
+  std::uintmax_t bytes = 0;
+  std::error_code none;
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler, &sketch.headers})
+    for (const std::string& name : *names) {
+      const std::uintmax_t more = fs::file_size(sketch.folder / name, none);
+      if (!none) bytes += more;
+    }
+  if (bytes > kMostSources_bytes)
+    throw InputError(
+        {sketch.folder.string()},
+        fmt::format("the sketch is too large: expected sources of at most {} MB together, got {} MB",
+                    kMostSources_bytes >> 20, bytes >> 20));
+}
 
-Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
+Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   std::error_code error;
   const fs::path absolute = fs::canonical(path, error);
   if (error) throw InputError({path.string()}, "there is no such sketch");
@@ -187,6 +203,14 @@ Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
                      fmt::format("holds several .ino files and none is called {}.ino; name one of {}",
                                  sketch.name, one_of(sketch.inos)));
   if (!sketch.inos.empty()) sketch.name = fs::path(sketch.inos[0]).stem().string();
+  return sketch;
+}
+
+}  // namespace
+
+Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
+  Sketch sketch = find_files(path, rules);
+  check_size(sketch);
   return sketch;
 }
 

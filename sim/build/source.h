@@ -24,7 +24,8 @@ bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
 
-/// Reads the folder by Arduino's rules, and the project's. Throws InputError.
+/// Reads the folder by Arduino's rules, and the project's. Throws InputError, also for more than 8 MB of
+/// sources.
 Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
 /// Returns the SHA-256 of names and contents of all files of the sketch.

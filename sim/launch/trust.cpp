@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/program_sandbox.h"
 #include "sim/build/project.h"
-#include "sim/build/walls.h"
 
 namespace robosim::launch {
 namespace {
@@ -18,7 +18,7 @@ struct Lack {
 
 std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const wire::Hello& host_runner) {
   std::vector<Lack> found;
-  if (const std::string why = build::Walls::missing(); chosen.sketch.elf_target.empty() && !why.empty())
+  if (const std::string why = ProgramSandbox::missing(); chosen.sketch.elf_target.empty() && !why.empty())
     found.push_back({"compilers", "a sketch can make them read any file that you may read", why});
   const bool matters = launch.untrusted || host_runner.sandbox == "missing";
   if (chosen.target == "host" && matters && !host_runner.no_sandbox_why.empty())

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "sim/base/program_sandbox.h"
 #include "sim/build/process.h"
 #include "sim/build/sketch.h"
-#include "sim/build/walls.h"
 #include "tests/support/require_target.h"
 #include "tests/system/command.h"
 #include "tests/system/system_test.h"
@@ -60,7 +60,7 @@ std::string by_hand(int speed, bool looks) {
 class Untrusted : public testing::Test {
  protected:
   void SetUp() override {
-    if (!build::Walls::missing().empty()) GTEST_SKIP() << build::Walls::missing();
+    if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
     needs_target("avr");
     folder_.write("class.toml", kLap);
     folder_.write("secret/secret.h", "const int secret = 42;\n");

@@ -1,19 +1,24 @@
 // Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
 // author's choice, who need not be the user.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <thread>
 
 #include "sim/base/child.h"
+#include "sim/base/program_sandbox.h"
 #include "sim/build/cache.h"
 #include "sim/build/libraries.h"
 #include "sim/build/process.h"
 #include "sim/build/project.h"
 #include "sim/build/source.h"
-#include "sim/build/walls.h"
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
@@ -138,7 +143,7 @@ TEST_F(HostileTest, ALinkInTheScratchFolderIsNoOutput) {
 }
 
 TEST_F(HostileTest, NoCommandWritesTheScratchFolderOfAnother) {
-  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   fs::create_directories(folder_ / "a");
   fs::create_directories(folder_ / "b");
   const std::string to = (folder_ / "b/x").string();
@@ -150,7 +155,7 @@ TEST_F(HostileTest, NoCommandWritesTheScratchFolderOfAnother) {
 }
 
 TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
-  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   const Cache cache(folder_ / "cache");
   const Entry stored = cache.store("key", {}, "mine", "mine.o", {}, {});
   const Entry other = cache.store("other", {}, "another pupil's", "other.o", {}, {});
@@ -305,7 +310,7 @@ TEST_F(HostileTest, AProjectOpensNoOtherFolderToCompilers) {
 }
 
 TEST_F(HostileTest, AProjectsMacrosMakeTheCoreReadNoFile) {
-  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   write("Pupil/secret.txt", "");
   const fs::path secret = write("secret.txt", "#error hunter2\n");
   Request request{folder_ / "Pupil", *find_board("uno")};
@@ -318,6 +323,108 @@ TEST_F(HostileTest, AProjectsMacrosMakeTheCoreReadNoFile) {
                 AllOf(HasSubstr("the core does not compile with build_flags -DROBOSIM_REGISTERS"),
                       Not(HasSubstr("hunter2"))));
   }
+}
+
+TEST_F(HostileTest, ProgramsThatRunAtTheSameTimeShareTheMemory) {
+  const auto limits = [&](std::size_t count) {
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < count; ++i) {
+      const fs::path scratch = folder_ / std::to_string(i);
+      fs::create_directories(scratch);
+      commands.push_back({{"/bin/sh", "-c", "ulimit -d"}, "/", {}, scratch});
+    }
+    unsigned long kilobytes = 0;
+    const std::size_t at_once =
+        std::min<std::size_t>(count, std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+    for (const CommandResult& result : run_within({}, commands)) kilobytes += std::stoul(result.output);
+    return kilobytes / count * at_once;
+  };
+  for (const std::size_t count : {1, 2, 8}) EXPECT_EQ(limits(count), kCompileBytes >> 10) << count;
+}
+
+TEST_F(HostileTest, AProgramThatNeedsMoreThanItsShareRunsAgainAlone) {
+  const std::string needs_all =
+      "test $(ulimit -d) -ge 200000 || { echo virtual memory exhausted; exit 1; }; echo enough";
+  std::vector<Command> commands;
+  for (const char* name : {"a", "b", "c"}) {
+    fs::create_directories(folder_ / name);
+    commands.push_back({{"/bin/sh", "-c", needs_all}, "/", {}, folder_ / name});
+  }
+  for (const CommandResult& result : run_within({}, commands)) EXPECT_EQ(result.output, "enough\n");
+}
+
+TEST_F(HostileTest, AfterAProgramThatWorksWithoutEndNoOtherIsStarted) {
+  std::vector<Command> commands;
+  for (int i = 0; i < 20; ++i) {
+    const fs::path scratch = folder_ / std::to_string(i);
+    fs::create_directories(scratch);
+    commands.push_back(
+        {{"/bin/sh", "-c", "echo >made; echo CPU time limit exceeded; exit 1"}, scratch, {}, scratch});
+  }
+  const auto results = run_within({}, commands);
+  EXPECT_LE(std::count_if(commands.begin(), commands.end(),
+                          [](const Command& one) { return fs::exists(one.scratch / "made"); }),
+            8);
+  for (const CommandResult& result : results) EXPECT_NE(result.status, 0);
+}
+
+TEST_F(HostileTest, AProgramThatWaitsForAPipeIsEnded) {
+  fs::create_directories(folder_ / "scratch");
+  ASSERT_EQ(::mkfifo((folder_ / "scratch/pipe").c_str(), 0600), 0);
+  Command command{{"/bin/sh", "-c", "cat pipe; true"}, folder_ / "scratch", {}, folder_ / "scratch"};
+  command.most_wait_s = 1;
+  const CommandResult result = run_within({}, {command})[0];
+  EXPECT_NE(result.status, 0);
+  EXPECT_EQ(result.output, std::string(kWaits) + "\n");
+}
+
+TEST_F(HostileTest, NoProgramThatAnEndedOneHasStartedGoesOn) {
+  Command command{{"/bin/sh", "-c", "sleep 1000 & echo $!; yes"}, "/", {}};
+  command.most_output = 100'000;
+  const std::string output = run(command).output;
+  const std::string started = output.substr(output.find('\n') + 1);
+  const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, std::stoi(started), 0)));
+  pollfd ended{process.get(), POLLIN, 0};
+  EXPECT_TRUE(!process.is_open() || ::poll(&ended, 1, 30'000) == 1) << "its end is near";
+}
+
+TEST_F(HostileTest, ASketchOfManyMegabytesIsRefused) {
+  for (const char* name : {"Pupil/big.h", "Pupil/big.cpp", "Pupil/src/big.c"}) {
+    write(name, "");
+    fs::resize_file(folder_ / name, 100'000'000);
+    EXPECT_THAT(error_of("Pupil"),
+                HasSubstr("is too large: expected sources of at most 8 MB together, got 95 MB"));
+    fs::remove(folder_ / name);
+  }
+}
+
+TEST_F(HostileTest, ACompilerThatMakesALargeFileIsTheSketchsFault) {
+  if (!missing_tool("host").empty()) GTEST_SKIP() << missing_tool("host");
+  write("Pupil/Pupil.ino", "asm(\".data\\n.fill 100000000, 1, 1\\n.text\");\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Pupil"), HasSubstr("made a file of more than 32 MB, and may not"));
+}
+
+TEST_F(HostileTest, ASketchThatTakesDownCtagsIsAnErrorOfThatSketch) {
+  write("bin/arduino-ctags", "#!/bin/sh\nkill -11 $$\n");
+  fs::permissions(folder_ / "bin/arduino-ctags", fs::perms::owner_all);
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+  EXPECT_THROW(build({folder_ / "Pupil", *find_board("uno")}), CompileError);
+  ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST_F(HostileTest, HeadersThatIncludeManyNamesTakeLittleMemory) {
+  write("Pupil/Pupil.ino", "#include \"a.h\"\n#include \"b.h\"\n" + kEmptySketch);
+  std::string names;
+  for (int i = 0; i < 300'000; ++i) names += "#include \"x\"\n";
+  for (const char* name : {"Pupil/a.h", "Pupil/b.h"}) write(name, names);
+  const Sketch sketch = read_sketch(folder_ / "Pupil", {});
+  const Ending ending = Child([&] {
+                          const rlimit most{64 << 20, 64 << 20};
+                          ::setrlimit(RLIMIT_DATA, &most);
+                          return shared_files(sketch, folder_).empty() ? 0 : 1;
+                        }).wait();
+  EXPECT_TRUE(ending.ok()) << ending.text();
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/build/walls.h"
+#include "sim/base/program_sandbox.h"
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
@@ -66,13 +66,13 @@ TEST_F(ProjectTest, EndsAtTheFolderThatTheSketchStandsInAndBeforeTheHomeOfItsUse
 TEST_F(ProjectTest, SharesNothingThatIsNoSource) {
   write("club/common/notes.txt", "inline int kp() { return 3; }\n");
   write("club/Robot/Robot.ino", "#include \"../common/notes.txt\"\n" + kUses);
-  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   EXPECT_THAT(error_of("club/Robot"), AllOf(StartsWith("Robot.ino:1:10: ../common/notes.txt is no file of"),
                                             HasSubstr("--libraries DIR")));
 }
 
 TEST_F(ProjectTest, SharesNothingWithASketchThatIsSomebodyElses) {
-  if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   EXPECT_EQ(error_of("club/Robot"), "no error");
   EXPECT_THAT(untrusted_error_of("club/Robot"),
               StartsWith("Robot.ino:1:10: ../common/gains.h is no file of the sketch"))

@@ -1,5 +1,5 @@
 // What a source names is not what its compiler gets: the sketch need not be the user's own.
-#include "sim/build/walls.h"
+#include "sim/base/program_sandbox.h"
 
 #include <gmock/gmock.h>
 
@@ -16,14 +16,14 @@ using testing::StartsWith;
 class WallsTest : public SketchTest {
  protected:
   void SetUp() override {
-    if (!Walls::missing().empty()) GTEST_SKIP() << Walls::missing();
+    if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
     write("secret/secret.txt", "const int secret = 1;\n");
   }
   std::string in_a_shell(const std::string& script) const {
     std::filesystem::create_directories(folder_ / "seen");
     std::filesystem::create_directories(folder_ / "scratch");
     write("seen/seen.txt", "seen\n");
-    const Walls walls({folder_ / "seen"}, folder_ / "scratch");
+    const ProgramSandbox walls({folder_ / "seen"}, folder_ / "scratch");
     return run(Command{{"/bin/sh", "-c", script}, folder_ / "scratch", {}, {}, &walls}).output;
   }
 };
@@ -41,7 +41,7 @@ TEST_F(WallsTest, HideAllElseAndLetNothingElseBeWritten) {
 }
 
 TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
-  EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n1048576\n");
+  EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n229376\n");
 }
 
 TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {

@@ -1,4 +1,4 @@
-#include "sim/build/walls.h"
+#include "sim/base/program_sandbox.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -12,11 +12,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "sim/base/file_scope.h"
 
-namespace robosim::build {
+namespace robosim {
 namespace fs = std::filesystem;
 
 namespace {
@@ -64,12 +67,42 @@ bool limit(int what, rlim_t most, rlim_t more = 0) {
   return ::setrlimit(static_cast<__rlimit_resource_t>(what), &now) == 0;
 }
 
+/// The folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
+std::vector<fs::path> program_folders() {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
+  std::vector<fs::path> folders;
+  while (!rest.empty()) {
+    const std::size_t colon = std::min(rest.find(':'), rest.size());
+    if (fs::path folder = rest.substr(0, colon); folder.is_absolute()) folders.push_back(std::move(folder));
+    rest.remove_prefix(std::min(colon + 1, rest.size()));
+  }
+  return folders;
+}
+
+/// Nothing of the user's environment except where programs are: a sketch can make a compiler print the rest.
+std::vector<std::string> bare_environment(const fs::path& scratch) {
+  std::string path;
+  for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
+  return {
+      "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
+      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // where the compiler is ccache: its own folder is not seen
+}
+
+std::vector<char*> null_ended(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
 }  // namespace
 
-Walls::Walls(const std::vector<fs::path>& read, fs::path scratch) : scratch_(std::move(scratch)) {
+ProgramSandbox::ProgramSandbox(const std::vector<fs::path>& read, fs::path scratch)
+    : scratch_(std::move(scratch)) {
   const long known = version();
   if (known == 0) {
-    if (!NamespaceWalls::possible()) return;
+    if (!NamespaceSandbox::possible()) return;
     std::vector<fs::path> all(std::begin(kSystem), std::end(kSystem));
     all.insert(all.end(), read.begin(), read.end());
     own_files_.emplace(all, std::vector<fs::path>{scratch_, "/dev/null"});
@@ -87,11 +120,11 @@ Walls::Walls(const std::vector<fs::path>& read, fs::path scratch) : scratch_(std
   allow(rules_.get(), "/dev/null", all);
 }
 
-bool Walls::enter(const char* folder) const {
+bool ProgramSandbox::enter(const char* folder, unsigned long bytes) const {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CPU, kCompileSeconds, 5);
-  limit(RLIMIT_DATA, kCompileBytes);
-  limit(RLIMIT_FSIZE, kCompileBytes);
+  limit(RLIMIT_DATA, bytes);
+  limit(RLIMIT_FSIZE, kMadeBytes);
   limit(RLIMIT_CORE, 0);
   if (own_files_ && !own_files_->enter()) return false;
   if (::chdir(folder) != 0) return false;
@@ -101,12 +134,55 @@ bool Walls::enter(const char* folder) const {
          ::syscall(SYS_landlock_restrict_self, rules_.get(), 0) == 0;
 }
 
-std::string Walls::missing() {
+std::string ProgramSandbox::missing() {
   if (version() > 0) return "";
   const bool off = errno == EOPNOTSUPP;
-  if (NamespaceWalls::possible()) return "";
+  if (NamespaceSandbox::possible()) return "";
   return std::string(off ? "Landlock is switched off in this kernel" : "the kernel has no Landlock") +
          ", and namespaces of users are not allowed";
 }
 
-}  // namespace robosim::build
+/// As Child does it for a ChildStart, within sandbox. After the fork only what a signal handler may do.
+Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes) {
+  constexpr int kCannotStart = 127;
+  const std::vector<std::string> settings = bare_environment(sandbox.scratch());
+  const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
+  return Child([&] {
+    const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool ready =
+        ::dup2(input, STDIN_FILENO) == STDIN_FILENO && ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
+        ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO && sandbox.enter(start.folder.c_str(), bytes);
+    if (ready) ::execve(words[0], words.data(), environment.data());
+    return kCannotStart;
+  });
+}
+
+std::string output_within(const ProgramSandbox& sandbox, ChildStart start, std::size_t most_bytes) {
+  std::string output;
+  try {
+    Pipe pipe;
+    const Descriptor nothing(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+    start.output = pipe.write.get();
+    start.errors = nothing.get();
+    Child child = start_within(sandbox, start);
+    pipe.write.close();
+    char buffer[4096];
+    while (output.size() < most_bytes) {
+      const ssize_t got = ::read(pipe.read.get(), buffer, sizeof buffer);
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) break;
+      output.append(buffer, static_cast<std::size_t>(got));
+    }
+  } catch (const std::system_error&) {
+    return "";
+  }
+  return output;
+}
+
+fs::path find_program(const std::string& name) {
+  for (const fs::path& folder : program_folders())
+    if (fs::path candidate = folder / name; ::access(candidate.c_str(), X_OK) == 0) return candidate;
+  return {};
+}
+
+}  // namespace robosim

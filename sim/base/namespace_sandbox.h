@@ -1,19 +1,19 @@
-// Walls where the kernel has no Landlock (Raspberry Pi OS builds its own without): a file system of its own,
-// in which nothing is but what may be seen. It takes a namespace of users, which needs no root, but that the
-// kernel or the container allows it.
+// ProgramSandbox where the kernel has no Landlock (Raspberry Pi OS builds its own without): a file system of
+// its own, in which nothing is but what may be seen. It takes a namespace of users, which needs no root, but
+// that the kernel or the container allows it.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace robosim::build {
+namespace robosim {
 
-class NamespaceWalls {
+class NamespaceSandbox {
  public:
   /// Those that are not there are left out; below what may be written everything may be written.
-  NamespaceWalls(const std::vector<std::filesystem::path>& read,
-                 const std::vector<std::filesystem::path>& write);
+  NamespaceSandbox(const std::vector<std::filesystem::path>& read,
+                   const std::vector<std::filesystem::path>& write);
 
   /// In a fork, before it becomes a program; the working folder is / then. Async-signal-safe. False if it
   /// cannot be.
@@ -36,4 +36,4 @@ class NamespaceWalls {
   std::string user_map_, group_map_;
 };
 
-}  // namespace robosim::build
+}  // namespace robosim

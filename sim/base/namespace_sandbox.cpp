@@ -1,4 +1,4 @@
-#include "sim/build/namespace_walls.h"
+#include "sim/base/namespace_sandbox.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 
 #include "sim/base/child.h"
 
-namespace robosim::build {
+namespace robosim {
 namespace fs = std::filesystem;
 
 namespace {
@@ -54,7 +54,7 @@ unsigned long mount_flags(const fs::path& path) {
 
 }  // namespace
 
-NamespaceWalls::NamespaceWalls(const std::vector<fs::path>& read, const std::vector<fs::path>& write)
+NamespaceSandbox::NamespaceSandbox(const std::vector<fs::path>& read, const std::vector<fs::path>& write)
     : user_map_(fmt::format("{0} {0} 1", ::getuid())), group_map_(fmt::format("{0} {0} 1", ::getgid())) {
   for (const fs::path& path : read) add(path, false);
   for (const fs::path& path : write) add(path, true);
@@ -63,7 +63,7 @@ NamespaceWalls::NamespaceWalls(const std::vector<fs::path>& read, const std::vec
                    [](const Place& a, const Place& b) { return a.path.size() < b.path.size(); });
 }
 
-void NamespaceWalls::add(const fs::path& path, bool writable) {
+void NamespaceSandbox::add(const fs::path& path, bool writable) {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
   if (error) return;
@@ -83,7 +83,7 @@ void NamespaceWalls::add(const fs::path& path, bool writable) {
   }
 }
 
-bool NamespaceWalls::show(const Place& place) const {
+bool NamespaceSandbox::show(const Place& place) const {
   for (const std::string& folder : place.above) ::mkdir(folder.c_str(), 0755);  // it may be there
   if (!place.folder) {
     const int fd = ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0444);
@@ -95,7 +95,7 @@ bool NamespaceWalls::show(const Place& place) const {
                  nullptr) == 0;
 }
 
-bool NamespaceWalls::enter() const {
+bool NamespaceSandbox::enter() const {
   if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
   write_text("/proc/self/setgroups", "deny", 4);  // older kernels have none
   if (!write_text("/proc/self/uid_map", user_map_.data(), user_map_.size()) ||
@@ -108,12 +108,12 @@ bool NamespaceWalls::enter() const {
              0;
 }
 
-bool NamespaceWalls::possible() {
+bool NamespaceSandbox::possible() {
   static const bool is = [] {
-    const NamespaceWalls walls({"/usr"}, {"/dev/null"});
+    const NamespaceSandbox walls({"/usr"}, {"/dev/null"});
     return Child([&] { return walls.enter() ? 0 : 1; }).wait().ok();
   }();
   return is;
 }
 
-}  // namespace robosim::build
+}  // namespace robosim
