@@ -231,7 +231,7 @@ TEST_F(Sandbox, BlamesASketchForTheMemoryThatItsRunLacks) {
   request.for_ns = 60'000'000'000;
   const auto r = runner_of("host").run(request);
   EXPECT_EQ(r.status, 1);
-  EXPECT_EQ(r.why, "The sketch crashed: it took more than the 512 MB of memory that it may have.");
+  EXPECT_EQ(r.why, "The sketch crashed: it took more than the 192 MB of memory that it may have.");
 }
 
 TEST_F(Sandbox, EndsASketchThatGoesOnBehindClosedDescriptors) {

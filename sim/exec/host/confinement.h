@@ -39,7 +39,7 @@ std::string why_not_confined();
 void confine(const CallKey& key, bool has_grown);
 /// Does the common part of all confinements before processes are forked, which saves each a millisecond.
 void prepare_to_confine();
-constexpr std::uint64_t kConfinedMemory = 512
+constexpr std::uint64_t kConfinedMemory = 192
                                           << 20;  ///< more bytes of variables, heap and stacks than it has
 
 /// Call read() and write(), in a confined process with the key.
