@@ -3,6 +3,7 @@
 #include "sim/build/cache.h"
 #include "sim/build/compile.h"
 #include "sim/build/libraries.h"
+#include "sim/build/project.h"
 #include "sim/build/target.h"
 #include "sim/build/toolchain.h"
 #include "sim/build/units.h"
@@ -18,7 +19,7 @@ Reading reading_of(const Request& request) {
   Toolchain toolchain{target, compiler, ask(compiler, cache.folder()),
                       core_for(target, request.board, genuine, cache.folder()), request.board};
   toolchain.rules = request.rules;
-  Reading reading{read_sketch(request.sketch, request.rules), {}};
+  Reading reading{read_sketch(request.sketch, request.rules), {}, {}};
   std::vector<Library> libraries;
   const auto folders = library_folders(reading.sketch.folder, request.libraries, toolchain.core.libraries);
   for (const std::string& name : image.libraries)
@@ -29,7 +30,11 @@ Reading reading_of(const Request& request) {
   Unit unit = sketch_unit(reading.sketch);
   unit.includes = include_folders(unit, libraries);
   reading.words = reading_words(toolchain, unit);
-  if (target.chip) {  // the compiler's defaults
+  reading.readable = read_by_all(toolchain, shared_files(reading.sketch, reach_of(reading.sketch.folder)));
+  reading.readable.push_back(reading.sketch.folder);
+  reading.readable.insert(reading.readable.end(), unit.includes.begin(), unit.includes.end());
+  for (const Library& library : libraries) reading.readable.push_back(library.folder);
+  if (target.chip) {  // what its compiler brings by itself
     reading.words.push_back("--target=avr");
     for (const std::string& word : toolchain.core.machine) reading.words.push_back(word);
     for (const auto& folder : {toolchain.facts.include_folder, genuine.avr_libc.parent_path()})

@@ -1,6 +1,7 @@
 // The options with which a parser other than the compiler reads a sketch as it is compiled.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace robosim::build {
 
 struct Reading {
   Sketch sketch;
-  std::vector<std::string> words;  ///< a C++ compiler's: the language, macros, folders of headers
+  std::vector<std::string> words;  ///< as a C++ compiler has them: the language, macros, folders of headers
+  std::vector<std::filesystem::path> readable;  ///< what a compiler sees of this machine (run_within())
 };
 
 /// Builds the sketch first, for the host or an AVR, to check that it compiles. Throws as build() does.

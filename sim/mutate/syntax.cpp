@@ -64,6 +64,9 @@ class Places {
   bool included_ = false;
 };
 
+/// Of a syntax tree with all of Arduino's headers.
+constexpr std::size_t kClang_bytes = std::size_t{1} << 30;
+
 fs::path find_clang() {
   for (const char* name : {"clang++", "clang++-14", "clang++-19", "clang++-16"})
     if (const fs::path found = build::find_program(name); !found.empty()) return found;
@@ -72,8 +75,9 @@ fs::path find_clang() {
       "clang");
 }
 
-json dump(const fs::path& clang, const build::Reading& reading, const fs::path& source,
-          const std::function<int(const std::string&)>& number_of) {
+/// `scratch`: a folder that clang may write, and in which `source` may be.
+json dump(const fs::path& clang, const build::Reading& reading, const fs::path& scratch,
+          const fs::path& source, const std::function<int(const std::string&)>& number_of) {
   // What clang says of a source that it understands in part is of no use, and would stand within the tree.
   std::vector<std::string> words = {"/bin/sh",
                                     "-c",
@@ -88,9 +92,12 @@ json dump(const fs::path& clang, const build::Reading& reading, const fs::path& 
                                     "-ast-dump=json"};
   words.insert(words.end(), reading.words.begin(), reading.words.end());
   words.push_back(source.string());
-  build::Command command{words, reading.sketch.folder, {}};
+  build::Command command{words, reading.sketch.folder, {}, scratch};
   command.most_output = kMostFile_bytes;
-  const build::CommandResult result = build::run(command);
+  command.most_memory = kClang_bytes;
+  std::vector<fs::path> readable = reading.readable;
+  readable.insert(readable.end(), {clang.parent_path(), source.parent_path()});
+  const build::CommandResult result = build::run_within(readable, {command})[0];
   if (!result.output.starts_with("{"))
     throw InputError({source.string()}, "clang gives no syntax tree of it");
   return read_tree(result.output, number_of);
@@ -128,6 +135,7 @@ json read_tree(const std::string& dump, const std::function<int(const std::strin
 Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_libraries) {
   const fs::path clang = find_clang();
   const build::WorkFolder work((build::Cache(build::cache_folder())));
+  const fs::path scratch = fs::weakly_canonical(work.path());
   const build::Sketch& sketch = reading.sketch;
   Tree tree;
   const auto add = [&](const std::string& name, const fs::path& path, std::size_t offset) {
@@ -147,22 +155,23 @@ Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_librar
     return -1;
   };
   for (const std::string& name : sketch.sources)
-    add_declarations(dump(clang, reading, sketch.folder / name, number_of));
+    add_declarations(dump(clang, reading, scratch, sketch.folder / name, number_of));
   for (const fs::path& file : of_libraries)
-    if (file.extension() == ".cpp") add_declarations(dump(clang, reading, file, number_of));
+    if (file.extension() == ".cpp") add_declarations(dump(clang, reading, scratch, file, number_of));
   if (sketch.inos.empty()) return tree;
 
-  const fs::path source = fs::weakly_canonical(work.path()) / "joined.cpp";
+  const fs::path source = scratch / "joined.cpp";
   std::string joined = "#include <Arduino.h>\n";
   for (const std::string& name : sketch.inos) {
     add(name, source, joined.size());
     joined += tree.files.back().text + '\n';
   }
   write_file(source, joined);
-  const std::string added = prototypes(joined, dump(clang, reading, source, number_of), tree.added_at);
+  const std::string added =
+      prototypes(joined, dump(clang, reading, scratch, source, number_of), tree.added_at);
   tree.added = added.size();
   write_file(source, joined.insert(tree.added_at, added));
-  add_declarations(dump(clang, reading, source, number_of));
+  add_declarations(dump(clang, reading, scratch, source, number_of));
   return tree;
 }
 

@@ -16,9 +16,9 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/program_sandbox.h"
 #include "sim/exec/host/confinement.h"
 
 namespace robosim::exec {
@@ -127,10 +127,17 @@ bool is_own_file(const std::string& file) {
          file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
 }
 
+/// What addr2line may print: a sketch chooses how long the names of its functions and files are.
+constexpr std::size_t kMostLines_bytes = std::size_t{1} << 20;
+
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets) {
-  std::vector<std::string> command = {"addr2line", "-f", "-C", "-i", "-e", image.string()};
-  for (const std::uintptr_t offset : offsets) command.push_back(fmt::format("{:#x}", offset));
-  return output_of(command);
+  const std::filesystem::path program = find_program("addr2line");
+  if (program.empty()) return "";
+  ChildStart start;
+  start.words = {program.string(), "-f", "-C", "-i", "-e", image.string()};
+  for (const std::uintptr_t offset : offsets) start.words.push_back(fmt::format("{:#x}", offset));
+  start.folder = "/";
+  return output_within(ProgramSandbox({image, program.parent_path()}, {}), start, kMostLines_bytes);
 }
 
 ImageContent::ImageContent(const std::filesystem::path& file) {

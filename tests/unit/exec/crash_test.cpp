@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
 #include "sim/base/error.h"
+#include "sim/base/program_sandbox.h"
+#include "sim/exec/host/image_file.h"
 #include "sim/exec/host/under_asan.h"
 #include "tests/unit/exec/fixture.h"
 
@@ -138,6 +142,29 @@ TEST_F(CrashTest, ManyCrashesLeaveNothingBehind) {
       mapped += entry.exists() ? 1 : 0;
     EXPECT_LT(mapped, 40u);
   }
+}
+
+// A sketch chooses what is in the file that addr2line reads.
+TEST_F(CrashTest, TheProgramThatLooksUpLinesSeesNothingButTheImage) {
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
+  const std::string image = build("void setup() {}\nvoid loop() {}\n").string();
+  write_file(folder_ / "secret", "hunter2\n");
+  std::filesystem::create_directory(folder_ / "bin");
+  write_file(
+      folder_ / "bin/addr2line",
+      fmt::format(
+          "#!/bin/sh\ncat {0}/secret\necho $ROBOSIM_TEST_SECRET >{0}/written\ntest -r {1} && echo seen "
+          "$ROBOSIM_TEST_SECRET\n",
+          folder_.string(), image));
+  std::filesystem::permissions(folder_ / "bin/addr2line", std::filesystem::perms::owner_all);
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", fmt::format("{}:{}", (folder_ / "bin").string(), path).c_str(), 1);
+  ::setenv("ROBOSIM_TEST_SECRET", "hunter2", 1);
+  const std::string lines = ask_addr2line(image, {1});
+  ::unsetenv("ROBOSIM_TEST_SECRET");
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(lines, "seen\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "written"));
 }
 
 }  // namespace

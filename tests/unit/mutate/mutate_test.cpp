@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -7,6 +8,7 @@
 #include <set>
 
 #include "sim/base/file.h"
+#include "sim/base/program_sandbox.h"
 #include "sim/mutate/operators.h"
 #include "tests/support/require_target.h"
 
@@ -72,6 +74,23 @@ class Sketch : public testing::Test {
 
   std::filesystem::path folder_;
 };
+
+TEST_F(Sketch, IsAllThatClangSees) {
+  if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
+  file("S.ino", "void setup() {}\nvoid loop() {}\n");
+  write_file(folder_ / "secret", "hunter2\n");
+  std::filesystem::create_directory(folder_ / "bin");
+  write_file(folder_ / "bin/clang++",
+             fmt::format("#!/bin/sh\ncat {0}/secret >{0}/seen\n"
+                         "echo '{{\"kind\": \"TranslationUnitDecl\", \"inner\": []}}'\n",
+                         folder_.string()));
+  std::filesystem::permissions(folder_ / "bin/clang++", std::filesystem::perms::owner_all);
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", fmt::format("{}:{}", (folder_ / "bin").string(), path).c_str(), 1);
+  tree();
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "seen"));
+}
 
 TEST_F(Sketch, HasAMutationForEachOperatorAtItsPlace) {
   file("S.ino",
