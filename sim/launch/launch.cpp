@@ -12,7 +12,7 @@ namespace robosim::launch {
 
 Chosen choose(const Launch& launch) {
   Chosen chosen;
-  chosen.sketch = choose_sketch(launch.sketch, launch.environment);
+  chosen.sketch = choose_sketch(launch.sketch, launch.environment, launch.untrusted);
   for (const project::Project& project = chosen.sketch.project;
        const auto* folders : {&project.libraries, &project.includes})
     for (const std::filesystem::path& folder : *folders) check_in_scope(folder, {project.file.string()});

@@ -13,6 +13,7 @@
 #include "sim/base/file_scope.h"
 #include "sim/base/robot_name.h"
 #include "sim/base/spelling.h"
+#include "sim/build/project.h"
 #include "sim/build/source.h"
 #include "sim/client/runner.h"
 #include "sim/elf/avr_device.h"
@@ -134,11 +135,15 @@ void take_image(SketchChoice& choice) {
 
 }  // namespace
 
-SketchChoice choose_sketch(const std::string& name, const std::string& environment) {
+SketchChoice choose_sketch(const std::string& name, const std::string& environment, bool untrusted) {
   SketchChoice choice{name.empty() ? "." : name, {}, {}, {}, {}};
+  const auto check_links = [&](const fs::path& folder) {
+    if (untrusted) build::check_links(folder.empty() ? "." : folder);
+  };
   if (name.empty()) {
+    check_links(".");
     const fs::path image = is_project(".") ? fs::path() : image_in(".");
-    if (!image.empty()) return choose_sketch(image.string());
+    if (!image.empty()) return choose_sketch(image.string(), {}, untrusted);
     if (!has_sketch(".") && !is_project(".")) {
       throw InputError(
           "the current folder holds no sketch (a file that ends with .ino); name one, as in “robosim run "
@@ -149,6 +154,8 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
   } else if (build::is_sketch_path(name)) {
     check_path("sketch", name);
     choice.path = name;
+    std::error_code none;
+    check_links(fs::is_directory(choice.path, none) ? choice.path : choice.path.parent_path());
     if (const fs::path image = is_project(name) ? fs::path() : image_in(name); !image.empty())
       choice.path = image;
     if (const fs::path ending = choice.path.extension(); ending == ".elf" || ending == ".hex")

@@ -40,10 +40,12 @@ struct SketchChoice {
   std::string elf_target;    ///< for a finished .elf or .hex, its target; else empty: it must be built
   project::Project project;  ///< the settings of platformio.ini or sketch.yaml
 };
-/// `environment`: of platformio.ini, or the profile of sketch.yaml; empty = their default. For a folder in
-/// which arduino-cli has built, this is the image in it.
-SketchChoice choose_sketch(const std::string& name, const std::string& environment = {});
-/// Returns its name for display, or its folder's if that is `.` or `..`.
+/// `environment`: of platformio.ini, or the profile of sketch.yaml; empty = their choice. A folder that
+/// arduino-cli has built in is the image in it. `untrusted`: no link in the folder leads out of it, which is
+/// checked before any file is read.
+SketchChoice choose_sketch(const std::string& name, const std::string& environment = {},
+                           bool untrusted = false);
+/// What people are shown of it: its name, or its folder's where that is `.` or `..`.
 std::string title_of(const SketchChoice& sketch);
 
 /// Returns the named map; else the only .map in the sketch's folder; else `oval`. Throws InputError.

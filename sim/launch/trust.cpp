@@ -33,7 +33,6 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 }
 
 void check_folder(const SketchChoice& sketch) {
-  build::check_links(sketch.folder);
   const project::Project& project = sketch.project;
   std::vector<std::filesystem::path> folders = project.libraries;
   folders.insert(folders.end(), project.includes.begin(), project.includes.end());
@@ -46,7 +45,7 @@ void check_folder(const SketchChoice& sketch) {
 }
 
 std::string chip_target(const Launch& launch, const Describe& describe) {
-  const SketchChoice sketch = choose_sketch(launch.sketch, launch.environment);
+  const SketchChoice sketch = choose_sketch(launch.sketch, launch.environment, launch.untrusted);
   if (!sketch.elf_target.empty()) return sketch.elf_target;
   const Choice robot = choose_robot(launch.robot, sketch, "host");
   return board_of(describe(robot.path.string())).chip->target;

@@ -168,7 +168,8 @@ TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOf
 }
 
 TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
-  for (const char* link : {"S.ino", "robot.toml", "oval.map", "src", "libraries", "checks.toml"}) {
+  for (const char* link : {"S.ino", "robot.toml", "oval.map", "src", "libraries", "checks.toml",
+                           "platformio.ini", "sketch.yaml", "build.options.json"}) {
     SCOPED_TRACE(link);
     std::filesystem::remove_all(folder_ / "S");
     folder_.write("S/T.ino", empty_sketch(""));
@@ -178,6 +179,23 @@ TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
       EXPECT_EQ(ended.status, 2);
       EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": is a link to /etc/passwd, outside"));
     }
+  }
+}
+
+TEST_F(Untrusted, NoFolderThatAProjectNamesIsOutsideOfTheSketchsFolder) {
+  folder_.write("S/src/main.cpp", "#include <Arduino.h>\nvoid setup() {}\nvoid loop() {}\n");
+  folder_.write("shared/main.cpp", "#include <Arduino.h>\nvoid setup() {}\nvoid loop() {}\n");
+  const std::string environment = "[env:uno]\nplatform = atmelavr\nboard = uno\n";
+  for (const char* line : {"[platformio]\nsrc_dir = ../shared\n", "[platformio]\ninclude_dir = ../shared\n",
+                           "lib_extra_dirs = ../shared\n"}) {
+    folder_.write("S/platformio.ini", environment + line);
+    std::vector<std::string> words{"run", "./S", "--map", "oval", "--goal", "none", "--for", "10ms"};
+    EXPECT_EQ(robosim(words).status, 0) << "one's own project may: " << line;
+    words.emplace_back("--untrusted");
+    const Ended ended = robosim(words);
+    EXPECT_EQ(ended.status, 2) << line;
+    EXPECT_THAT(ended.err, HasSubstr("is outside of the sketch's folder; --untrusted follows no such folder"))
+        << line;
   }
 }
 

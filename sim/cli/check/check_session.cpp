@@ -116,7 +116,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
   const std::size_t runs_before = runs_.size();
   fs::path folder;
   try {
-    const launch::SketchChoice choice = launch::choose_sketch(sketch);
+    const launch::SketchChoice choice = launch::choose_sketch(sketch, {}, untrusted_);
     folder = choice.folder;
     if (untrusted_) launch::check_folder(choice);
     if (choice.elf_target.empty())

@@ -13,7 +13,8 @@ namespace robosim::cli {
 namespace {
 
 void refuse_image(const launch::Launch& launch) {
-  const launch::SketchChoice sketch = launch::choose_sketch(launch.sketch, launch.environment);
+  const launch::SketchChoice sketch =
+      launch::choose_sketch(launch.sketch, launch.environment, launch.untrusted);
   if (!sketch.elf_target.empty())
     throw InputError({sketch.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
 }
