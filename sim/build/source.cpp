@@ -164,6 +164,25 @@ void check_size(const Sketch& sketch) {
                     kMostSources_bytes >> 20, bytes >> 20));
 }
 
+/// Compilers see no link out of the project either (shared_files()), and name the line that includes a
+/// header.
+void check_links(Sketch& sketch) {
+  const fs::path reach = reach_of(sketch.folder);
+  std::error_code none;
+  const auto leads_out = [&](const std::string& name) {
+    const fs::path file = sketch.folder / name;
+    return fs::is_symlink(file, none) && !lies_in(file, sketch.folder) && !lies_in(file, reach);
+  };
+  std::erase_if(sketch.headers, leads_out);
+  for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.assembler})
+    for (const std::string& name : *names)
+      if (leads_out(name))
+        throw InputError(
+            {name}, fmt::format("is a link to {}, outside of the sketch's project: expected a file below {}; "
+                                "--libraries DIR names a folder of code that sketches share",
+                                fs::read_symlink(sketch.folder / name, none).string(), reach.string()));
+}
+
 Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   std::error_code error;
   const fs::path absolute = fs::canonical(path, error);
@@ -210,6 +229,7 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
 
 Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
   Sketch sketch = find_files(path, rules);
+  check_links(sketch);
   check_size(sketch);
   return sketch;
 }

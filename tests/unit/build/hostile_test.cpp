@@ -388,6 +388,24 @@ TEST_F(HostileTest, NoProgramThatAnEndedOneHasStartedGoesOn) {
   EXPECT_TRUE(!process.is_open() || ::poll(&ended, 1, 30'000) == 1) << "its end is near";
 }
 
+TEST_F(HostileTest, NoSourceIsALinkOutOfTheProject) {
+  write("project/Pupil/Pupil.ino", kEmptySketch);
+  write("secret.txt", "#error hunter2\n");
+  write("project/common/common.h", "");
+  for (const char* name : {"other.ino", "x.cpp", "src/x.c"}) {
+    fs::create_directories(folder_ / "project/Pupil/src");
+    const fs::path link = folder_ / "project/Pupil" / name;
+    fs::create_symlink(folder_ / "secret.txt", link);
+    EXPECT_THAT(error_of("project/Pupil"),
+                AllOf(HasSubstr("is a link to "), HasSubstr("outside of the sketch's project"),
+                      Not(HasSubstr("hunter2"))))
+        << name;
+    fs::remove(link);
+  }
+  fs::create_symlink("../common/common.h", folder_ / "project/Pupil/common.h");
+  EXPECT_EQ(error_of("project/Pupil"), "no error");
+}
+
 TEST_F(HostileTest, ASketchOfManyMegabytesIsRefused) {
   for (const char* name : {"Pupil/big.h", "Pupil/big.cpp", "Pupil/src/big.c"}) {
     write(name, "");
