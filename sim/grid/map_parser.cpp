@@ -15,6 +15,9 @@
 namespace robosim::grid {
 namespace {
 
+/// Limits the memory of a map: a command and its runner take 3 bytes for each cell.
+constexpr std::size_t kMostCells = 64'000'000;
+
 constexpr std::string_view kFence = "+++";
 
 // Reads a row of floor, line and wall only; false if it holds anything else. Written so that compilers turn
@@ -160,15 +163,15 @@ void MapParser::take_row(std::string_view row) {
     }
     map_.width = static_cast<int>(row.size());
     row_.resize(row.size());
-    map_.cells.reserve(std::min(size_hint_, kMaxCells));
+    map_.cells.reserve(std::min(size_hint_, kMostCells));
   }
   const auto width = static_cast<std::size_t>(map_.width);
   if (row.size() != width) refuse_length(row);
-  if (map_.height == kMaxSide || map_.cells.size() + width > kMaxCells)
+  if (map_.height == kMaxSide || map_.cells.size() + width > kMostCells)
     throw InputError(
         {map_.file, line_, 1},
         fmt::format("the map goes on after {} rows of {} cells; at most {} rows and {} cells are allowed",
-                    map_.height, width, kMaxSide, kMaxCells));
+                    map_.height, width, kMaxSide, kMostCells));
   if (!read_plain(row, row_.data())) take_any_row(row);
   count_for_swap(row);
   map_.cells.insert(map_.cells.end(), row_.begin(), row_.end());

@@ -109,12 +109,13 @@ class Survey {
 
   // A node takes some 400 bytes, and its text as much; a cell is one byte of the map.
   void check_count() const {
-    constexpr std::size_t kAlways = 100'000, kCellsEach = 8;
-    const std::size_t most = kAlways + map_.cells.size() / kCellsEach;
+    constexpr std::size_t kAlways = 100'000, kCellsEach = 8, kMost = 300'000;
+    const std::size_t most = std::min(kAlways + map_.cells.size() / kCellsEach, kMost);
     if (graph_.stations.size() + graph_.junctions.size() < most) return;
-    throw InputError({map_.file}, fmt::format("the line has too many stations and junctions for a graph: "
-                                              "expected at most {}, which is {} and one for each {} cells",
-                                              most, kAlways, kCellsEach));
+    throw InputError({map_.file},
+                     fmt::format("the line has too many stations and junctions for a graph: "
+                                 "expected at most {} ({} and one for each {} cells, but no more than {})",
+                                 most, kAlways, kCellsEach, kMost));
   }
 
   int add_station(CellAt cell, std::optional<Direction> out) {

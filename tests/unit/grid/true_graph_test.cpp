@@ -288,8 +288,16 @@ TEST(TrueGraph, OfAMapThatIsAllLineIsRefused) {
   EXPECT_THAT(
       [&] { true_graph(map, default_start(map)); },
       testing::ThrowsMessage<InputError>(
-          "full.map: the line has too many stations and junctions for a graph: expected at most 225000, "
-          "which is 100000 and one for each 8 cells"));
+          "full.map: the line has too many stations and junctions for a graph: expected at most 225000 "
+          "(100000 and one for each 8 cells, but no more than 300000)"));
+}
+
+TEST(TrueGraph, OfALargeMapHasNoMoreNodesThanTheirTextFitsIntoMemory) {
+  std::string rows = "S" + std::string(1999, '1') + "\n";
+  for (int row = 1; row < 2000; ++row) rows += std::string(2000, row < 200 ? '1' : '0') + "\n";
+  const Map map = parse_map(rows, "large.map");
+  EXPECT_THAT([&] { true_graph(map, default_start(map)); },
+              testing::ThrowsMessage<InputError>(HasSubstr("expected at most 300000 (")));
 }
 
 }  // namespace
