@@ -1,0 +1,61 @@
+// Hostile inputs as data: a mechanism and a variant of it, and what is written into a sketch's folder or sent
+// to a server. No two inputs share both names.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace robosim::hostile {
+
+/// In texts, stands for the absolute path of a file that no input may read, and for a port that none may
+/// reach.
+constexpr const char* kSecretHere = "@SECRET@";
+constexpr const char* kPortHere = "@PORT@";
+/// What the file holds, and the environment. Its appearance in any output is a finding.
+constexpr const char* kSecret = "hunter2hunter2";
+/// A line that begins with this is one that an input has forged.
+constexpr const char* kForged = "FORGED";
+
+enum class Kind { file, folder, link, hard_link, pipe, socket, device, sparse };
+
+struct Entry {
+  std::string path;     ///< below the sketch's folder, which is called S
+  std::string content;  ///< of a file, where "\2TIMES\3TEXT\4" stands for a long text; where a link leads;
+                        ///< bytes of a sparse file, whose content are zeros
+  Kind kind = Kind::file;
+};
+
+enum class Target { both, host, avr };
+
+struct Input {
+  std::string mechanism, variant;
+  std::vector<Entry> entries;
+  Target target = Target::both;
+  bool compiles = false;     ///< where not confined: a sketch that does not compile tests nothing
+  bool on_terminal = false;  ///< output goes to a terminal, with the serial text
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Input& input) {
+  return out << input.mechanism << "/" << input.variant;
+}
+
+/// Sketches that compile, and attack while they are loaded or run.
+std::vector<Input> sketches();
+/// Folders that attack whatever reads or compiles them.
+std::vector<Input> folders();
+
+struct HostileRequest {
+  std::string mechanism, variant;
+  std::vector<std::string> parts;  ///< sent one after the other, as the server takes them
+  bool stays_open = false;         ///< the client sends no more, and does not close
+};
+
+inline std::ostream& operator<<(std::ostream& out, const HostileRequest& request) {
+  return out << request.mechanism << "/" << request.variant;
+}
+
+/// `host`: the server's name and port, as it expects them.
+std::vector<HostileRequest> requests(const std::string& host);
+
+}  // namespace robosim::hostile

@@ -1,0 +1,84 @@
+// A command that is watched from outside: how long it takes, how much memory all of its processes have, what
+// it leaves running, and which files it touches.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/base/descriptor.h"
+#include "tests/hostile/input.h"
+
+namespace robosim::hostile {
+
+/// The memory of a process and of all that come from it. Resident pages, shared ones counted for each
+/// process.
+class MemoryOfTree {
+ public:
+  explicit MemoryOfTree(pid_t root) : root_(root) {}
+  void look();
+  std::size_t largest_kb() const { return largest_kb_; }  ///< of one process, at its peak
+  std::size_t sum_kb() const { return sum_kb_; }          ///< of all at one moment, where it was the highest
+
+ private:
+  pid_t root_;
+  std::size_t largest_kb_ = 0, sum_kb_ = 0;
+};
+
+/// From now on processes whose parents end become children of this one.
+void adopt_orphans();
+/// "PID NAME" of each process that comes from this one, except the server `known`; ends them.
+std::vector<std::string> end_processes_left(pid_t known = 0);
+
+struct Watched {
+  int status = -1;  ///< exit status; 128 + signal where one ended it
+  bool endless = false;
+  std::string out, err;  ///< the beginnings; both in `out` on a terminal
+  double wall_s = 0.0, processor_s = 0.0;
+  std::size_t largest_kb = 0, sum_kb = 0;
+  std::vector<std::string> left;
+};
+
+/// Runs a command to its end, or for `most_s` at most.
+Watched watch(const std::vector<std::string>& words, const std::filesystem::path& folder, bool on_terminal,
+              double most_s);
+
+/// Notes which files in some folders are opened or changed by anybody, from now on.
+class Canaries {
+ public:
+  explicit Canaries(const std::vector<std::filesystem::path>& folders);
+  std::vector<std::string> take();
+
+ private:
+  Descriptor notices_;
+  std::map<int, std::filesystem::path> folders_;
+};
+
+/// A port of this machine that nobody has a reason to connect to.
+class QuietPort {
+ public:
+  QuietPort();
+  int number() const { return number_; }
+  bool was_reached() const;
+
+ private:
+  Descriptor socket_;
+  int number_ = 0;
+};
+
+/// What all files below a folder are: names, kinds, sizes and times of change.
+std::map<std::string, std::string> state_of(const std::filesystem::path& folder,
+                                            const std::vector<std::string>& except = {});
+
+std::string written_out(const std::string& text);
+
+/// Makes the entries below `folder`. `false`: this user may not.
+bool make(const std::filesystem::path& folder, const std::vector<Entry>& entries,
+          const std::map<std::string, std::string>& replaced);
+
+std::string replace_all(std::string text, const std::map<std::string, std::string>& replaced);
+
+}  // namespace robosim::hostile
