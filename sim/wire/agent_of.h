@@ -1,11 +1,11 @@
-// Which robot an event of a run is about.
+// Returns the robot that an event of a run is about.
 #pragma once
 
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
 
-/// Its number; 0 for what is of the run as a whole.
+/// Returns its number; 0 for events of the run as a whole.
 inline int agent_of(const Event& event) {
   return std::visit(
       [](const auto& one) {

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 constexpr const char* kEeprom = "eeprom";
 constexpr const char* kRefused = "refused";
 
-// A line's id and the name of its event stand in these.
+// The beginning that holds a line's id and the name of its event.
 constexpr std::size_t kBegin_bytes = 64;
 
 // ---- Writing ----
@@ -72,7 +72,7 @@ T read(const Json& object) {
   return message;
 }
 
-/// A value that must be there and be text.
+/// Returns a value that must exist and be text.
 const std::string& text_at(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw BadValue(key, "is missing; it must be a string");
@@ -151,7 +151,7 @@ std::string to_line(const Id& id, const Answer& answer) {
     line.add("event", std::string_view(Columns::kEvent));
     if (columns->agent != 0) line.add("agent", columns->agent);
     text += ',';
-    return text.append(columns_text(*columns), 1) + "\n";  // with the object's end
+    return text.append(columns_text(*columns), 1) + "\n";  // including the object's end
   }
   std::visit(Adder{line}, answer);
   line.end();

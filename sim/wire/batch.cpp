@@ -93,7 +93,7 @@ bool BatchWriter::add(const Event& event) {
 
 Batch BatchWriter::take() {
   const std::size_t bytes =
-      std::min(size(), BatchMemory::kRoom_bytes);  // whatever firmware has written there
+      std::min(size(), BatchMemory::kRoom_bytes);  // firmware may have written anything there
   Batch batch{static_cast<std::int64_t>(bytes), std::string(memory_->bytes, bytes)};
   memory_->used.store(0, std::memory_order_release);
   begin_batch();
@@ -116,7 +116,7 @@ struct BatchReader::Robot {
   }
 };
 
-/// Of one batch. Its events are made once, and filled again and again.
+/// Unpacks one batch. Its events are constructed once, and then reused.
 class BatchReader::Unpacker {
  public:
   Unpacker(BatchReader& reader, std::string_view bytes, const OnEvent& on_event)

@@ -40,10 +40,11 @@
 
 namespace robosim::wire {
 
-/// Whether what the request asks for can come in batches and nothing else of the kind does.
+/// Returns whether everything that the request subscribes to can come in batches, and nothing else of that
+/// kind does.
 bool comes_in_batches(const RunRequest& request);
 
-/// Where events wait. Two processes may share it, so that it outlives the one that writes.
+/// Memory for waiting events. Two processes may share it, so that it outlives the writer.
 struct BatchMemory {
   static constexpr std::size_t kRoom_bytes = 65'536;
   std::atomic<std::uint32_t> used{0};
@@ -54,10 +55,10 @@ struct BatchMemory {
 class BatchWriter {
  public:
   static constexpr std::size_t kMostName = 255;
-  /// There is room for at least one more event if no more than that waits.
+  /// While the used size is at most this, at least one more event fits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
-  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< of 'p', beside the mode
+  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of 'p', next to the mode
 
   struct Head {
     char kind;
@@ -69,18 +70,18 @@ class BatchWriter {
   explicit BatchWriter(BatchMemory* memory = nullptr)
       : own_(memory ? nullptr : new BatchMemory), memory_(memory ? memory : own_.get()) {}
 
-  /// False for what has no place in a batch: another kind of event than samples and bytes, or more to say.
+  /// Adds an event. Returns false if it does not fit in a batch: it is not a sample or byte, or too long.
   bool add(const Event& event);
   bool add(const Sample& sample);
-  /// The same of a heading, of which the reader makes the yaw, and of what follows in a Sample: the place,
-  /// sine and cosine, speed, cross track, both motors, both wheels.
+  /// Adds a sample with a heading, from which the reader computes the yaw. The numbers are a Sample's place,
+  /// sine and cosine, speed, cross-track error, both motors, both wheels.
   bool add_sample(int agent, std::int64_t t_us, const std::array<double, 10>& numbers,
                   const std::vector<double>& readings) {
     return add_sample(agent, t_us, kWithHeading, numbers, readings);
   }
-  /// The same as PinChange, LevelSeen, VoltsSeen and SerialByte; pins by their numbers, which a robot gives
-  /// as it likes. `mode`: 0 input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's
-  /// number must be less than kMostAgents, a name no longer than kMostName.
+  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte; pins by numbers of the robot's choice. `mode`: 0
+  /// input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's number must be less than
+  /// kMostAgents, a name no longer than kMostName.
   void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
                bool pwm, double duty, std::uint32_t tone_hz, int source = 0) {
     begin_at_pin(agent, t_ns, pin, name);
@@ -103,21 +104,22 @@ class BatchWriter {
     end(memory, put(put_head(at(memory), 'v', agent, pin, 0, step_to(t_ns)), volts));
   }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
-  /// Whether one of these three, of that pin at that time, would need nothing else before it: most do not.
+  /// Returns whether one of these three, of that pin at that time, needs no extra record before it: most do
+  /// not.
   bool follows(int agent, std::int64_t t_ns, std::uint8_t pin) const {
     return is_named(number_of(agent, pin)) && is_near(t_ns);
   }
-  /// Pins of the robot will have sources.
+  /// Announces that pins of the robot will have sources.
   void add_sources(int agent);
-  /// The next of its sources. Of longer names only the beginning is kept.
+  /// Adds the next of its sources. Only the beginning of longer names is stored.
   void add_source(int agent, const SourceLine& line);
 
   std::size_t size() const { return memory_->used.load(std::memory_order_relaxed); }
-  /// Of the last event.
+  /// Returns the time of the last event.
   std::int64_t latest_ns() const { return latest_ns_; }
-  /// What waits; then nothing does.
+  /// Returns and clears the waiting events.
   Batch take();
-  /// The same, where another reads it from where it waits: the next batch is made in `memory`, which is
+  /// Leaves the waiting events in place for another reader: the next batch is made in `memory`, which is
   /// empty.
   void go_on_in(BatchMemory& memory) {
     memory_ = &memory;
@@ -146,8 +148,8 @@ class BatchWriter {
     return put(to,
                Head{kind, static_cast<std::uint8_t>(agent), pin, static_cast<std::uint8_t>(other), number});
   }
-  // Of a memory, as a local name has it: what is put there might else be memory_ itself, for all that a
-  // compiler knows.
+  // Takes a memory by a local reference. Otherwise the compiler must assume that a write there changes
+  // memory_ itself.
   static char* at(BatchMemory& memory) { return memory.bytes + memory.used.load(std::memory_order_relaxed); }
   static void end(BatchMemory& memory, const char* end) {
     memory.used.store(static_cast<std::uint32_t>(end - memory.bytes), std::memory_order_release);
@@ -181,7 +183,7 @@ class BatchWriter {
   std::unique_ptr<BatchMemory> own_;
   BatchMemory* memory_;
   std::int64_t from_ns_ = 0, latest_ns_ = 0;
-  std::vector<std::uint32_t> named_in_;  ///< by robot and pin: the number of the last batch that names it
+  std::vector<std::uint32_t> named_in_;  ///< by robot and pin: the number of the last batch with its name
   std::uint32_t batch_ = 1;
 };
 
@@ -193,12 +195,12 @@ class BatchReader {
   BatchReader& operator=(BatchReader&&) noexcept;
   ~BatchReader();
 
-  /// Is to be told of each robot.
+  /// Must be called for each robot.
   void begin(const Started& started);
-  /// The events that were packed, in their order, of those that the request asks for; and columns, every
-  /// kColumnsEvery_ns. Throws RunnerError for what is no batch; by then it may have told some.
+  /// Passes on the packed events in their order, if the request subscribes to them; and columns, every
+  /// kColumnsEvery_ns. Throws RunnerError for an invalid batch, possibly after some events.
   void read(std::string_view bytes, const OnEvent& on_event);
-  /// The columns that wait.
+  /// Passes on the waiting columns.
   void finish(const OnEvent& on_event);
 
  private:

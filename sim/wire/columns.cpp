@@ -19,7 +19,7 @@ void Column::pack(const double* first, std::size_t step, std::size_t count) {
   char* to = buffer_.data() + used_;
   for (const double* value = first; count > 0; --count, value += step) {
     const double scaled = *value * scale;
-    std::int64_t steps = 0;  // of what is no number
+    std::int64_t steps = 0;  // for a value that is not a number
     if (std::fabs(scaled) < kMost)
       steps = static_cast<std::int64_t>(scaled + std::copysign(0.5, scaled));
     else if (!std::isnan(scaled))

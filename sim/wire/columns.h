@@ -24,7 +24,7 @@
 
 namespace robosim::wire {
 
-/// How a column's numbers are kept.
+/// The encoding of a column's numbers.
 struct ColumnSpec {
   std::string name;
   double scale = 1.0;  ///< steps in one unit: 100 = hundredths
@@ -38,7 +38,7 @@ void fields(V& v, Same<V, ColumnSpec>& c) {
   v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
 }
 
-/// Rows of one stream, which follow those sent before.
+/// Rows of one stream that follow the earlier ones.
 struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
   std::int64_t count = 0;           ///< of rows
@@ -54,12 +54,12 @@ void fields(V& v, Same<V, Rows>& r) {
   v("bytes", r.bytes, "of each column in base64; its numbers go on from the last ones");
 }
 
-/// What happened since the last of these.
+/// The changes since the last of these.
 struct Columns {
   static constexpr const char* kEvent = "columns";
   std::vector<Rows> streams;
   int agent = 0;
-  std::vector<SourceLine> sources{};  ///< lines of the sketch that have not been named yet
+  std::vector<SourceLine> sources{};  ///< lines of the sketch that are new here
 };
 
 template <class V>
@@ -72,8 +72,8 @@ void fields(V& v, Same<V, Columns>& c) {
     {.presence = when(!c.sources.empty())});
 }
 
-/// The largest value times scale that a column holds; more becomes this. JavaScript's numbers are exact so
-/// far.
+/// The largest value times scale that a column holds; larger ones are clamped. JavaScript's numbers are exact
+/// up to here.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 50;
 
 /// Writes a column.
@@ -83,9 +83,9 @@ class Column {
 
   const ColumnSpec& spec() const { return spec_; }
   std::string_view bytes() const { return {buffer_.data(), used_}; }
-  /// Forgets the bytes, but not the last number.
+  /// Clears the bytes, but not the last number.
   void clear() { used_ = 0; }
-  /// So many values, the first here and each next one `step` behind the one before.
+  /// Adds `count` values, the first at `first` and each next one `step` after the previous one.
   void add(const double* first, std::size_t step, std::size_t count);
 
  private:
@@ -94,15 +94,15 @@ class Column {
 
   ColumnSpec spec_;
   std::vector<char> buffer_;
-  std::size_t used_ = 0;  ///< of it
+  std::size_t used_ = 0;  ///< number of its used bytes
   std::int64_t last_ = 0, change_ = 0;
 };
 
-/// Reads one, piece by piece.
+/// Reads a column, piece by piece.
 class ColumnReader {
  public:
   explicit ColumnReader(int order) : order_(order) {}
-  /// The next `count` whole numbers; nothing if the bytes are not as many.
+  /// Returns the next `count` integers; nothing if the bytes hold another number of them.
   std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
 
  private:
@@ -110,7 +110,7 @@ class ColumnReader {
   std::uint64_t last_ = 0, change_ = 0;
 };
 
-/// Writes rows. They wait until somebody asks for their bytes: column by column, packing takes a third of the
+/// Writes rows. They wait until their bytes are requested: packing column by column takes a third of the
 /// time.
 class Stream {
  public:
@@ -119,7 +119,7 @@ class Stream {
   std::size_t width() const { return columns_.size(); }
   std::vector<Column>& columns();
   std::int64_t count() const { return count_; }
-  /// A row, to be filled: one value for each column.
+  /// Adds a row to be filled: one value for each column.
   double* add() {
     const std::size_t begin = waiting_;
     waiting_ += columns_.size();
@@ -128,14 +128,14 @@ class Stream {
     return rows_.data() + begin;
   }
   void add(const double* row) { std::copy(row, row + columns_.size(), add()); }
-  /// The rows since the last call.
+  /// Returns the rows since the last call.
   Rows take();
 
  private:
   std::string name_;
   std::vector<Column> columns_;
-  std::vector<double> rows_;  ///< that wait, one behind the other
-  std::size_t waiting_ = 0;   ///< of its numbers
+  std::vector<double> rows_;  ///< waiting ones, concatenated
+  std::size_t waiting_ = 0;   ///< number of its values
   std::int64_t count_ = 0;
   bool told_ = false;
 };

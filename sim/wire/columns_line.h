@@ -1,5 +1,5 @@
-// Lines of columns, quickly: nlohmann's parser and writer look at each character several times, which would
-// cost more than all else that a recording does.
+// Reads and writes lines of columns quickly. nlohmann's parser and writer examine each character several
+// times, which would cost more than all other work of a recording.
 #pragma once
 
 #include <string>
@@ -10,16 +10,17 @@
 
 namespace robosim::wire {
 
-/// As JSON, bytes as base64.
+/// Returns JSON, with bytes as base64.
 std::string columns_text(const Columns& columns);
 
-/// The long texts in the arrays of a line of JSON, each replaced by "#" and its number, which is no base64.
+/// Cuts the long texts out of the arrays of a line of JSON. Each is replaced by "#" and its number, which is
+/// not base64.
 class LongTexts {
  public:
-  /// Gives the line that is left: all of it if there is a text in it that needs more than copying. The line
-  /// must outlive this.
+  /// Returns the remaining line: all of it if it has a text that needs more than copying. The line must
+  /// outlive this.
   std::string cut(std::string_view line);
-  /// Puts bytes in the place of their base64. Throws BadValue where it is none.
+  /// Restores bytes from their base64. Throws BadValue if it is invalid.
   void put_back(Columns& columns) const;
 
  private:

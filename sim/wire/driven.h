@@ -1,4 +1,4 @@
-// Driving a run step by step: what its client asks while it stands still, and what it answers.
+// Messages for driving a run step by step: the client's requests during a pause, and the answers.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace robosim::wire {
 
-/// What a run goes on until; checked at the end of each tick.
+/// A stop condition of a run; checked at the end of each tick.
 struct Stop {
   enum class Kind {
     serial,   ///< the firmware has sent `text`, from byte number `from` on
-    line,     ///< it has sent a line, from byte `from` on, in which the regular expression `text` is found
-    note,     ///< something happened whose text_of() holds `text`
-    event,    ///< something of this kind happened: "collision_began" (event_kinds())
+    line,     ///< it has sent a line, from byte `from` on, that matches the regular expression `text`
+    note,     ///< an event has occurred whose text_of() contains `text`
+    event,    ///< an event of this kind has occurred: "collision_began" (event_kinds())
     visited,  ///< station `text` has been visited
     at,       ///< the body covers the centre of station `text`
     reading,  ///< the part `text` reads at least 0.5, or less: `level`
     pin,      ///< the firmware drives pin `text` high, or with PWM; or low: `level`
     motors,   ///< a motor is driven, or none is: `level`
-    rest,     ///< no wheel has turned for `rest_ns`, counted from when the run went on
+    rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume
   };
   Kind kind = Kind::rest;
   std::string text;          ///< text, regular expression, station, part or pin
   std::size_t from = 0;      ///< serial, line: number of the first byte that counts
   bool level = true;         ///< reading, pin, motors
   std::int64_t rest_ns = 0;  ///< rest
-  int agent = 0;             ///< number of the robot that it is about
+  int agent = 0;             ///< number of its robot
 
   static Stop serial(std::string text, std::size_t from = 0) { return {Kind::serial, std::move(text), from}; }
   static Stop line(std::string regex, std::size_t from = 0) { return {Kind::line, std::move(regex), from}; }
@@ -74,7 +74,7 @@ void fields(V& v, Same<V, Stop>& s) {
   agent_field(v, s.agent);
 }
 
-/// Carries out lines of the scenario language, without their times, as soon as the run goes on.
+/// Runs lines of the scenario language, without their times, as soon as the run continues.
 struct Act {
   static constexpr const char* kDo = "script";
   std::string lines;
@@ -88,10 +88,10 @@ void fields(V& v, Same<V, Act>& a) {
   agent_field(v, a.agent);
 }
 
-/// Sends the run on until the first of these, or to its verdict.
+/// Continues the run until the first of these, or to its verdict.
 struct GoOn {
   static constexpr const char* kDo = "continue";
-  std::optional<std::int64_t> to_ns;  ///< nothing = without end
+  std::optional<std::int64_t> to_ns;  ///< unset = no limit
   std::vector<Stop> until;
 };
 
@@ -103,7 +103,7 @@ void fields(V& v, Same<V, GoOn>& g) {
     {.otherwise = "none", .presence = when(!g.until.empty())});
 }
 
-/// Asks for the non-volatile memory.
+/// Requests the non-volatile memory.
 struct ReadEeprom {
   static constexpr const char* kDo = "eeprom";
   int agent = 0;
@@ -113,14 +113,14 @@ void fields(V& v, Same<V, ReadEeprom>& r) {
   agent_field(v, r.agent);
 }
 
-/// Ends the run where it stands, with the verdict `interrupted`.
+/// Ends the run at its present time, with the verdict `interrupted`.
 struct End {
   static constexpr const char* kDo = "end";
 };
 template <class V>
 void fields(V&, Same<V, End>&) {}
 
-/// What a run serves while it stands still.
+/// The requests that a run serves during a pause.
 using DrivenRequest = std::variant<Act, GoOn, ReadEeprom, End>;
 
 /// When and where the cross-track error was the largest; every tick counts.
@@ -139,19 +139,19 @@ void fields(V& v, Same<V, Worst>& w) {
   v("y", w.y_mm, "of the axle's centre then", {.unit = "mm"});
 }
 
-/// The state of a run that stands still, at the beginning of a tick.
+/// The state of a paused run, at the beginning of a tick.
 struct Paused {
   static constexpr const char* kKey = "paused";
   std::int64_t t_ns = 0;
   Sample sample;
-  int stop = -1;  ///< which of the stops was met; -1 = none
-  Worst worst;    ///< since it went on last
+  int stop = -1;  ///< index of the stop that was met; -1 = none
+  Worst worst;    ///< since the last resume
   bool powered = true;
   bool driven = false;           ///< a motor is commanded
   std::size_t serial_bytes = 0;  ///< sent by the firmware so far
   Metrics metrics;
   std::optional<Resources> resources;  ///< on a chip
-  std::string verdict;                 ///< its own, while others go on; empty = it has none yet
+  std::string verdict;                 ///< its own, while others continue; empty = none yet
   std::string why;                     ///< of the verdict: one sentence
   std::vector<Paused> others;          ///< the run's further robots
 };
@@ -175,7 +175,7 @@ void fields(V& v, Same<V, Paused>& p) {
     {.presence = when(!p.others.empty())});
 }
 
-/// Lines that a run that stands still will carry out, with their times.
+/// Lines that a paused run will execute, with their times.
 struct Accepted {
   static constexpr const char* kKey = "accepted";
   std::string lines;
@@ -188,12 +188,12 @@ void fields(V& v, Same<V, Accepted>& a) {
   agent_field(v, a.agent);
 }
 
-/// Its non-volatile memory.
+/// The non-volatile memory.
 struct Eeprom {
   std::vector<std::uint8_t> bytes;
 };
 
-/// What it was asked makes no sense: nothing happened.
+/// The request was invalid: nothing happened.
 struct Refused {
   std::string message;
 };

@@ -1,5 +1,5 @@
-// What happens in a run, as values. Whoever needs to know what happened compares values; text_of() is the one
-// place where they become sentences, so a sketch that prints "collision" is not one.
+// The events of a run, as values. Programs compare these values; only text_of() turns them into sentences. So
+// a sketch that prints "collision" is not an event.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ void fields(V& v, Same<V, StationVisited>& e) {
 struct LapDone {
   static constexpr const char* kKind = "lap_done";
   int lap = 0;         ///< from 1; each direction counts its own
-  double lap_s = 0.0;  ///< how long it took
+  double lap_s = 0.0;  ///< its duration
 };
 
 template <class V>
@@ -37,7 +37,7 @@ void fields(V& v, Same<V, LapDone>& e) {
   v("lap_s", e.lap_s, "`lap_done`: how long it took", {.unit = "s"});
 }
 
-/// The body has come up against something.
+/// The body has collided with something.
 struct CollisionBegan {
   static constexpr const char* kKind = "collision_began";
   bool with_robot = false;  ///< else a wall, an obstacle or the map's edge
@@ -49,18 +49,17 @@ void fields(V& v, Same<V, CollisionBegan>& e) {
     "`collision_began`: with another robot; else with a wall, an obstacle or the map's edge");
 }
 
-/// The script did something, or what it did for a while is over: a lifted robot is put down, an obstacle
-/// taken away.
+/// The script acted, or an action of limited duration ended: a lifted robot is put down, an obstacle removed.
 struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
   std::string verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle,
                      ///< clear, paint, erase, door, light, restore
   std::string part;  ///< press, release, cover, and send to a part; else empty
-  std::string text;  ///< send: what; place: "X,Y,DIR"; obstacle, clear: "X,Y"
+  std::string text;  ///< send: the bytes; place: "X,Y,DIR"; obstacle, clear: "X,Y"
   std::array<double, 3> disc_mm{};  ///< obstacle: its centre, and its radius
   std::array<double, 3>
-      moves{};  ///< obstacle: to which x and y, mm, within how many seconds; 0 s = it stands
-  std::array<double, 4> box_mm{};  ///< paint, erase, door: left, bottom, width, height of what is covered
+      moves{};  ///< obstacle: its target x and y, mm, and the duration in seconds; 0 s = it stands
+  std::array<double, 4> box_mm{};  ///< paint, erase, door: left, bottom, width, height of the area
 };
 
 template <class V>
@@ -100,12 +99,12 @@ void fields(V& v, Same<V, FaultBegan>& e) {
   v("resets_chip", e.resets_chip, "`fault_began`: the supply no longer suffices for the chip");
 }
 
-/// It is whole again: its time was up, or the script repaired it.
+/// A fault has ended: its time was up, or the script repaired it.
 struct FaultEnded {
   static constexpr const char* kKind = "fault_ended";
   std::string part;
-  std::vector<std::string> arguments;  ///< of the fault; {"ok"} where the script said so
-  bool repaired = false;               ///< the script said so; else the fault's time was up
+  std::vector<std::string> arguments;  ///< of the fault; {"ok"} if the script ended it
+  bool repaired = false;               ///< by the script; else the fault's time was up
 };
 
 template <class V>
@@ -118,7 +117,7 @@ void fields(V& v, Same<V, FaultEnded>& e) {
 /// The script switched the board off.
 struct PowerLost {
   static constexpr const char* kKind = "power_lost";
-  /// A byte of EEPROM that was being written, and what it holds now.
+  /// A byte of EEPROM that was being written, and its present value.
   struct HalfWritten {
     int address = 0;
     int value = 0;
@@ -137,7 +136,7 @@ void fields(V& v, Same<V, PowerLost>& e) {
   v("byte", e.byte, "`power_lost`: the byte of EEPROM that was being written; absent if none was");
 }
 
-/// The script switched it on, or the time that it was off is up: the firmware starts afresh.
+/// The script switched it on, or the power cut ended: the firmware restarts.
 struct PowerBack {
   static constexpr const char* kKind = "power_back";
 };
@@ -145,7 +144,7 @@ struct PowerBack {
 template <class V>
 void fields(V&, Same<V, PowerBack>&) {}
 
-/// A part has something to tell that people would see or hear: a display, a Bluetooth module.
+/// A part shows or sends something for people: a display, a Bluetooth module.
 struct PartTold {
   static constexpr const char* kKind = "part_told";
   std::string part;
@@ -159,11 +158,11 @@ void fields(V& v, Same<V, PartTold>& e) {
     "`part_told`: what it shows, lines joined by `|`, or a line that the sketch has sent through it");
 }
 
-/// By the rules of a competition something counts.
+/// A score by the rules of a competition.
 struct Scored {
   static constexpr const char* kKind = "scored";
   std::string what;    ///< "gap", "try 1, 24.31 s"
-  double value = 0.0;  ///< what it counts
+  double value = 0.0;  ///< the value of the score
   std::string unit;    ///< "s" or "points"
 };
 
@@ -174,7 +173,7 @@ void fields(V& v, Same<V, Scored>& e) {
   v("score_unit", e.unit, "`scored`: `\"s\"` or `\"points\"`");
 }
 
-/// One of these, with its simulated time and the robot that it is about.
+/// An event with its simulated time and its robot.
 struct RunEvent {
   using What = std::variant<StationVisited, LapDone, CollisionBegan, ScriptActed, FaultBegan, FaultEnded,
                             PowerLost, PowerBack, PartTold, Scored>;
@@ -183,13 +182,13 @@ struct RunEvent {
   What what;
 };
 
-/// "station_visited", "lap_done", "collision_began", "script_acted", "fault_began", "fault_ended",
+/// Returns "station_visited", "lap_done", "collision_began", "script_acted", "fault_began", "fault_ended",
 /// "power_lost", "power_back", "part_told" or "scored".
 const char* kind_of(const RunEvent& event);
-/// The names that kind_of() gives.
+/// Returns all results of kind_of().
 const std::vector<std::string>& event_kinds();
 
-/// "station 2 visited", "lap 1 in 8.54 s", "fault: S2 stuck 1023" …
+/// Returns "station 2 visited", "lap 1 in 8.54 s", "fault: S2 stuck 1023" …
 std::string text_of(const RunEvent& event);
 
 }  // namespace robosim::wire

@@ -1,4 +1,4 @@
-// How a message says what its keys are: once, beside its struct, for all who write it, read it or explain it.
+// Describes the keys of a message: once, next to its struct, for all code that writes, reads or documents it.
 //
 //   struct Reading { std::string part; double volts = 0.0; };
 //
@@ -8,9 +8,9 @@
 //     v("volts", r.volts, "what it reads", {.unit = "V"});
 //   }
 //
-// A visitor V is called for each key in the order in which the keys are written: json.h has one that writes
-// JSON and one that reads and checks it, tables.cpp one that makes the tables in docs/. Nothing in here knows
-// JSON, so a struct and its description cost little to include.
+// A visitor V is called for each key in the order of writing. json_writer.h has one that writes JSON,
+// json_reader.h one that reads and checks it, and tables.cpp one that makes the tables in docs/. This file
+// does not depend on JSON, so a struct and its description cost little to include.
 #pragma once
 
 #include <array>
@@ -27,37 +27,37 @@ namespace robosim::wire {
 template <class V, class T>
 using Same = std::conditional_t<V::kReads, T, const T>;
 
-/// Whether a key is there.
+/// Whether a key is present.
 struct Presence {
-  bool required = true;  ///< a reader insists on it; else what is absent keeps its default
+  bool required = true;  ///< a reader requires it; else a missing key keeps its default
   bool written = true;
 };
-inline constexpr Presence kOptional{false, true};  ///< always written; a reader does without
-/// Written only now; a reader does without.
+inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader
+/// Written on this condition; optional for a reader.
 constexpr Presence when(bool written) { return {false, written}; }
 
-/// What else there is to say of a key.
+/// Further properties of a key.
 struct Rules {
-  const char* unit = "";       ///< "mm"; of an array: of its elements; "" = none
-  const char* otherwise = "";  ///< for people: what an absent key of a request means; "" = its default
+  const char* unit = "";       ///< "mm"; for an array: its elements'; "" = none
+  const char* otherwise = "";  ///< for people: a request's meaning without the key; "" = its default
   Presence presence = {};
-  /// Of whole numbers, both ends included.
+  /// For integers, both ends included.
   std::int64_t least = std::numeric_limits<std::int64_t>::min();
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
   std::int64_t multiple_of = 1;
-  bool not_empty = false;  ///< of text
-  /// Of text: all that is allowed, if not empty.
+  bool not_empty = false;  ///< for text
+  /// For text: all allowed values, unless empty.
   std::initializer_list<const char*> one_of = {};
 };
 
-/// Truths that are written as a list of the names of those that hold: ["pin", "io"].
+/// Flags that are written as a list of the names of the true ones: ["pin", "io"].
 template <class Bool>
 struct Name {
   const char* name;
   Bool* holds;
 };
 template <class Bool>
-Name(const char*, Bool*) -> Name<Bool>;  // clang 14 deduces nothing for aggregates
+Name(const char*, Bool*) -> Name<Bool>;  // clang 14 cannot deduce this for aggregates
 template <class Bool, std::size_t N>
 struct NameList {
   std::array<Name<Bool>, N> names;
@@ -73,16 +73,16 @@ struct PinsByUse {
 template <class List>
 PinsByUse(List&) -> PinsByUse<List>;
 
-/// A member that a visitor can go into.
+/// A member that a visitor can descend into.
 template <class V, class T>
 concept Described = requires(V& v, Same<V, T>& t) {
   fields(v, t);
 };
 
-/// As many robots as there may be on one map.
+/// The maximum number of robots on one map.
 inline constexpr std::size_t kMostAgents = 256;
 
-/// The key of all that is about one of several robots.
+/// The key of everything that is about one of several robots.
 template <class V>
 void agent_field(V& v, Same<V, int>& agent) {
   v("agent", agent, "number of the robot that it is about, from 0; absent where 0",

@@ -1,5 +1,5 @@
-// JSON as the ends of the protocol write it, read in a third of the instructions that nlohmann's parser
-// takes. For .cpp files.
+// Reads JSON in the style of the protocol's programs, in a third of the instructions of nlohmann's parser.
+// For .cpp files.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,8 @@
 
 namespace robosim::wire {
 
-/// As nlohmann::json::parse has it, discarded if `text` is not JSON or exceeds sim/base/json_limits.h.
+/// Parses like nlohmann::json::parse. The result is discarded if `text` is not JSON or exceeds
+/// sim/base/json_limits.h.
 nlohmann::json parsed_json(std::string_view text);
 
 }  // namespace robosim::wire

@@ -1,8 +1,8 @@
-// Messages from JSON by their fields (fields.h), checked. For .cpp files: nlohmann's header is slow to
-// compile.
+// Reads messages from JSON by their fields (fields.h), with checks. For .cpp files: nlohmann's header is slow
+// to compile.
 //
-// Input may be hostile: nothing here copies or goes down into what no message describes, so that no nesting
-// is too deep; numbers that do not fit, missing keys and values of another kind are one sentence each.
+// Input may be hostile. Nothing here copies undescribed parts or descends into them, so that no nesting is
+// too deep. Numbers out of range, missing keys and values of another kind are one sentence each.
 #pragma once
 
 #include <algorithm>
@@ -22,18 +22,18 @@
 
 namespace robosim::wire {
 
-/// A value is not as its key's description has it.
+/// A value does not match its key's description.
 class BadValue : public std::runtime_error {
  public:
   BadValue(std::string key, std::string problem)
       : std::runtime_error("\"" + key + "\" " + problem),
         key_(std::move(key)),
         problem_(std::move(problem)) {}
-  /// The same, said of the value inside `outer`: "calls" and "[2].line" make "calls[2].line".
+  /// Returns the error for the value inside `outer`: "calls" and "[2].line" make "calls[2].line".
   BadValue inside(const std::string& outer) const {
     return {outer + (key_.empty() || key_[0] == '[' ? "" : ".") + key_, problem_};
   }
-  /// "\"seed\" in the request must be a whole number from 0"
+  /// Returns "\"seed\" in the request must be a whole number from 0"
   std::string in(const std::string& message) const {
     return "\"" + key_ + "\" in " + message + " " + problem_;
   }
@@ -42,7 +42,7 @@ class BadValue : public std::runtime_error {
   std::string key_, problem_;
 };
 
-/// The beginning of what somebody said, for a message: “GET / HTTP/1.1”.
+/// Returns the beginning of a text, for a message: “GET / HTTP/1.1”.
 std::string excerpt(std::string_view text);
 
 class JsonReader {
@@ -51,10 +51,10 @@ class JsonReader {
   static constexpr bool kReads = true;
   static constexpr bool kDescribes = false;
 
-  /// Whether keys that nobody has described are an error.
+  /// Whether keys without a description are an error.
   enum class Unknown { allowed, refused };
 
-  /// Throws BadValue. `besides`: keys of the same object that others have read.
+  /// Reads a message. Throws BadValue. `besides`: keys of the same object that others have read.
   template <class T>
   static void read(const Json& object, T& message, Unknown unknown,
                    std::initializer_list<const char*> besides = {}) {
@@ -88,7 +88,7 @@ class JsonReader {
     take(key, *found, value, rules);
   }
 
-  /// Nothing, of a kind that is not known.
+  /// Returns nothing for an unknown kind.
   template <class... What>
   void kinds(const char* key, std::optional<std::variant<What...>>& what, const char*) {
     const Json* kind = find(key);
@@ -107,7 +107,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys, and where not one of several choices was made.
+  /// Throws BadValue for unknown keys, and if none of several choices was made.
   void finish() const;
 
   template <class T>
@@ -141,7 +141,7 @@ class JsonReader {
 
 namespace detail {
 
-/// What a whole number may be: both ends, of T and of the rules.
+/// Returns the range of an integer: the limits of T and of the rules.
 template <class T>
 std::int64_t least(const Rules& rules) {
   return std::is_unsigned_v<T>
@@ -155,10 +155,10 @@ std::uint64_t most(const Rules& rules) {
   return std::min(kMost, static_cast<std::uint64_t>(rules.most));
 }
 
-/// "a whole number from 0 to 65535"
+/// Returns "a whole number from 0 to 65535"
 std::string whole_number(const Rules& rules, std::int64_t least, std::uint64_t most);
 std::string text(const Rules& rules);
-/// "\"a\", \"b\" and \"c\""
+/// Returns "\"a\", \"b\" and \"c\""
 std::string all_of(const std::vector<const char*>& names);
 
 }  // namespace detail

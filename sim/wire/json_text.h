@@ -1,5 +1,5 @@
-// Messages to the text of their JSON by their fields (fields.h), with nothing in between: to the last
-// character what text_of(to_json(message)) gives (json_writer.h), in a sixth of the instructions. For .cpp
+// Writes the JSON text of messages by their fields (fields.h), directly. The result equals
+// text_of(to_json(message)) (json_writer.h) to the last character, in a sixth of the instructions. For .cpp
 // files.
 #pragma once
 
@@ -19,7 +19,7 @@ class JsonText {
   static constexpr bool kReads = false;
   static constexpr bool kDescribes = false;
 
-  /// Behind what `out` holds.
+  /// Appends to `out`.
   template <class T>
   static void append(std::string& out, const T& value) {
     if constexpr (Described<JsonText, T>) {
@@ -53,7 +53,7 @@ class JsonText {
     }
   }
 
-  /// An object behind what `out` holds, up to end().
+  /// Appends an object to `out`, up to end().
   explicit JsonText(std::string& out) : out_(out) { out_ += '{'; }
   void end() { out_ += '}'; }
 

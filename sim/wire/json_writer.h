@@ -1,4 +1,4 @@
-// Messages to JSON by their fields (fields.h). For .cpp files: nlohmann's header is slow to compile.
+// Converts messages to JSON by their fields (fields.h). For .cpp files: nlohmann's header is slow to compile.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace robosim::wire {
 
-/// Keys in the order in which they are described.
+/// Keys in the order of their descriptions.
 using OrderedJson = nlohmann::ordered_json;
 
 namespace detail {
@@ -36,7 +36,7 @@ template <class T>
 struct IsPinsByUse : std::false_type {};
 template <class List>
 struct IsPinsByUse<PinsByUse<List>> : std::true_type {};
-/// Pairs, tuples and arrays are arrays of a fixed length.
+/// Pairs, tuples and arrays become arrays of a fixed length.
 template <class T>
 concept Tuple = requires {
   std::tuple_size<T>::value;
@@ -44,7 +44,7 @@ concept Tuple = requires {
 
 }  // namespace detail
 
-/// Writes. `Json` decides on the order of keys.
+/// Writes a message. `Json` determines the order of keys.
 template <class Json>
 class JsonWriter {
  public:
@@ -68,7 +68,7 @@ class JsonWriter {
     if (kind == own) (*this)(key, value, meaning, rules);
   }
 
-  /// Which alternative it is, under `key`, and the alternative's own keys.
+  /// Writes the name of the alternative, under `key`, and its own keys.
   template <class What>
   void kinds(const char* key, const std::optional<What>& what, const char*) {
     if (!what) return;
@@ -131,7 +131,7 @@ OrderedJson to_json(const T& message) {
   return JsonWriter<OrderedJson>::json(message);
 }
 
-/// File names, scripts and what sketches print may hold any bytes; JSON may not: they become U+FFFD.
+/// File names, scripts and output of sketches may hold any bytes, unlike JSON: invalid ones become U+FFFD.
 template <class Json>
 std::string text_of(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -1,4 +1,4 @@
-// That a sketch is late, as if its code took longer; or, by a negative time, less long.
+// A delay of a sketch, as if its code took longer; or, if negative, less time.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A run that goes along with the wall clock (`robosim run --live`): what it is asked, at any time. It answers
-// as a run that is driven step by step does (driven.h).
+// Requests to a run in step with the wall clock (`robosim run --live`), allowed at any time. It answers like
+// a run that is driven step by step (driven.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robosim::wire {
 
-/// Goes on, until it is told otherwise.
+/// Continues until another request.
 struct Play {
   static constexpr const char* kDo = "play";
   double speed = 1.0;
@@ -20,14 +20,14 @@ void fields(V& v, Same<V, Play>& p) {
   v("speed", p.speed, "simulated seconds a second; 0 = as fast as possible", {.presence = kOptional});
 }
 
-/// Stands still.
+/// Pauses.
 struct Pause {
   static constexpr const char* kDo = "pause";
 };
 template <class V>
 void fields(V&, Same<V, Pause>&) {}
 
-/// Goes on for so long, and stands still again.
+/// Continues for this duration, and pauses again.
 struct StepOn {
   static constexpr const char* kDo = "step";
   std::int64_t ms = 1;

@@ -9,16 +9,16 @@
 
 namespace robosim::wire {
 
-/// What both ends speak; another number is another language.
+/// The protocol's version at both ends; other numbers are incompatible.
 inline constexpr int kProtocol = 1;
 
-/// Who answers at the other end of the pipe.
+/// The first message of a runner.
 struct Hello {
   std::string program;  ///< "robosim-host"
   int protocol = 0;
   std::string version;       ///< of Robosim: "0.1.0"
   std::string target;        ///< "host"
-  std::string sandbox = "";  ///< "on", "off", "missing"; empty where firmware is data
+  std::string sandbox = "";  ///< "on", "off", "missing"; empty if firmware is data
   std::string no_sandbox_why = "";
 };
 
@@ -37,7 +37,7 @@ void fields(V& v, Same<V, Hello>& h) {
     {.presence = when(!h.no_sandbox_why.empty())});
 }
 
-/// What was asked went wrong.
+/// The request failed.
 struct ErrorAnswer {
   static constexpr const char* kKey = "error";
   std::string kind;  ///< "input", "tool" or "internal"
@@ -50,7 +50,7 @@ void fields(V& v, Same<V, ErrorAnswer>& e) {
   v("message", e.message, "one sentence");
 }
 
-/// What a runner says.
+/// All messages of a runner.
 using Answer =
     std::variant<Hello, ErrorAnswer, RobotInfo, Event, RunResult, Paused, Accepted, Eeprom, Refused>;
 

@@ -1,5 +1,5 @@
-// Lines of the runner protocol from and to values, for both of its ends. Each line here has its line feed at
-// the end, and may be read with or without.
+// Converts lines of the runner protocol from and to values, for both of its ends. Each line has its line feed
+// at the end here, and may be read with or without.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace robosim::wire {
 
-/// The runner broke the protocol, or died: a fault of Robosim's own (exit status 3).
+/// The runner broke the protocol, or died: a fault of Robosim (exit status 3).
 class RunnerError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -30,31 +30,31 @@ class Unstoppable : public RunnerError {
 // The client's end.
 
 std::string to_line(long long id, const Request& request);
-/// To a run that stands still.
+/// Converts a request to a paused run.
 std::string to_line(long long id, const DrivenRequest& request);
-/// To a run that goes along with the wall clock.
+/// Converts a request to a run in step with the wall clock.
 std::string to_line(long long id, const LiveRequest& request);
 
-/// One line of a runner.
+/// One line from a runner.
 struct Line {
   long long id = -1;  ///< of the request that it answers; -1 = none (hello)
   Answer content;
 };
 
-/// Throws RunnerError, quoting the line, if it is none of the protocol's. Keys that are not known are
-/// skipped. Behind the line of a Batch its bytes follow.
+/// Parses a line. Throws RunnerError, quoting the line, if it is not of the protocol. Unknown keys are
+/// skipped. After the line of a Batch its bytes follow.
 Line parse_line(std::string_view text);
 
-/// The first line of a runner, `program`. Throws RunnerError, with a sentence for people, if that is no
-/// runner of Robosim's or speaks another version of the protocol.
+/// Parses the first line of a runner, `program`. Throws RunnerError, with a sentence for users, if that is
+/// not a runner of Robosim or has another version of the protocol.
 Hello parse_hello(std::string_view text, const std::string& program);
 
 // The runner's end.
 
-/// Any number that a client has chosen for its request; monostate = it has chosen none.
+/// The number that a client has chosen for its request; monostate = none.
 using Id = std::variant<std::monostate, std::int64_t, std::uint64_t, double>;
 
-/// What a client has asked: a request, or nothing and what is wrong with the line, in one sentence.
+/// A client's line: a request, or nothing and one sentence on the error.
 template <class Any>
 struct Asked {
   Id id;
@@ -66,9 +66,9 @@ Asked<Request> parse_request(std::string_view text);
 Asked<DrivenRequest> parse_driven_request(std::string_view text);
 Asked<LiveRequest> parse_live_request(std::string_view text);
 
-/// Of a Batch with its bytes.
+/// For a Batch with its bytes.
 std::string to_line(const Id& id, const Answer& answer);
-/// Of a Batch of so many bytes, without them.
+/// For a Batch of that size, without its bytes.
 std::string batch_line(const Id& id, std::size_t bytes);
 
 }  // namespace robosim::wire

@@ -1,4 +1,4 @@
-// A robot as a client may see it.
+// The description of a robot for clients.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct RobotInfo {
     std::string fqbn;   ///< "arduino:avr:uno"
     std::string macro;  ///< "ARDUINO_AVR_UNO"
   };
-  /// What firmware may take of the chip, at most; 0 = all there is.
+  /// The maximum that firmware may use of the chip; 0 = everything.
   struct Budget {
     std::int64_t flash_bytes = 0;
     std::int64_t ram_bytes = 0;
@@ -28,27 +28,27 @@ struct RobotInfo {
     std::string name;
     double x_mm = 0.0;          ///< forward of the axle's centre
     double y_mm = 0.0;          ///< left of it
-    double footprint_mm = 0.0;  ///< side of the square of floor that it sees; 0 = not known
+    double footprint_mm = 0.0;  ///< side of its square footprint on the floor; 0 = unknown
   };
-  /// A reading that is a number; others are levels, or on and off.
+  /// A numeric reading; others are levels, or on and off.
   struct Gauge {
     std::string name;
-    std::string unit;  ///< "cm"; "" of a bare number
+    std::string unit;  ///< "cm"; "" for a plain number
   };
   struct Part {
     std::string name;
     std::string type;  ///< "motor"
     std::vector<std::pair<std::string, std::string>>
-        pins;  ///< what the pin is for, and the pin: {"in1", "8"}
+        pins;  ///< pins;  ///< the pin's function, and the pin: {"in1", "8"}
   };
-  /// Wheels that a servo turns.
+  /// Wheels that a servo steers.
   struct Steering {
-    std::string servo;        ///< whose reading it is
+    std::string servo;        ///< the servo with the reading
     double base_mm = 0.0;     ///< from the driven axle, ahead of it
     int wheels = 1;           ///< two are `track` apart
-    double middle_deg = 0.0;  ///< the reading with which they point ahead
-    double ratio = 0.0;       ///< degrees to the left for each of the reading
-    double limit_deg = 0.0;   ///< to each side
+    double middle_deg = 0.0;  ///< the reading for straight ahead
+    double ratio = 0.0;       ///< degrees to the left per unit of the reading
+    double limit_deg = 0.0;   ///< in each direction
   };
   std::string name;
   std::string file;
@@ -56,13 +56,13 @@ struct RobotInfo {
   Board board;
   Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
-  double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = not known
-  double wheel_mm = 0.0;                          ///< diameter; 0 = not known
+  double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = unknown
+  double wheel_mm = 0.0;                          ///< diameter; 0 = unknown
   std::optional<Steering> steering;
   std::vector<Sensor> sensors;
   std::vector<Gauge> gauges;
   std::vector<Part> parts;
-  std::string text;  ///< its file with the robots that it is based on, as one; empty where nobody asked
+  std::string text;  ///< its file merged with the robots that it is based on; empty unless requested
 };
 
 template <class V>

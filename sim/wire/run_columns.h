@@ -1,4 +1,4 @@
-// A run's samples and what happens at its pins, gathered as columns (columns.h).
+// Collects a run's samples and pin events as columns (columns.h).
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ namespace robosim::wire {
 struct PinChange;
 struct Sample;
 
-/// What a logic analyser would show of a pin.
+/// The states of a pin as a logic analyser shows them.
 enum class PinLevel { low = 0, high = 1, floating = 2, pulsing = 3 };
 
-/// Pulsing: driven by PWM or tone(), faster than each edge is told. A pull-up without more is high.
+/// Pulsing: PWM or tone(), faster than single edges are reported. A pull-up alone is high.
 constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, std::uint32_t tone_hz) {
   if (!output) return pullup ? PinLevel::high : PinLevel::floating;
   if (tone_hz > 0 || (pwm && duty > 0.0 && duty < 1.0)) return PinLevel::pulsing;
@@ -29,16 +29,16 @@ constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, st
 PinLevel pin_level(const PinChange& pin);
 
 std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings);
-/// `sources`: with the lines that drive the pin.
+/// `sources`: includes the lines that drive the pin.
 std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
 
-/// Numbers of the lines that drive pins, from 1 in the order in which they come.
+/// Numbers the lines that drive pins, from 1 in the order of appearance.
 class SourceNumbers {
  public:
-  /// 0 = it is none.
+  /// Returns the line's number; 0 = it is none.
   int of(const SourceLine& line);
-  /// Those since the last call.
+  /// Returns the new ones since the last call.
   std::vector<SourceLine> take_new();
 
  private:
@@ -46,16 +46,16 @@ class SourceNumbers {
   std::vector<SourceLine> new_;
 };
 
-/// How often columns are told, simulated time.
+/// The period of columns, simulated time.
 constexpr std::int64_t kColumnsEvery_ns = 2'000'000'000;
 
 class RunColumns {
  public:
-  /// The board's pins, by number. `sources`: with the lines that drive them.
+  /// Makes columns for the board's pins, by number. `sources`: includes the lines that drive them.
   explicit RunColumns(const std::vector<std::string>& pins, bool sources = false);
-  /// One more, and its number.
+  /// Adds a pin, and returns its number.
   std::size_t add_board_pin(const std::string& name);
-  /// Pins that are added from now on have sources.
+  /// Adds sources to pins that are added from now on.
   void with_sources() { has_sources_ = true; }
 
   void begin(const std::vector<std::string>& readings);
@@ -64,18 +64,18 @@ class RunColumns {
                const SourceLine* source = nullptr);
   void add_volts(std::size_t pin, std::int64_t t_ns, double volts);
 
-  /// All since the last call; without streams if there is nothing.
+  /// Returns everything since the last call; without streams if there is nothing.
   Columns take();
 
  private:
-  /// What happens at one pin. A row that says nothing new is left out.
+  /// The events at one pin. Rows without a change are skipped.
   struct Changes {
     Stream stream;
-    std::array<double, 4> last{-1.0};  ///< of fewer columns the rest is unused; the time is never negative
+    std::array<double, 4> last{-1.0};  ///< unused for missing columns; the time is never negative
   };
   void change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source);
 
-  std::vector<Stream> samples_;  ///< one, once it has begun
+  std::vector<Stream> samples_;  ///< one, after the beginning
   std::vector<Changes> pins_, volts_;
   bool has_sources_;
   SourceNumbers sources_;

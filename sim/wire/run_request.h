@@ -1,4 +1,4 @@
-// What a client asks of a runner that runs nothing yet: about a robot, or for a run.
+// The requests to an idle runner: for a robot's description, or for a run.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace robosim::wire {
 
-/// What a robot is.
+/// Requests the description of a robot.
 struct DescribeRobot {
   static constexpr const char* kDo = "describe_robot";
   std::string robot;
-  bool full = false;  ///< with RobotInfo::text
+  bool full = false;  ///< includes RobotInfo::text
 };
 
 template <class V>
@@ -30,11 +30,11 @@ void fields(V& v, Same<V, DescribeRobot>& d) {
   v("full", d.full, "`true`: the answer has the key `text`", {.presence = when(d.full)});
 }
 
-/// A further robot of a simulation; what is not said here is that of the whole run.
+/// A further robot of a simulation; missing settings are those of the whole run.
 struct AgentRequest {
   std::string name;    ///< for messages
-  std::string target;  ///< whose firmware it is; empty = the runner's own
-  std::string image;   ///< as of RunRequest, all of these
+  std::string target;  ///< of its firmware; empty = the runner's own
+  std::string image;   ///< likewise the following: see RunRequest
   std::string robot;
   std::string start;
   std::string goal;
@@ -61,11 +61,11 @@ void fields(V& v, Same<V, AgentRequest>& a) {
   v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
-/// Where a run parts, to go on in several ways from the same state.
+/// Where a run branches, to continue in several ways from the same state.
 struct Ways {
-  std::int64_t at_ns = 0;            ///< from power-on, or behind `after`; a multiple of 1 ms
+  std::int64_t at_ns = 0;            ///< from power-on, or after `after`; a multiple of 1 ms
   std::string after;                 ///< a text that the sketch sends
-  std::vector<std::string> scripts;  ///< of each way
+  std::vector<std::string> scripts;  ///< one per way
 };
 
 template <class V>
@@ -90,20 +90,19 @@ struct RunRequest {
   std::int64_t for_ns = 600'000'000'000;  ///< simulated time
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< one of kProfileNames
-  std::int64_t clock_ns = 0;           ///< what millis() begins with; chip targets only
-  std::vector<Lateness> late;          ///< in the order of their times; on the host only
-  int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = nowhere; chip targets only
+  std::int64_t clock_ns = 0;           ///< initial value of millis(); chip targets only
+  std::vector<Lateness> late;          ///< sorted by time; on the host only
+  int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = none; chip targets only
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< its name in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
-  std::int64_t columns_every_ns = 0;   ///< stream samples so often, and all that happens at pins, as columns
-  bool started = true;                 ///< tell how it begins, which a client waits for that watches
+  std::int64_t columns_every_ns = 0;   ///< stream samples with this period, and all pin events, as columns
+  bool started = true;                 ///< report the beginning, for which a viewing client waits
   bool pins = false;                   ///< stream pin changes
-  bool serial = false;                 ///< stream what the firmware prints
-  bool notes = false;                  ///< stream what happens: "station 2 visited"
-  bool io = false;                     ///< stream what reaches the firmware, and bytes both ways
-  /// Of pins and bytes, stream only what happens from the one time to the other, and from which line of the
-  /// sketch.
+  bool serial = false;                 ///< stream the firmware's output
+  bool notes = false;                  ///< stream events: "station 2 visited"
+  bool io = false;                     ///< stream the firmware's inputs, and bytes both ways
+  /// Stream pins and bytes only from the one time to the other, with the responsible line of the sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
   bool interactive = false;  ///< driven step by step: see driven_run.h
@@ -190,7 +189,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
     {.otherwise = "none", .presence = when(!r.agents.empty())});
 }
 
-/// What a runner serves while no run stands still.
+/// The requests that a runner serves while no run is paused.
 using Request = std::variant<DescribeRobot, RunRequest>;
 
 }  // namespace robosim::wire

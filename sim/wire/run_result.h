@@ -1,5 +1,5 @@
-// What a run came to: its figures, what it took of the chip, why it crashed. The simulation fills these in,
-// and every client reads them.
+// The result of a run: its measurements, the chip's resources, a crash. The simulation fills these in, and
+// every client reads them.
 #pragma once
 
 #include <cmath>
@@ -13,10 +13,10 @@
 
 namespace robosim::wire {
 
-/// A line of the sketch; empty and 0 where not known.
+/// A line of the sketch; empty and 0 if unknown.
 struct SourceLine {
   std::string function;
-  std::string file;  ///< as the user named it ("Blink.ino")
+  std::string file;  ///< with the user's name ("Blink.ino")
   int line = 0;
 };
 
@@ -27,13 +27,13 @@ void fields(V& v, Same<V, SourceLine>& s) {
   v("line", s.line, "counted from 1; 0 where not known", {.presence = kOptional});
 }
 
-/// Why firmware can run no further.
+/// The reason why firmware cannot continue.
 struct Crash {
   std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
   SourceLine where;
-  std::vector<SourceLine> calls;  ///< innermost first, the core's included; chip targets only
-  std::string registers;          ///< of a chip's processor, for people; else empty
-  std::string check;              ///< what has found it: "mul_overflow", "sandbox"; else empty
+  std::vector<SourceLine> calls;  ///< innermost first, including the core's; chip targets only
+  std::string registers;          ///< of a chip's processor, for display; else empty
+  std::string check;              ///< the check that found it: "mul_overflow", "sandbox"; else empty
 };
 
 template <class V>
@@ -51,10 +51,10 @@ void fields(V& v, Same<V, Crash>& c) {
     {.presence = when(!c.registers.empty())});
 }
 
-/// A line of the sketch that divided an integer by zero and went on, as a chip does. Told on the host.
+/// A line of the sketch that divided an integer by zero and continued, as on a chip. Reported on the host.
 struct DivisionByZero {
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, when it did first
+  double first_s = 0.0;  ///< simulated, of the first one
   std::int64_t times = 0;
 };
 
@@ -65,12 +65,12 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
   v("times", d.times, "how often it did");
 }
 
-/// Something of the chip that the sketch used and its target lacks: what the run did from then on may not be
-/// what the chip does. Told on the host.
+/// A feature of the chip that the sketch used and its target lacks: the run's later behaviour may differ from
+/// the chip's. Reported on the host.
 struct Lack {
-  std::string what;  ///< as a sketch names it: "CLKPR"
+  std::string what;  ///< its name in a sketch: "CLKPR"
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, when it was used first
+  double first_s = 0.0;  ///< simulated, of the first use
 };
 
 template <class V>
@@ -84,10 +84,10 @@ void fields(V& v, Same<V, Lack>& l) {
 /// robot. The run went on.
 struct Detected {
   std::string detector;  ///< "blind"
-  std::string what;      ///< a sentence: what was seen, and how it breaks
-  std::string mend;      ///< a sentence: how it is mended
+  std::string what;      ///< a sentence: the finding, and how it fails
+  std::string mend;      ///< a sentence: the fix
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, when it was seen first
+  double first_s = 0.0;  ///< simulated, of the first one
   std::int64_t times = 1;
 };
 
@@ -101,19 +101,19 @@ void fields(V& v, Same<V, Detected>& d) {
   v("times", d.times, "how often it was seen there");
 }
 
-/// "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
+/// Returns "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
 std::string text_of(const Detected& seen);
 
-/// What firmware takes of its chip, as measured from power-on.
+/// The firmware's use of its chip, as measured from power-on.
 struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
-  std::int64_t stack_bytes_max = 0;  ///< the most that was in use, handlers included
-  std::int64_t loops = 0;            ///< passes of loop(); 0 = not known, and the next two with it
+  std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
+  std::int64_t loops = 0;            ///< passes of loop(); 0 = unknown, like the next two
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next, or to now
   double loop_us_mean = 0.0;
-  double interrupt_share = 0.0;  ///< of the time, in interrupt handlers: 0..1
-  double cpu_load = 0.0;         ///< of the time, not asleep: 0..1; a waiting loop is load
+  double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
+  double cpu_load = 0.0;         ///< share of the time awake: 0..1; a waiting loop counts
 };
 
 template <class V>
@@ -136,11 +136,11 @@ void fields(V& v, Same<V, Resources>& r) {
   v("loop_us_mean", r.loop_us_mean, "mean of these times", {.unit = "µs", .presence = if_loops});
 }
 
-/// What a competition's rules count.
+/// A part of the score by a competition's rules.
 struct ScorePart {
   std::string part;    ///< "gap", "time"
-  int count = 0;       ///< how often
-  double value = 0.0;  ///< of all of them together, in the score's unit
+  int count = 0;       ///< number of them
+  double value = 0.0;  ///< their sum, in the score's unit
 };
 
 template <class V>
@@ -150,7 +150,7 @@ void fields(V& v, Same<V, ScorePart>& p) {
   v("value", p.value, "what it counts, in all; below 0: taken off");
 }
 
-/// Figures of a run.
+/// Measurements of a run.
 struct Metrics {
   double distance_m = 0.0;          ///< path of the axle's centre
   std::vector<double> laps_s;       ///< duration of each lap, on a loop
@@ -160,12 +160,12 @@ struct Metrics {
   int collisions = 0;
   double energy_j = 0.0;              ///< drawn by the motors
   std::vector<std::string> stations;  ///< visited, in order
-  int junctions = 0;                  ///< different ones visited
+  int junctions = 0;                  ///< number of different ones visited
   double score = kNone;               ///< of a competition, s or points; kNone = none yet
   std::string score_unit;             ///< "s" or "points"; empty = no competition
-  double run_s = kNone;               ///< what its clock shows
+  double run_s = kNone;               ///< the competition's clock
   std::vector<ScorePart> score_parts;
-  double energy_back_j = 0.0;  ///< that the motors gave back
+  double energy_back_j = 0.0;  ///< recovered from the motors
 
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
@@ -200,17 +200,17 @@ void fields(V& v, Same<V, Metrics>& m) {
     {.presence = when(!m.score_parts.empty())});
 }
 
-/// What of the robot's wiring the firmware used, and did not.
+/// The robot's wiring, as used by the firmware.
 struct Usage {
   struct Loose {
     std::string pin;  ///< "D7"
     std::string how;  ///< "driven" or "read"
   };
   struct Steady {
-    std::string part;   ///< of an array: the element
+    std::string part;   ///< for an array: the element
     std::string reads;  ///< "HIGH", "LOW" or "4.3 V"
   };
-  std::vector<Loose> unwired;       ///< pins that were used, with nothing wired to them
+  std::vector<Loose> unwired;       ///< pins that were used without any wiring
   std::vector<std::string> unused;  ///< parts that were never driven, read or awaited
   std::vector<Steady> steady;       ///< buttons and sensors that were read and never changed
 };
@@ -234,7 +234,7 @@ void fields(V& v, Same<V, Usage>& u) {
   v("steady", u.steady, "buttons and sensors that it read, and that gave the same throughout");
 }
 
-/// Where the robot is: the axle's centre, x east and y north of the map's bottom-left corner.
+/// The robot's pose: the axle's centre, x east and y north of the map's bottom-left corner.
 struct Pose {
   double x_mm = 0.0;
   double y_mm = 0.0;
@@ -271,22 +271,22 @@ struct RunResult {
 
   std::string verdict;  ///< "reached", "lost", …
   std::string why;      ///< one sentence
-  std::string next;     ///< what to try next; may be empty
-  std::string next_by;  ///< by "host", a run there, "watching" or "script"; empty = by nothing of the kind
-  int status = 0;       ///< exit status that belongs to the verdict
+  std::string next;     ///< the suggested next step; may be empty
+  std::string next_by;  ///< by "host", a run there, "watching" or "script"; empty = none of these
+  int status = 0;       ///< exit status of the verdict
   double time_s = 0.0;
   Metrics metrics;
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
   std::vector<Lack> lacks;
-  std::vector<Detected> detected;      ///< where the request has asked for detectors
+  std::vector<Detected> detected;      ///< if the request has turned on detectors
   std::optional<Resources> resources;  ///< on a chip
   Usage usage;
-  std::vector<Cause> because;  ///< back from the verdict; empty = nobody asked, or there is nothing to tell
+  std::vector<Cause> because;  ///< back from the verdict; empty = not requested, or nothing to report
   std::vector<Entry> events;   ///< the last ones
   std::string serial;
   std::string shown;
-  Pose end;                         ///< where the robot is
+  Pose end;                         ///< the robot's pose
   std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
   std::string goal;
@@ -296,8 +296,8 @@ struct RunResult {
   std::string map_sha256;
   std::string robot_sha256;
   std::string image_sha256;
-  std::vector<RunResult> others;  ///< of the run's further robots
-  std::vector<RunResult> ways;    ///< the second and all further ones, of a run that parts
+  std::vector<RunResult> others;  ///< of further robots of the run
+  std::vector<RunResult> ways;    ///< the second and all further ways, of a run that branches
 };
 
 template <class V>

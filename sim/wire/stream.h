@@ -1,5 +1,5 @@
-// What a run tells while it lasts. Times are simulated, lengths millimetres, angles radians; world
-// coordinates have x east and y north, with the origin at the map's bottom-left corner.
+// The events that a run reports while it lasts. Times are simulated, lengths in millimetres, angles in
+// radians. World coordinates have x east and y north, with the origin at the map's bottom-left corner.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@
 
 namespace robosim::wire {
 
-/// Of an event: some hundred years.
+/// The latest time of an event: some hundred years.
 inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
 
-/// Sent once for each robot, before everything else of it.
+/// Sent once for each robot, before all other events about it.
 struct Started {
   static constexpr const char* kEvent = "started";
   struct Station {
@@ -61,7 +61,7 @@ void fields(V& v, Same<V, Started>& s) {
   agent_field(v, s.agent);
 }
 
-/// The state at a moment, for people to look at.
+/// The state at a moment, for display.
 struct Sample {
   static constexpr const char* kEvent = "sample";
   std::int64_t t_us = 0;
@@ -74,7 +74,7 @@ struct Sample {
   double right = 0.0;                   ///< command of the right motor, -1..1
   std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
   std::string at_station;               ///< of a driven run: whose centre the body covers; "" = none
-  std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also when it slips
+  std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also during slip
   int agent = 0;
 };
 
@@ -100,7 +100,7 @@ void fields(V& v, Same<V, Sample>& s) {
   agent_field(v, s.agent);
 }
 
-/// A pin is driven in another way than before.
+/// A pin is driven differently from before.
 struct PinChange {
   static constexpr const char* kEvent = "pin";
   std::int64_t t_ns = 0;
@@ -114,7 +114,7 @@ struct PinChange {
   int agent = 0;
 };
 
-/// The firmware looked at a pin, or an edge reached one of its interrupts.
+/// The firmware read a pin, or an edge reached one of its interrupts.
 struct LevelSeen {
   static constexpr const char* kEvent = "level";
   std::int64_t t_ns = 0;
@@ -191,7 +191,7 @@ void fields(V& v, Same<V, SerialByte>& b) {
   agent_field(v, b.agent);
 }
 
-/// What the firmware has printed, a line or less.
+/// The firmware's output, a line or less.
 struct SerialText {
   static constexpr const char* kEvent = "serial";
   std::int64_t t_ns = 0;
@@ -206,16 +206,15 @@ void fields(V& v, Same<V, SerialText>& s) {
   agent_field(v, s.agent);
 }
 
-/// Something worth telling that happened: an event of the run with its text. What happened is for programs to
-/// look at, the text for people.
+/// A notable event of the run with its text. The value is for programs, the text for people.
 struct Note {
   static constexpr const char* kEvent = "note";
   std::int64_t t_ns = 0;
   std::string text;
-  std::optional<RunEvent::What> what;  ///< nothing, from a newer runner = of a kind that is not known here
-  int agent = 0;                       ///< number of the robot that it is about
+  std::optional<RunEvent::What> what;  ///< unset: of a kind that is unknown here, from a newer runner
+  int agent = 0;                       ///< number of its robot
 
-  /// Whether it is of this kind: `note.is<StationVisited>()`.
+  /// Returns whether it is of this kind: `note.is<StationVisited>()`.
   template <class What>
   const What* is() const {
     return what ? std::get_if<What>(&*what) : nullptr;
@@ -243,13 +242,13 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "of 127.0.0.1, where the runner listens now");
 }
 
-/// Many events at once (batch.h), of runs that are asked for them: bytes as they are, behind the line that
-/// says how many. Who hears a run gets the events one by one.
+/// Many events at once (batch.h), if the request allows it: raw bytes, after the line with their number.
+/// Listeners of a run get the events one by one.
 struct Batch {
   static constexpr const char* kEvent = "batch";
   static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
-  std::int64_t size = 0;   ///< in a line that was read: so many bytes follow
-  std::string bytes = {};  ///< to be written
+  std::int64_t size = 0;   ///< in a line that was read: the number of the following bytes
+  std::string bytes = {};  ///< for writing
 };
 
 template <class V>
@@ -260,8 +259,8 @@ void fields(V& v, Same<V, Batch>& b) {
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
                            DebuggerAwaited, Columns, Batch>;
-/// Called for every event, in the order of simulated time (of LevelSeen and SerialByte nearly so). While it
-/// does not return, the runner is held up by the full pipe; no result depends on that.
+/// Called for every event, in the order of simulated time (almost, for LevelSeen and SerialByte). Until it
+/// returns, the full pipe delays the runner; no result depends on that.
 using OnEvent = std::function<void(const Event&)>;
 
 }  // namespace robosim::wire
