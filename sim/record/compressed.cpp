@@ -14,10 +14,10 @@
 namespace robosim::record {
 namespace {
 
-constexpr int kFastest = 1, kMemory = 7;  // of which a part is cleared for each piece
+constexpr int kFastest = 1, kMemory = 7;  // a part of which is cleared for each piece
 constexpr int kBare = -15;                // blocks without zlib's header and checksum; a window of 32 KB
 constexpr std::size_t kPiece = std::size_t{1} << 16;
-constexpr std::string_view kLastBlock("\x03\x00", 2);  // which is empty
+constexpr std::string_view kLastBlock("\x03\x00", 2);  // an empty block
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
 

@@ -1,4 +1,4 @@
-// The zlib format, in which a recording is wrapped.
+// Compresses recordings in the zlib format.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct z_stream_s;
 
 namespace robosim::record {
 
-/// Packs as zlib does at its fastest: blocks that refer to nothing before them and end with a whole byte.
+/// Packs like zlib's fastest level: blocks that do not refer to earlier ones and end with a whole byte.
 class Deflater final : public Packer {
  public:
   Deflater();
@@ -26,19 +26,19 @@ class Deflater final : public Packer {
   std::string unpacked(std::string_view packed, std::size_t unpacked_size) override;
 
  private:
-  std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< the latter once there is something to unpack
+  std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< the latter once it is needed
 };
 
-/// Takes what is written, piece by piece.
+/// Receives output, piece by piece.
 using Put = std::function<void(std::string_view)>;
 
-/// Writes all of it, from what was packed before.
+/// Writes a whole stream, from what was packed before.
 class Compressed {
  public:
   explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB, fastest
   void add(const KeptBytes& bytes);
   void add(std::string_view bytes);
-  /// Nothing may be added any more.
+  /// Ends the stream.
   void finish();
 
  private:
@@ -50,10 +50,10 @@ class Compressed {
 };
 
 std::string deflated(std::string_view bytes);
-/// Unpacks piece by piece: `put` decides how much it takes. Throws InputError if the bytes are damaged or cut
-/// off, and what `put` throws.
+/// Unpacks piece by piece: `put` can stop it. Throws InputError if the bytes are damaged or truncated, and
+/// the exceptions of `put`.
 void inflate(std::string_view bytes, const Put& put);
-/// Throws InputError if the bytes are none that deflated() gave, were cut off, or come to more than
+/// Unpacks the result of deflated(). Throws InputError if it is damaged or truncated, or longer than
 /// `most_bytes`.
 std::string inflated(std::string_view bytes, std::size_t most_bytes);
 

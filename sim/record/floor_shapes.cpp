@@ -13,7 +13,7 @@
 namespace robosim::record {
 namespace {
 
-// A micrometre is finer than anything drawn, and has few digits.
+// Rounds to a micrometre: finer than anything drawn, with few digits.
 double millimetres(double metres) { return std::round(metres * 1e6) / 1e3; }
 std::array<double, 2> millimetres(Vec2 p) { return {millimetres(p.x), millimetres(p.y)}; }
 
@@ -33,7 +33,7 @@ std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
   return runs;
 }
 
-// Of a rectangle, or of a mark.
+// For a rectangle, or a mark.
 template <class T>
 std::vector<std::array<double, 2>> corners_of(const T& shape) {
   std::vector<std::array<double, 2>> corners;
@@ -43,7 +43,7 @@ std::vector<std::array<double, 2>> corners_of(const T& shape) {
   return corners;
 }
 
-// A tint between two, as HTML has it.
+// Returns a tint between two, in HTML syntax.
 std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, double share) {
   const auto mixed = [&](std::size_t i) {
     return static_cast<int>(std::lround(from[i] + share * (to[i] - from[i])));
@@ -51,7 +51,7 @@ std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, d
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
 }
 
-// A hill in strips, the darker (on a dark floor the lighter) the higher.
+// Draws a hill in strips, darker (on a dark floor lighter) with height.
 void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Area>& areas) {
   constexpr std::array<int, 3> kLow = {0xf6, 0xf0, 0xe2}, kHigh = {0xcf, 0xb3, 0x7e};
   constexpr std::array<int, 3> kLowOnDark = {0x2c, 0x29, 0x22}, kHighOnDark = {0x7d, 0x6a, 0x45};
@@ -83,7 +83,7 @@ const char* surface_tint(const grid::SurfaceFigures& surface, bool on_dark) {
   return on_dark ? "#372f3b" : "#e6dcea";
 }
 
-// Runs of cells that are alike.
+// Adds rows of equal cells.
 void add_legend_surfaces(const grid::Map& map, std::vector<FloorShapes::Area>& areas) {
   if (map.surface_of_cell.empty()) return;
   for (grid::CellAt cell; cell.y < map.height; ++cell.y)
@@ -142,7 +142,7 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     shapes.dark = runs_of(map, [](grid::Cell c) { return grid::is_line(c) && c != grid::Cell::gap; });
   } else {
     const grid::Stripes stripes(map, 0.0);
-    for (std::size_t i = 0; i < paints.size(); ++i) {  // in the order in which they are painted
+    for (std::size_t i = 0; i < paints.size(); ++i) {  // in the order of painting
       const grid::Paint& paint = paints[i];
       for (const grid::Stripe& s : stripes.all())
         if (s.paint == i)

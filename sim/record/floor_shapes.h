@@ -1,6 +1,5 @@
-// The floor of a map as shapes, for whoever draws it: the geometry that the simulation measures against
-// (sim/grid/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
-// bottom-left corner.
+// The floor of a map as shapes, for drawing: the geometry that the simulation uses (sim/grid/stripes.h), not
+// the map's characters. Lengths in mm, x east and y north, from the map's bottom-left corner.
 #pragma once
 
 #include <array>
@@ -19,30 +18,30 @@ struct FloorShapes {
   struct Stripe {
     std::array<double, 4> line{};  ///< from x, y to x, y
     std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
-    bool painted = true;           ///< false: followed, but not visible
-    double width_mm = 0.0;         ///< 0 = as wide as the others
-    std::string colour;            ///< of HTML; "" = as the others
-    double worn = 0.0;             ///< the share of its paint that is gone
-    /// Whether both are drawn with one pen.
+    bool painted = true;           ///< false: followed, but invisible
+    double width_mm = 0.0;         ///< 0 = the usual width
+    std::string colour;            ///< in HTML syntax; "" = the usual one
+    double worn = 0.0;             ///< the lost share of its paint
+    /// Returns whether both are drawn with one pen.
     bool is_like(const Stripe& o) const {
       return width_mm == o.width_mm && colour == o.colour && worn == o.worn;
     }
   };
   struct Area {
-    std::string colour;            ///< of HTML
+    std::string colour;            ///< in HTML syntax
     std::array<double, 3> disc{};  ///< centre and radius; radius 0 = a rectangle
     std::vector<std::array<double, 2>> corners;
     bool over_lines = false;
   };
   struct Light {
-    std::optional<std::array<double, 2>> at;  ///< what it shines on, or hangs over; none = everywhere
-    double radius_mm = 0.0;                   ///< of a patch of sun
-    std::array<double, 2> moves_mm_s{};       ///< the patch
+    std::optional<std::array<double, 2>> at;  ///< its target, or the place below it; none = everywhere
+    double radius_mm = 0.0;                   ///< for a patch of sun
+    std::array<double, 2> moves_mm_s{};       ///< velocity of the patch
   };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
   double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
-  /// Of a floor that is a picture; its lower left corner is the map's.
+  /// For a floor that is a picture; its lower left corner is the map's.
   struct Picture {
     std::string png;  ///< the file in base64
     double width_mm = 0.0, height_mm = 0.0;
@@ -51,12 +50,12 @@ struct FloorShapes {
   bool light_line = false;  ///< the line and its marks are light, the floor dark
   std::vector<Stripe> stripes;
   std::vector<std::array<double, 5>> marks;  ///< bars: from x, y to x, y, and width; their ends are straight
-  std::vector<Area> areas;                   ///< in the order in which they are painted
-  std::vector<Rectangle> dark;               ///< of a raster floor: painted cells, joined along rows
+  std::vector<Area> areas;                   ///< in the order of painting
+  std::vector<Rectangle> dark;               ///< for a raster floor: painted cells, joined along rows
   std::vector<Rectangle> walls;              ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
-  std::vector<Light> lights;                     ///< in the order of their numbers
-  std::vector<std::array<double, 2>> junctions;  ///< of three or four ways, that can be reached
+  std::vector<Light> lights;                     ///< by number
+  std::vector<std::array<double, 2>> junctions;  ///< reachable ones, with three or four ways
 };
 
 template <class V>
@@ -114,7 +113,7 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("junctions", f.junctions, "centres");
 }
 
-/// A picture of more is neither drawn nor kept.
+/// A larger picture is neither drawn nor stored.
 inline constexpr std::size_t kLargestPicture_bytes = 4'000'000;
 
 FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started);

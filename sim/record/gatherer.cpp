@@ -14,7 +14,7 @@
 namespace robosim::record {
 namespace {
 
-// A larger map is neither drawn nor kept.
+// A larger map is neither drawn nor stored.
 constexpr std::uintmax_t kLargestMap_bytes = 1'000'000;
 
 constexpr const char* kSamples = "samples";
@@ -65,7 +65,7 @@ void Gatherer::begin(const RecordedRun& run) {
 }
 
 void Gatherer::add(const wire::Event& event) {
-  // A robot that nobody has asked for is none.
+  // Ignores robots that are not in the request.
   const auto is_known = [&](int agent) { return static_cast<std::size_t>(agent) < streams_.size(); };
   if (const auto* columns = std::get_if<wire::Columns>(&event)) {
     if (is_known(columns->agent)) add_columns(*columns);

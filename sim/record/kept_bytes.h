@@ -1,5 +1,4 @@
-// Bytes of a recording that come in piece by piece and are compressed as they do, so that next to nothing is
-// left to do when the run is over.
+// Bytes of a recording that are compressed as they arrive. So almost no work is left at the end of the run.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +9,26 @@
 
 namespace robosim::record {
 
-/// Compresses pieces, each by itself: sim/record/compressed.h.
+/// Compresses pieces independently: sim/record/compressed.h.
 class Packer {
  public:
-  /// Bytes, packed; what was packed further pieces may follow.
+  /// Packed bytes, to which further pieces may be appended.
   struct Packed {
     std::string bytes;
     std::size_t unpacked_size = 0;
-    std::uint32_t checksum = 1;  ///< Adler-32 of what they were
+    std::uint32_t checksum = 1;  ///< Adler-32 of the unpacked bytes
   };
 
   virtual ~Packer() = default;
   /// Adds a piece.
   virtual void pack(std::string_view piece, Packed& to) = 0;
-  /// One piece, or several that follow each other.
+  /// Unpacks one piece, or several consecutive ones.
   virtual std::string unpacked(std::string_view packed, std::size_t unpacked_size) = 0;
 };
 
 class KeptBytes {
  public:
-  /// Without a packer (null) they are kept as they are.
+  /// Without a packer (null) they are stored unchanged.
   explicit KeptBytes(Packer* packer = nullptr) : packer_(packer) {}
 
   void add(std::string_view bytes) {
@@ -42,19 +41,19 @@ class KeptBytes {
   }
 
   const Packer::Packed& packed() const { return packed_; }
-  /// How many pieces were packed.
+  /// Returns the number of packed pieces.
   std::size_t pieces() const { return ends_.size(); }
-  /// One of them, unpacked.
+  /// Returns one of them, unpacked.
   std::string piece(std::size_t number) const {
     const End begin = number > 0 ? ends_[number - 1] : End{}, end = ends_[number];
     return packer_->unpacked(std::string_view(packed_.bytes).substr(begin.packed, end.packed - begin.packed),
                              end.unpacked - begin.unpacked);
   }
-  /// What has not been packed yet.
+  /// Returns the bytes that are not packed yet.
   std::string_view rest() const { return rest_; }
 
  private:
-  // Larger ones are a little shorter in the end; but of each column half of one is left when the run is over.
+  // Larger ones compress slightly better; but half of one is left of each column at the end of the run.
   static constexpr std::size_t kPiece_bytes = 4096;
 
   void pack_rest() {
@@ -64,7 +63,7 @@ class KeptBytes {
   }
 
   Packer* packer_;
-  /// Of a piece, counted from the first one's begin.
+  /// The end of a piece, counted from the first one's beginning.
   struct End {
     std::size_t packed = 0, unpacked = 0;
   };

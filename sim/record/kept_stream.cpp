@@ -13,7 +13,7 @@ void KeptStream::add(const wire::Rows& rows) {
     throw wire::BadValue("bytes", "must be as many as the columns of " + rows.stream);
   if (is_thin_) return thinner_->add(rows.bytes, rows.count);
   all_.add(rows);
-  // Twice as fast as rows come in: it has then caught up when they have become twice as many.
+  // Twice as fast as rows arrive: it has caught up when they have doubled.
   constexpr std::size_t kFaster = 2;
   if (thinner_) thinner_->follow(all_, kFaster * static_cast<std::size_t>(rows.count));
 }

@@ -1,4 +1,4 @@
-// A stream of a run's columns (sim/wire/columns.h) as it comes in; thinned, if all of it would be too much.
+// Stores a stream of a run's columns (sim/wire/columns.h) as it arrives; thins it if it is too large.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@ namespace robosim::record {
 
 class KeptStream {
  public:
-  /// `packer`: as KeptBytes has it; must live as long as this.
+  /// `packer`: as in KeptBytes; must live as long as this.
   explicit KeptStream(Packer* packer = nullptr) : packer_(packer), all_(0, packer) {}
 
-  /// Throws wire::BadValue if they do not fit those before.
+  /// Adds rows. Throws wire::BadValue if they do not match the earlier ones.
   void add(const wire::Rows& rows);
-  /// thin() may come: it has less to do then, as it begins now, a little with all rows that are added.
+  /// Prepares for thin(): starts now, and works a little with each added row, so that less work is left.
   void prepare_to_thin(std::int64_t span_ns);
-  /// From now on, and of what is there, only the last row in each span is kept. The first column is t_ns.
+  /// Stores only the last row in each span, of the present and all later rows. The first column is t_ns.
   void thin(std::int64_t span_ns);
-  /// Unpacked.
+  /// Returns the unpacked size.
   std::size_t bytes() const;
   const std::vector<wire::ColumnSpec>& specs() const { return specs_; }
-  /// What the header says of it; its columns' bytes are added to `body`.
+  /// Returns the header's entry; appends its columns' bytes to `body`.
   StreamInfo finish(const std::string& name, std::vector<const KeptBytes*>& body);
 
  private:

@@ -1,4 +1,4 @@
-// When a robot left the line, and which sensor saw it last: what everybody asks first.
+// Finds when a robot left the line, and which sensor saw it last.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace robosim::record {
 
-/// It was left at the last sample that saw it, and found at the first that does again.
+/// The line was left at the last sample that saw it, and found at the first that sees it again.
 struct LineEvent {
   std::int64_t t_us = 0;
-  std::string sensor;  ///< that saw it then, best of all
+  std::string sensor;  ///< the sensor that saw it best
   bool left = false;   ///< else found again
 };
 
@@ -23,7 +23,7 @@ void fields(V& v, wire::Same<V, LineEvent>& e) {
   v("left", e.left, "false: it is found again");
 }
 
-/// Looks at the samples of a run while they come.
+/// Examines the samples of a run as they arrive.
 class LineWatch {
  public:
   /// `sensors`: names.
@@ -31,9 +31,10 @@ class LineWatch {
       : names_(std::move(sensors)), light_line_(light_line), least_(names_.size()), most_(names_.size()) {}
 
   const std::vector<std::string>& sensors() const { return names_; }
-  /// What each of the sensors reads: 0 light .. 1 dark.
+  /// Adds the readings of all sensors: 0 light .. 1 dark.
   void add(std::int64_t t_us, const std::vector<float>& readings);
-  /// Of all samples until now: which reading is line is known only by the least and the most that there is.
+  /// Returns the events in all samples until now: the threshold of line depends on the extremes of all
+  /// readings.
   std::vector<LineEvent> events() const;
 
  private:
@@ -41,7 +42,7 @@ class LineWatch {
   bool light_line_;
   std::vector<float> least_, most_;  ///< of each sensor
   std::vector<std::int64_t> t_us_;
-  std::vector<float> readings_;  ///< sample by sample: 0 no line .. 1 line
+  std::vector<float> readings_;  ///< by sample: 0 no line .. 1 line
 };
 
 }  // namespace robosim::record

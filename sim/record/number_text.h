@@ -1,5 +1,5 @@
-// Numbers as text, as fmt has them: the shortest that are read back to the last bit. Of tables and waves most
-// of the time goes into these.
+// Formats numbers like fmt: the shortest text that is read back exactly. Tables and waves take most of their
+// time here.
 #pragma once
 
 #include <fmt/compile.h>
@@ -12,12 +12,12 @@
 
 namespace robosim::record {
 
-/// No number takes more characters.
+/// The maximum length of a number.
 inline constexpr std::size_t kLongestNumber = 32;
 
-/// Writes it, and gives where it ends.
+/// Writes it, and returns its end.
 inline char* put_number(char* to, double number) {
-  // What switches are, mostly.
+  // Most readings of switches are 0.
   if (std::bit_cast<std::uint64_t>(number) == 0) {
     *to = '0';
   } else if (number == 1.0) {
@@ -34,8 +34,7 @@ inline char* put_number(char* to, std::int64_t number) {
   return to + text.size();
 }
 
-/// A number that is kept as a whole one, `steps`, so many `decimals` (at most 6) below it; none that is 0
-/// stands at the end.
+/// Writes the number `steps` / 10^`decimals`, with `decimals` at most 6, without trailing zeros.
 inline char* put_decimal(char* to, std::int64_t steps, int decimals) {
   constexpr std::uint64_t kPowers[] = {1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
   auto size = static_cast<std::uint64_t>(steps);
@@ -55,7 +54,7 @@ inline char* put_decimal(char* to, std::int64_t steps, int decimals) {
   return to + decimals;
 }
 
-/// Numbers that are often the same as the one before: its text is kept.
+/// Formats numbers that often repeat: stores the last text.
 class LastNumber {
  public:
   char* put(char* to, double number) {
@@ -64,7 +63,7 @@ class LastNumber {
       bits_ = bits;
       size_ = static_cast<std::size_t>(put_number(text_, number) - text_);
     }
-    std::memcpy(to, text_, kLongestNumber);  // so many are quicker than as many as there are
+    std::memcpy(to, text_, kLongestNumber);  // a fixed length is faster than the exact one
     return to + size_;
   }
 

@@ -7,7 +7,7 @@
 
 namespace robosim::record {
 
-/// Rows wait until all robots have begun, since the header names what each of them reads.
+/// Rows wait until all robots have begun, since the header has the names of all their readings.
 class CsvRecorder final : public Recorder {
  public:
   explicit CsvRecorder(const std::filesystem::path& path) : file_(path) {}
@@ -17,7 +17,7 @@ class CsvRecorder final : public Recorder {
   void finish(const wire::RunResult&) override;
 
  private:
-  /// Which of a robot's readings stands in a column; the table's columns behind the last have none.
+  /// The robot's reading in each column; later columns of the table have none.
   using Cells = std::vector<std::size_t>;
   static constexpr std::size_t kEmpty = static_cast<std::size_t>(-1);
 
@@ -27,13 +27,13 @@ class CsvRecorder final : public Recorder {
   void write_header();
 
   NewFile file_;
-  std::vector<std::string> robots_;    ///< names, where there are several
+  std::vector<std::string> robots_;    ///< names, if there are several
   std::vector<std::string> readings_;  ///< columns
-  std::vector<Cells> cells_;           ///< of each robot
-  std::size_t begun_ = 0;              ///< robots
+  std::vector<Cells> cells_;           ///< per robot
+  std::size_t begun_ = 0;              ///< number of robots
   bool has_header_ = false;
   std::vector<wire::Sample> early_;  ///< that wait for the header
-  std::vector<LastNumber> last_;     ///< of each column
+  std::vector<LastNumber> last_;     ///< per column
 };
 
 }  // namespace robosim::record

@@ -1,4 +1,4 @@
-// Recordings as .rec, and as .html: the same inside the page of sim/page, which any browser opens.
+// Writes recordings as .rec, and as .html: a recording inside the page of sim/page, which any browser opens.
 #pragma once
 
 #include <memory>
@@ -27,13 +27,13 @@ class RecRecorder : public Recorder {
   Gatherer gatherer_{std::make_unique<Deflater>()};
 };
 
-/// Another run that a page lays over its own.
+/// Another run that a page overlays.
 struct Over {
   std::string bytes;  ///< of a .rec or of a table
   std::string name;   ///< of its file
 };
 
-/// The page that replays a recording, the bytes of a .rec.
+/// Returns the page that replays a recording, the bytes of a .rec.
 std::string page_of(const std::string& recording, const Over* over = nullptr);
 
 class PageRecorder final : public RecRecorder {
@@ -44,7 +44,8 @@ class PageRecorder final : public RecRecorder {
   void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const override;
 };
 
-/// The bytes of a .rec: these, or those in a page; throws InputError, without a place, if it is neither.
+/// Returns the bytes of a .rec: the argument, or the recording in a page. Throws InputError, without a place,
+/// for anything else.
 std::string recording_in(std::string content);
 
 }  // namespace robosim::record

@@ -1,4 +1,4 @@
-// Pictures of a run as .png: those of record_svg.h, painted by Debian's rsvg-convert.
+// Writes pictures of a run as .png: those of record_svg.h, painted by Debian's rsvg-convert.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace robosim::record {
 
 class PngRecorder final : public SvgRecorder {
  public:
-  /// Throws ToolMissing if there is no rsvg-convert.
+  /// Throws ToolMissing if rsvg-convert is not installed.
   explicit PngRecorder(std::filesystem::path path);
 
  protected:

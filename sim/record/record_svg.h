@@ -1,4 +1,4 @@
-// Pictures of a run as .svg: where the robot drove on its floor, how fast, and how it ended. For papers and
+// Writes pictures of a run as .svg: the robot's path on its floor, its speed, and the end. For papers and
 // READMEs: equal runs give equal bytes.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace robosim::record {
 
-/// A floor as elements of an SVG: unit mm, x east, y down from the map's top edge.
+/// Returns a floor as elements of an SVG: unit mm, x east, y down from the map's top edge.
 std::string floor_elements(const FloorShapes& floor);
 
 class SvgRecorder : public Recorder {
@@ -22,14 +22,14 @@ class SvgRecorder : public Recorder {
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult& result) override;
 
-  /// Only what is drawn is kept of a sample.
+  /// The part of a sample that is drawn.
   struct Point {
     double x_mm = 0.0, y_mm = 0.0, speed_mm_s = 0.0;
-    bool carried = false;  ///< to here, by a hand
+    bool carried = false;  ///< moved here manually
   };
 
  protected:
-  /// What is written.
+  /// Returns the content of the file.
   virtual std::string content(const std::string& svg) const { return svg; }
 
  private:
@@ -42,7 +42,7 @@ class SvgRecorder : public Recorder {
   std::filesystem::path path_;
   RecordedRun run_;
   wire::Started started_;
-  /// Of one robot.
+  /// The path of one robot.
   struct Drive {
     wire::Hand hand;
     std::vector<Point> trail;

@@ -14,18 +14,17 @@
 namespace robosim::record {
 namespace {
 
-// "Processes" and "threads" are what the viewers call groups and rows. Each robot has a group, and its pins
-// have one.
+// Viewers call groups and rows "processes" and "threads". Each robot has a group, and so do its pins.
 constexpr int group_of(std::size_t robot) { return static_cast<int>(2 * robot) + 1; }
 constexpr int pins_of(std::size_t robot) { return group_of(robot) + 1; }
 constexpr int kHappened = 1, kSerial = 2;  // rows of a robot's group
-constexpr int kWholeGroup = 0;             // in place of a row
+constexpr int kWholeGroup = 0;             // instead of a row
 constexpr std::string_view kNext = ",\n";
 constexpr int kDecimalsOfMicroseconds = 3;
 
 std::string quoted_name(const std::string& text) { return wire::text_of(wire::OrderedJson(text)); }
 
-/// Of a column's name what stands before its unit: "speed_mm_s" is "speed, mm/s".
+/// Converts the unit in a column's name: "speed_mm_s" becomes "speed, mm/s".
 std::string with_unit(const std::string& column) {
   struct Unit {
     const char *ending, *unit;
@@ -39,7 +38,7 @@ std::string with_unit(const std::string& column) {
   return column;
 }
 
-/// How many decimals a number has that is kept as a whole one, times `scale`; -1 if that says nothing.
+/// Returns the number of decimals for integers with this `scale`; -1 if it is not a power of ten.
 int decimals_of(double scale) {
   int decimals = 0;
   for (double power = 1.0; power <= 1e6; power *= 10.0, ++decimals)
@@ -51,7 +50,7 @@ std::string pulses(double duty, double tone_hz) {
   return tone_hz > 0.0 ? fmt::format("{} Hz", tone_hz) : fmt::format("PWM {:.0f} %", 100.0 * duty);
 }
 
-/// What a damaged recording holds need not make sense.
+/// Multiplies without overflow: damaged recordings may hold any values.
 std::int64_t product(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
@@ -97,7 +96,7 @@ void TraceFile::name(int group, int row, const std::string& name) {
 
 void TraceFile::add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
                     const std::vector<std::vector<std::int64_t>>& columns) {
-  if (robot >= robots_.size()) return;  // that nobody has asked for
+  if (robot >= robots_.size()) return;  // that was not requested
   if (stream == "samples" || (stream.starts_with("volts ") && columns.size() == 2))
     add_counters(robot, stream, specs, columns);
   else if (stream.starts_with("pin ") && columns.size() >= 4)
@@ -122,7 +121,7 @@ void TraceFile::add_counters(std::size_t robot, const std::string& stream,
       count(counters[i], product(columns[0][row], ns), columns[i][row]);
 }
 
-/// A value as the one before adds nothing.
+/// Skips a value that equals the previous one.
 void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   if (counter.is_told && steps == counter.last) return;
   counter.is_told = true;
@@ -137,7 +136,7 @@ void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   file_.added(std::copy(kEnd.begin(), kEnd.end(), to));
 }
 
-/// High, and pulsing, as bars; low and not driven as nothing.
+/// Draws high, and pulsing, as bars; low and not driven as nothing.
 void TraceFile::add_pin(std::size_t robot, const std::string& stream,
                         const std::vector<wire::ColumnSpec>& specs,
                         const std::vector<std::vector<std::int64_t>>& columns) {

@@ -13,7 +13,7 @@
 
 namespace robosim::record {
 
-/// A trace that is written while what it tells comes in, stream by stream or a piece of each at a time.
+/// A trace that is written as its data arrives, stream by stream or a piece of each at a time.
 class TraceFile {
  public:
   struct Robot {
@@ -23,7 +23,7 @@ class TraceFile {
   TraceFile(const std::filesystem::path& path, const std::string& map, std::uint64_t seed,
             const std::vector<Robot>& robots);
 
-  /// Rows of a stream, as whole numbers, column by column; those of a stream have equal columns.
+  /// Adds rows of a stream, as integers, column by column; those of a stream have equal columns.
   void add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
            const std::vector<std::vector<std::int64_t>>& columns);
   /// Takes notes and serial text; ignores everything else.
@@ -31,19 +31,19 @@ class TraceFile {
   void finish(const wire::RunResult& result);
 
  private:
-  /// What is drawn as a curve.
+  /// A value that is drawn as a curve.
   struct Counter {
     std::string head;
     double scale = 1.0;
-    int decimals = -1;  ///< of its values; -1: the scale is no power of ten
+    int decimals = -1;  ///< of its values; -1: the scale is not a power of ten
     std::int64_t last = 0;
     bool is_told = false;
   };
-  /// What is drawn as bars.
+  /// A state that is drawn as bars.
   struct Pin {
     std::string head;
     std::int64_t from_ns = 0;
-    std::string text;  ///< of the bar that began then; empty = none
+    std::string text;  ///< of the present bar; empty = none
   };
   struct Streams {
     std::map<std::string, std::vector<Counter>> counters;
@@ -83,10 +83,10 @@ class TraceRecorder final : public Recorder {
 
   std::filesystem::path path_;
   std::unique_ptr<TraceFile> trace_;
-  std::vector<std::map<std::string, Stream>> streams_;  ///< of each robot
+  std::vector<std::map<std::string, Stream>> streams_;  ///< per robot
 };
 
-/// The same of a recording that was read.
+/// Writes a trace of a recording that was read.
 void write_trace(const Recording& recording, const std::filesystem::path& file);
 
 }  // namespace robosim::record

@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
-// What comes later than so much after what it should have come before is not put in order any more.
+// Changes that are later than this are not sorted any more.
 constexpr std::int64_t kLatest_ns = 1'000'000'000;
 constexpr std::size_t kFewWaiting = 4096;
 
-// Printable characters, the shortest first.
+// Uses printable characters, the shortest identifiers first.
 std::string identifier(std::size_t number) {
   constexpr std::size_t kFirst = 33, kCount = 94;
   std::string id;

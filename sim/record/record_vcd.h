@@ -15,7 +15,7 @@
 
 namespace robosim::record {
 
-/// Changes come nearly in the order of time: they wait until nothing can come before them.
+/// Changes arrive almost in the order of time: they wait until no earlier one can arrive.
 class VcdRecorder final : public Recorder {
  public:
   explicit VcdRecorder(const std::filesystem::path& path) : file_(path) {}
@@ -28,16 +28,16 @@ class VcdRecorder final : public Recorder {
  private:
   struct Change {
     std::int64_t t_ns;
-    double value;  ///< of a wire: a wire::PinLevel
+    double value;  ///< for a wire: a wire::PinLevel
     std::uint32_t signal;
   };
   struct Signal {
     enum class Kind { wire, real, byte };
     std::string name;
     Kind kind;
-    std::string id;  ///< as the file abbreviates it
+    std::string id;  ///< its abbreviation in the file
   };
-  /// A pin's signals by number; 0xFFFFFFFF where it has no such signal.
+  /// A pin's signals by number; 0xFFFFFFFF = no such signal.
   struct PinSignals {
     std::uint32_t level, duty, tone, volts;
   };
@@ -46,11 +46,11 @@ class VcdRecorder final : public Recorder {
   struct Board {
     std::string scope;
     std::map<std::string, PinSignals> pins;
-    /// The few of them that anything happens on, by the bytes of their names.
+    /// The few of them with any events, by the bytes of their names.
     std::vector<std::pair<std::uint64_t, const PinSignals*>> met;
-    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that flips with each
+    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that toggles with each
     bool flipped[2] = {false, false};
-    std::size_t end = 0;  ///< its signals are those before, from the end of the board before it
+    std::size_t end = 0;  ///< its signals end here, and begin at the end of the previous board's
   };
 
   void begin_board(const std::string& scope, const BoardSpec& spec);
@@ -66,10 +66,10 @@ class VcdRecorder final : public Recorder {
 
   NewFile file_;
   std::vector<Signal> signals_;
-  std::vector<Board> boards_;     ///< by the robots' numbers
-  std::vector<double> values_;    ///< of the signals, as the file has them
-  std::vector<Change> waiting_;   ///< in the order of time
-  std::size_t most_waiting_ = 0;  ///< before it is looked which need no longer
+  std::vector<Board> boards_;     ///< by robot number
+  std::vector<double> values_;    ///< of the signals, as in the file
+  std::vector<Change> waiting_;   ///< by time
+  std::size_t most_waiting_ = 0;  ///< before the next flush
   std::int64_t now_ns_ = 0;       ///< in the file
   std::int64_t last_ns_ = 0;
 };

@@ -1,11 +1,11 @@
-// What listens to a run and leaves a file behind: a table, a wave, a page, a picture. The file's ending says
-// which.
+// Listens to a run and writes a file: a table, a wave, a page, a picture. The file's ending selects the
+// format.
 //
 //   Recorders recorders({"run.csv", "run.html"});
-//   recorders.ask(request);            // what they want to hear of
+//   recorders.ask(request);            // subscribes to the events that they need
 //   recorders.begin(run);
 //   … recorders.add(event) for each event …
-//   recorders.finish(result);          // now the files are there
+//   recorders.finish(result);          // writes the files
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@
 
 namespace robosim::record {
 
-/// How often a recording takes a sample, simulated time.
+/// The sample period of recordings, simulated time.
 constexpr std::int64_t kRecordEvery_ns = 10'000'000;
 
-/// One of several robots.
+/// A robot of several.
 struct RecordedRobot {
   std::string name, sketch, robot, target;
   wire::RobotInfo info;
 };
 
-/// The run that is recorded, as it is known before it begins. Names are as the user typed them.
+/// The recorded run, as known before it begins. Names are as the user typed them.
 struct RecordedRun {
   std::string robosim;  ///< version
   std::string sketch;
@@ -36,7 +36,7 @@ struct RecordedRun {
   std::string target;
   wire::RobotInfo robot_info;
   wire::RunRequest request;
-  std::vector<RecordedRobot> robots = {};  ///< where there are several: all, the first one too
+  std::vector<RecordedRobot> robots = {};  ///< if there are several: all, including the first one
 };
 
 class Recorder {
@@ -46,24 +46,24 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Adds to a request what it wants to hear of. No result depends on that.
+  /// Subscribes to the events that it needs. No result depends on that.
   virtual void ask(wire::RunRequest& request) const;
-  /// Before the first event. Throws InputError.
+  /// Called before the first event. Throws InputError.
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
-  /// Writes the file, whole or not at all. Throws InputError.
+  /// Writes the file, completely or not at all. Throws InputError.
   virtual void finish(const wire::RunResult& result) = 0;
 };
 
-/// The endings of files that there is a recorder for: ".csv", ".html" …
+/// Returns the supported endings of files: ".csv", ".html" …
 const std::vector<std::string>& record_endings();
-/// Throws InputError naming the endings of pictures if the file has another.
+/// Throws InputError, with the endings of pictures, for a file with another one.
 void check_is_picture(const std::filesystem::path& file);
 
-/// Throws InputError naming the endings that exist if the file has another.
+/// Returns the recorder for a file. Throws InputError, with the supported endings, for another one.
 std::unique_ptr<Recorder> make_recorder(const std::filesystem::path& file);
 
-/// Several of them, each with its file.
+/// Several recorders, each with its file.
 class Recorders {
  public:
   Recorders() = default;
@@ -78,7 +78,7 @@ class Recorders {
 
  private:
   std::vector<std::string> files_;
-  std::vector<std::unique_ptr<Recorder>> recorders_;  ///< of each
+  std::vector<std::unique_ptr<Recorder>> recorders_;  ///< per file
 };
 
 }  // namespace robosim::record

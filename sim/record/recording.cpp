@@ -13,8 +13,8 @@
 namespace robosim::record {
 namespace {
 
-// What Gatherer writes is far smaller: an hour of one robot has 5 million numbers.
-constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, a page too
+// Gatherer writes far less: an hour of one robot has 5 million numbers.
+constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, also of a page
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
 constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;
@@ -157,11 +157,11 @@ void Recording::play(const wire::OnEvent& on_event) const {
   constexpr std::size_t kFixed = 10;
   struct Robot {
     std::vector<std::vector<double>> samples, serial;
-    std::string_view text;  // of the serial rows that have not been told
+    std::string_view text;  // of the serial rows that have not been reported
   };
   std::vector<Robot> robots(header_.robot_count());
-  // An event's source: 0 = a note, 2 n + 1 = a sample of robot n, 2 n + 2 = serial text of it. Equal times
-  // keep this order.
+  // An event's source: 0 = a note, 2 n + 1 = a sample of robot n, 2 n + 2 = its serial text. Equal times keep
+  // this order.
   struct Timed {
     std::uint32_t source, index;
   };

@@ -1,5 +1,5 @@
-// A recorded run: gathered while it lasts, and read back. The same in run.rec and, wrapped in a page, in
-// run.html.
+// A recorded run: collects it while it lasts, and reads it back. run.rec holds it directly, run.html inside a
+// page.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,16 @@
 
 namespace robosim::record {
 
-/// Gathers a run; encode() writes the recording, and content() is what is compressed in it.
+/// Collects a run. encode() writes the recording, and content() is its uncompressed form.
 class Gatherer {
  public:
-  /// Of all robots together: more bytes of changes are thinned, and more text of serial lines is left out.
+  /// For all robots together: if there are more bytes of changes, they are thinned, and more serial text is
+  /// dropped.
   static constexpr std::size_t kMostChanges_bytes = 4'000'000;
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
 
-  /// With a packer it compresses while it gathers.
+  /// With a packer it compresses during the run.
   explicit Gatherer(std::unique_ptr<Packer> packer = nullptr,
                     std::size_t most_changes_bytes = kMostChanges_bytes)
       : packer_(std::move(packer)), most_changes_bytes_(most_changes_bytes) {
@@ -35,26 +36,26 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// As far as it is known: without result and streams until content() or encode().
+  /// Returns the known part: without result and streams until content() or encode().
   const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
   void encode(const wire::RunResult& result, const Put& put);
   std::string encoded(const wire::RunResult& result);
 
  private:
-  /// The samples' columns in which it is seen when the line is left: the time, then those of sensors.
+  /// The samples' columns for detecting when the line is left: the time, then those of sensors.
   struct LineColumns {
     LineWatch watch;
     std::vector<std::size_t> numbers;
     std::vector<wire::ColumnReader> readers;
   };
-  /// Of one robot.
+  /// The streams of one robot.
   struct Streams {
     explicit Streams(Packer* packer) : serial(packer), serial_text(packer) {}
 
     std::map<std::string, KeptStream> columns;
     std::optional<LineColumns> line;
-    wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< that `serial` does not have yet
+    wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< that are not in `serial` yet
     KeptStream serial;
     KeptBytes serial_text;
     bool thinned = false, serial_cut = false;
@@ -65,37 +66,37 @@ class Gatherer {
   void watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns, const wire::Rows& rows);
   void add_serial(const wire::SerialText& serial);
   void finish(std::size_t robot, const wire::RunResult& result, std::vector<const KeptBytes*>& body);
-  /// The header's line; `body` is what follows.
+  /// Returns the header's line; `body` is the rest.
   std::string finish(const wire::RunResult& result, std::vector<const KeptBytes*>& body);
 
   std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
   std::optional<grid::Map> map_;
-  std::vector<Streams> streams_;  ///< by the robots' numbers
+  std::vector<Streams> streams_;  ///< by robot number
 };
 
-/// One that was read.
+/// A recording that was read.
 class Recording {
  public:
-  /// A .rec, or a page that holds one. Throws InputError with one sentence for what is neither, is damaged or
-  /// comes from a newer version.
+  /// Reads a .rec, or a page that holds one. Throws InputError with one sentence for any other file, a
+  /// damaged one, or one from a newer version.
   static Recording read(const std::filesystem::path& file);
   static Recording decode(std::string_view bytes, const std::string& file);
 
   const RecordingHeader& header() const { return header_; }
-  /// A stream's columns in their units; empty if there is none of that name. `robot`: its number.
+  /// Returns a stream's columns in their units; empty if there is none of that name. `robot`: its number.
   std::vector<std::vector<double>> stream(const std::string& name, std::size_t robot = 0) const;
-  /// The same as whole numbers, each times its column's scale.
+  /// Returns the columns as integers, each times its column's scale.
   std::vector<std::vector<std::int64_t>> steps(const std::string& name, std::size_t robot = 0) const;
-  /// Tells samples, serial text and notes in the order of time, after `started`; of all robots.
+  /// Reports samples, serial text and notes in the order of time, after `started`; of all robots.
   void play(const wire::OnEvent& on_event) const;
 
  private:
   /// Calls visit(column, its bytes, count of its numbers) for each column of a robot's stream.
   template <class Visit>
   void each_column(std::size_t robot, const std::string& stream_name, Visit visit) const;
-  /// Calls take(column, its whole numbers) for each column of a robot's stream that is not text.
+  /// Calls take(column, its integers) for each column of a robot's stream that is not text.
   template <class Take>
   void each_steps(std::size_t robot, const std::string& stream_name, Take take) const;
 

@@ -16,14 +16,14 @@ namespace robosim::record {
 /// The first line of a recording's file.
 inline constexpr const char* kRecordingMagic = "robosim.rec/1\n";
 
-/// Whether a file begins as a recording, of any version.
+/// Returns whether a file begins as a recording, of any version.
 inline bool is_recording(std::string_view content) { return content.starts_with("robosim.rec/"); }
 
 /// One column of a stream; its bytes follow those of the columns before it.
 struct ColumnInfo {
   std::string name;
-  double scale = 1.0;  ///< divide by this: what is kept is a whole number
-  int order = 1;       ///< sim/wire/columns.h; 0 = bytes as they are (text)
+  double scale = 1.0;  ///< divisor: the stored value is an integer
+  int order = 1;       ///< sim/wire/columns.h; 0 = raw bytes (text)
   std::int64_t bytes = 0;
 };
 
@@ -34,18 +34,18 @@ struct StreamInfo {
   std::vector<ColumnInfo> columns;
 };
 
-/// What is recorded of one robot.
+/// The recorded data of one robot.
 struct RobotRecord {
   std::string name;  ///< of one of several; else empty
   std::string sketch, robot, target;
-  std::string script;  ///< what happened to the robot from outside
+  std::string script;  ///< events that happened to the robot from outside
   wire::RobotInfo robot_info;
-  std::vector<std::string> pins;  ///< names of the board's, by number
+  std::vector<std::string> pins;  ///< names of the board's pins, by number
   wire::Started started;
   wire::RunResult result;
   std::vector<LineEvent> line;            ///< when the line was left, and found again
   std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
-  /// Of pins and voltages only the last change in each span so long is kept; 0 = every change.
+  /// Of pins and voltages only the last change in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
 };
@@ -54,10 +54,10 @@ struct RobotRecord {
 struct RecordingHeader : RobotRecord {
   std::string robosim;  ///< version that wrote it
   std::string map;
-  std::string map_text;  ///< empty, with `floor` absent, if the map is too large
+  std::string map_text;  ///< empty, without `floor`, if the map is too large
   std::optional<FloorShapes> floor;
   std::vector<wire::Note> notes;    ///< of all robots
-  std::vector<RobotRecord> others;  ///< further robots, in the order of their numbers
+  std::vector<RobotRecord> others;  ///< further robots, by number
 
   std::size_t robot_count() const { return 1 + others.size(); }
   const RobotRecord& of(std::size_t number) const { return number == 0 ? *this : others.at(number - 1); }

@@ -1,4 +1,4 @@
-// What changes, with only the last row in each span of time: for runs of which all of it would be too much.
+// Thins rows of changes to the last one in each span of time, for runs with too many of them.
 #pragma once
 
 #include <cstddef>
@@ -25,36 +25,36 @@ struct KeptRows {
   std::int64_t count = 0;
 };
 
-/// Goes along behind rows that are kept in full, a little each time: all of them at once would take so long
-/// that the run waits. The first column is t_ns.
+/// Follows rows that are stored in full, a little each time. All of them at once would take so long that the
+/// run waits. The first column is t_ns.
 class Thinner {
  public:
-  /// `packer`: as KeptBytes has it.
+  /// `packer`: as in KeptBytes.
   Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
 
-  /// The next rows of `all`, so many at most; none of those that wait to be packed. Throws wire::BadValue,
-  /// as the others do, if the columns do not hold as many numbers as there are rows.
+  /// Takes at most `most_rows` next rows of `all`, without those that wait to be packed. Throws
+  /// wire::BadValue, like the others, if the columns do not hold as many numbers as there are rows.
   void follow(const KeptRows& all, std::size_t most_rows);
-  /// All rows of `all` that are left.
+  /// Takes all remaining rows of `all`.
   void catch_up(const KeptRows& all);
-  /// Rows that come after those.
+  /// Adds rows that come after those.
   void add(const std::vector<std::string>& bytes, std::int64_t count);
-  /// Keeps the last row, too.
+  /// Stores the last row, too.
   void finish();
 
   const KeptRows& kept() const { return kept_; }
 
  private:
-  /// Of a column of `all`: what has been unpacked, and not read.
+  /// For a column of `all`: unpacked, but unread data.
   struct Ahead {
-    std::size_t pieces = 0;  ///< that were unpacked
+    std::size_t pieces = 0;  ///< number of unpacked pieces
     std::string bytes;
     std::size_t numbers = 0;
   };
   static void unpack(Ahead& ahead, std::string_view bytes);
-  /// So many numbers.
+  /// Takes `count` numbers.
   static std::string take(Ahead& ahead, std::size_t count);
-  /// False if there are none.
+  /// Returns false if there are none.
   bool read_some(const KeptRows& all, std::size_t most_rows);
   void keep_last();
 
@@ -63,8 +63,8 @@ class Thinner {
   std::vector<wire::ColumnReader> readers_;
   std::vector<Ahead> ahead_;
   std::int64_t read_ = 0;           ///< rows of `all`
-  std::uint64_t begin_ns_ = 0;      ///< of the span in which the last row is
-  std::vector<std::int64_t> last_;  ///< row, which is not kept yet
+  std::uint64_t begin_ns_ = 0;      ///< of the span of the last row
+  std::vector<std::int64_t> last_;  ///< a row that is not stored yet
   bool has_last_ = false;
   wire::Stream few_;
   KeptRows kept_;

@@ -24,7 +24,7 @@ struct Unit {
 constexpr Unit kTimes[] = {{"t", 1},       {"t_s", 1},       {"time", 1},       {"time_s", 1},
                            {"seconds", 1}, {"t_ms", 1e-3},   {"time_ms", 1e-3}, {"millis", 1e-3},
                            {"t_us", 1e-6}, {"micros", 1e-6}, {"t_ns", 1e-9}};
-constexpr Unit kPlaces[] = {{"", 1}, {"_mm", 1}, {"_cm", 10}, {"_m", 1000}};  // behind x or y
+constexpr Unit kPlaces[] = {{"", 1}, {"_mm", 1}, {"_cm", 10}, {"_m", 1000}};  // after x or y
 
 struct Found {
   std::size_t column;
@@ -43,7 +43,7 @@ std::optional<Found> find(const std::vector<std::string>& names, const std::stri
   return std::nullopt;
 }
 
-/// Where commas do not separate they may be decimal ones.
+/// If commas do not separate, they may be decimal ones.
 std::vector<std::string> cells_of(const std::string& line, char separator) {
   std::vector<std::string> cells;
   if (separator == ',')
@@ -71,7 +71,7 @@ std::optional<double> number_in(const std::vector<std::string>& cells, std::size
   return value;
 }
 
-/// Between two samples as if it drove steadily.
+/// Interpolates linearly between two samples.
 double at(const Track& track, const std::vector<double>& values, std::size_t before, double t) {
   if (before + 1 >= values.size()) return values.back();
   const double step = track.t_s[before + 1] - track.t_s[before];
