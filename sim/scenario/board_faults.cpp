@@ -17,7 +17,7 @@ namespace {
 constexpr double kMostVolts = 60.0;
 constexpr double kMostDrift = 100'000.0;  // ppm
 
-/// The kind of a fault and its arguments, as the script has them.
+/// The kind of a fault and its arguments, as in the script.
 using Words = std::vector<std::string>;
 
 template <typename Fault>
@@ -35,7 +35,7 @@ BoardFault read_sag(const Words& words, std::size_t) {
 
 BoardFault read_brown_out(const Words&, std::size_t) { return PowerFault{PowerFault::Kind::brown_out}; }
 
-/// "3rd": 3; nothing if it is no such number.
+/// Parses "3rd" to 3; returns nothing for other texts.
 std::optional<std::uint64_t> parse_ordinal(std::string_view text) {
   for (const char* ending : {"st", "nd", "rd", "th"}) {
     if (!text.ends_with(ending)) continue;
@@ -89,7 +89,7 @@ struct Kind {
   const char* thing;
   const char* name;
   Argument argument;
-  bool stays;  // cannot end by itself
+  bool stays;  // does not end by itself
   BoardFault (*read)(const Words& words, std::size_t eeprom_bytes);
 };
 

@@ -28,13 +28,13 @@
 namespace robosim::scenario {
 
 constexpr double kLogicKeeps = 2.0;  ///< V: less than that, and a 74HC's registers forget
-/// V: less, and an AVR takes its supply for gone: V POT, falling, typical; 0.6 to 1.6 V (data sheet 8025I of
-/// the ATmega48P to 328P, table 26-3). That RAM holds until then is an assumption: of an ATmega328P no figure
-/// was found, of an ATmega164P it is 50 mV (7674F, 26.4, "RAM retention voltage").
+/// V: if the supply is below this, an AVR treats it as off. V POT, falling, typical; 0.6 to 1.6 V (data sheet
+/// 8025I of the ATmega48P to 328P, table 26-3). That RAM holds until then is an assumption. No value was
+/// found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4, "RAM retention voltage").
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can ask for, read and checked. As they are made by default, nothing is wrong: the
-/// script's "ok".
+/// The faults that a script can request, read and checked. Their default values are faultless: the script's
+/// "ok".
 struct PowerFault {
   enum class Kind { none, sag, brown_out };
   Kind kind = Kind::none;
@@ -54,7 +54,7 @@ struct EepromFlip {
   int bit = 0;
   bool repairs() const { return false; }
 };
-/// Its bytes are those of another sketch. Has no "ok".
+/// The bytes of another sketch. Has no "ok".
 struct EepromUsed {
   bool repairs() const { return false; }
 };
@@ -73,33 +73,33 @@ class BoardFaults final : EepromWatcher {
   static bool knows(const std::string& name);
   static const std::vector<std::string>& names();
 
-  /// `arguments` begin with the kind. `ends`: whether it is to last for a time. Throws InputError.
+  /// Reads a fault. `arguments` begin with the kind. `ends`: whether it has a duration. Throws InputError.
   BoardFault read(const std::string& name, const std::vector<std::string>& arguments,
                   bool ends = false) const;
-  /// Throws InputError where the firmware's EEPROM is out of reach on this target.
+  /// Throws InputError if the firmware's EEPROM is inaccessible on this target.
   void check_eeprom() const;
-  /// A new fault of a thing replaces the one before.
+  /// Starts a fault. It replaces an earlier one of the same thing.
   void fail(const BoardFault& fault, SimTime t);
-  /// What has this fault is whole again.
+  /// Ends this fault.
   void repair(const BoardFault& fault, SimTime t);
 
-  /// The battery gives so much now. Whether the chip runs may change by it.
+  /// Sets the battery's voltage. This may start or stop the chip.
   void feed(double volts, SimTime t);
-  /// The switch between battery and board. Parts that share the board's supply lose their state.
+  /// Operates the switch between battery and board. Parts that share the board's supply lose their state.
   void switch_power(bool on, SimTime t);
-  /// Whether the chip runs: it is switched on and has its voltage.
+  /// Returns whether the chip runs: it is switched on and has its voltage.
   bool powered() const { return state_.powered; }
-  /// How the supply is and was.
+  /// Returns the present and past state of the supply.
   judge::Power power() const;
-  /// Settles what the byte holds that is being written at `t`; nothing if none is.
+  /// Determines the byte that is being written at `t`; returns nothing if none is.
   std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
-  /// Bytes on their way to the firmware.
+  /// Sends bytes to the firmware.
   void send(const std::string& bytes, SimTime t);
 
-  /// How often the chip has started.
+  /// Returns how often the chip has started.
   std::uint64_t boots() const { return state_.boots; }
-  /// By the firmware, since the run began.
+  /// Returns the number of writes by the firmware since the run began.
   std::uint64_t eeprom_writes() const { return state_.writes; }
 
   struct Write {
@@ -107,16 +107,16 @@ class BoardFaults final : EepromWatcher {
     std::uint8_t before;
     SimTime began;
   };
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     bool switched_on = true;
     bool powered = true;
-    SimTime changed = 0;    ///< when `powered` last did
-    int resets = 0;         ///< for want of voltage
-    bool was_gone = false;  ///< the supply, since the chip last ran: not a brown-out, but power-on
+    SimTime changed = 0;    ///< when `powered` last changed
+    int resets = 0;         ///< because of low voltage
+    bool was_gone = false;  ///< the supply, since the chip last ran: power-on, not a brown-out
     std::uint64_t boots = 1;
-    double chip_volts = 0.0;  ///< of its supply
-    bool keeps = true;        ///< parts on the board's supply have enough of it
+    double chip_volts = 0.0;  ///< of the chip's supply
+    bool keeps = true;        ///< parts on the board's supply retain their state
     SerialFault serial;
     std::uint64_t bytes = 0;         ///< sent to the firmware so far
     std::uint64_t bytes_before = 0;  ///< before the present serial fault

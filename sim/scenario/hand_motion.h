@@ -1,4 +1,4 @@
-// How a hand moves a robot.
+// Manual moves of a robot.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -6,7 +6,7 @@
 
 namespace robosim::scenario {
 
-/// To and fro over the floor: evenly to the left, to the right as far, and back.
+/// To and fro over the floor at constant speed: to the left, to the right as far, and back.
 struct Sweep {
   Pose base;
   SimTime began, period;
@@ -15,11 +15,12 @@ struct Sweep {
   Pose at(SimTime t) const;
 };
 
-/// Held up and leant: evenly over in the time `way`, and back as fast, so that it is level again at `end`.
+/// Lifted and tilted, at constant speed in the time `way`, and back equally fast, so that it is level again
+/// at `end`.
 struct Tilt {
   SimTime began, way, end;
   double angle;  ///< rad
-  Vec2 side;     ///< of the robot's frame, that goes down; a unit vector
+  Vec2 side;     ///< of the robot's frame, the side that goes down; a unit vector
 
   world::Lean at(SimTime t) const;
 };

@@ -1,4 +1,4 @@
-// Places on the floor, as scripts write them. Everything throws InputError for others.
+// Parses places on the floor in scripts. All functions throw InputError for invalid ones.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace robosim::scenario {
 
-/// "COLUMN,ROW"
+/// Parses "COLUMN,ROW"
 grid::CellAt parse_cell(const grid::Map& map, const std::string& text);
 
-/// A stretch between the middles of two cells in one row or column: "X,Y X,Y".
+/// A line between the middles of two cells in one row or column: "X,Y X,Y".
 struct Stretch {
   Vec2 from, to;  ///< m
 };
 Stretch parse_stretch(const grid::Map& map, const std::string& text);
 
-/// Where a robot is put: on a line cell, "X,Y,DIR"; or anywhere, "352mm,118mm,NE".
+/// Parses a pose for the robot: on a line cell, "X,Y,DIR"; or anywhere, "352mm,118mm,NE".
 Pose parse_place(const grid::Map& map, const grid::Stripes& stripes, const std::string& text);
 
 }  // namespace robosim::scenario

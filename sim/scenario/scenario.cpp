@@ -55,7 +55,7 @@ Trigger parse_trigger(ScriptLine& line) {
   return trigger;
 }
 
-// send "TEXT", or send PART MESSAGE [for TIME].
+// Parses send "TEXT", or send PART MESSAGE [for TIME].
 void parse_send(ScriptLine& line, Action& action) {
   const Word first = line.take("the text to send");
   if (first.quoted || !line.more()) {
@@ -88,7 +88,7 @@ void parse_paint(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-/// One of two words, behind what it is about.
+/// Parses one of two words, after the subject.
 void parse_state(ScriptLine& line, Action& action, const char* what, const char* one, const char* other) {
   action.part = line.take(fmt::format("{} or {}", one, other).c_str()).text;
   if (action.part != one && action.part != other)

@@ -19,34 +19,34 @@
 
 namespace robosim::scenario {
 
-/// When a step is due. Each step happens once.
+/// When a step is due. Each step runs once.
 struct Trigger {
   enum class Kind {
     at,       ///< simulated time `time`
     serial,   ///< the firmware has sent `text`
     station,  ///< the station called `text` has been visited
-    told,     ///< the part `part` has told a text that holds `text`
-    boot,     ///< the chip has started for the `count`-th time; it does so first when the run begins
+    told,     ///< the part `part` has shown a text that contains `text`
+    boot,     ///< the chip has started for the `count`-th time; the first is at the beginning of the run
     eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
   };
   Kind kind = Kind::at;
-  SimTime time = 0;  ///< at: when; else: so long after the event
+  SimTime time = 0;  ///< at: when; else: the delay after the event
   std::string text;
   std::string part;
   std::uint64_t count = 0;
 };
 
-/// What a byte of EEPROM holds when the power fails while it is written. The chip erases it first (all bits
-/// set), then clears bits: it may hold anything.
+/// The value of a byte of EEPROM after a power failure during its write. The chip erases it first (all bits
+/// set), then clears bits: it may hold any value.
 struct HalfWritten {
   enum class Kind { done, before, value };
-  Kind kind = Kind::done;  ///< done: the new content, for the supply lasts long enough; before: the old one
+  Kind kind = Kind::done;  ///< done: the new content, as the supply lasts long enough; before: the old one
   std::uint8_t value = 0xFF;
 };
 
 constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
 
-/// What then happens.
+/// The action of a step.
 struct Action {
   enum class Verb {
     press,
@@ -71,38 +71,38 @@ struct Action {
   std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power and light;
                      ///< "shut" or "open" for a door
   std::vector<std::string> arguments;  ///< fault: kind and its arguments
-  std::string text;  ///< send: the bytes, or what a part is sent; place: "X,Y,DIR"; obstacle, clear:
+  std::string text;  ///< send: the bytes, or the message to a part; place: "X,Y,DIR"; obstacle, clear:
                      ///< "X,Y"; paint, erase, door: "X,Y X,Y"; light: its number, or "all"
-  std::string to;    ///< obstacle: the cell that it moves to; empty = it stays
-  SimTime held = 0;  ///< send: for which a remote control's key is held
+  std::string to;    ///< obstacle: the cell that it moves to; empty = none
+  SimTime held = 0;  ///< send: duration for a key of a remote control
   double radius = kObstacleRadius;  ///< m, of an obstacle
-  double reach = 0.0;               ///< m, of sweep: so far to each side
-  SimTime period = 0;  ///< of sweep: to and fro; of tilt: the way over, or back; of obstacle: the way to `to`
-  double angle = 0.0;  ///< rad, of tilt: so far …
-  Vec2 side;           ///< … to where, in the robot's frame
+  double reach = 0.0;               ///< m, of sweep: distance to each side
+  SimTime period = 0;               ///< of sweep: to and fro; of tilt: one way; of obstacle: the way to `to`
+  double angle = 0.0;               ///< rad, of tilt: by this angle …
+  Vec2 side;                        ///< … in this direction, in the robot's frame
   HalfWritten half_written;         ///< power off
   std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
 };
 
-/// What an action is about, where a later one about the same makes the end of this one void; else empty.
+/// Returns the subject of an action, if a later action on it replaces the end of this one; else empty.
 std::string subject_of(const Action& action);
-/// What a finger is on that presses or covers: it stays until the last finger has left; else empty.
+/// Returns what a finger presses or covers: it stays so until the last finger has left; else empty.
 std::string finger_of(const Action& action);
 
 struct Step {
   Trigger trigger;
   Action action;
-  Place place;           ///< where the script says so
-  std::string varies{};  ///< the line, if it has figures with a spread (spread.h), which are here as written
+  Place place;           ///< in the script
+  std::string varies{};  ///< the line, if it has spreads (spread.h), whose nominal values are here
 };
 
-/// One line; nothing if it is empty or a comment. Throws as parse_scenario does.
+/// Parses one line; returns nothing if it is empty or a comment. Throws like parse_scenario.
 std::optional<Step> parse_step(std::string_view line, const Place& place);
-/// A line that varies, with such shares of its spreads.
+/// Returns a line with spreads, for these shares of them.
 Step parse_varied(const Step& step, const Share& share);
 
-/// Throws InputError with file and line, naming the triggers or verbs that exist. Names of parts and stations
-/// are checked when the scenario meets a robot and a map.
+/// Parses a scenario. Throws InputError with file and line, and the existing triggers or verbs. Names of
+/// parts and stations are checked later, with a robot and a map.
 std::vector<Step> parse_scenario(std::string_view text, const std::string& file);
 
 }  // namespace robosim::scenario

@@ -80,7 +80,7 @@ void ScenarioPlayer::draw(Step& step, const judge::Progress& progress) const {
   for (const double end : {-1.0, 1.0})
     check(parse_varied(step, [end](std::size_t) { return end; }), progress);
   if (stage_.profile == Profile::ideal) return;
-  // By what it says: lines above it, and below, change nothing of it.
+  // By its text: other lines do not affect it.
   const NoiseStream stream(stage_.seed, stage_.number, step.varies, "script");
   step = parse_varied(step, [&](std::size_t n) { return 2.0 * stream.uniform(n) - 1.0; });
 }
@@ -164,7 +164,7 @@ bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress
   return false;
 }
 
-// What ends in one tick ends in the order in which it began.
+// Actions that end in one tick end in the order in which they began.
 void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   std::map<std::uint64_t, std::pair<SimTime, Undo>> over;
   while (!state_.undo.empty() && state_.undo.begin()->first.first <= t) {
@@ -183,7 +183,7 @@ void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   }
 }
 
-// A button is down, and a sensor covered, until the last finger leaves it.
+// A button stays pressed, and a sensor covered, until the last finger leaves.
 void ScenarioPlayer::note_finger(const Action& action, const Moment& due) {
   if (action.verb == Action::Verb::release) {
     const auto all = state_.fingers.extract("press " + action.part);
@@ -201,7 +201,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
     state_.undo.erase(before->second);
     state_.lasting.erase(before);
   }
-  if (subject == "body" && state_.sweep) {  // the hand puts it down where it took it up
+  if (subject == "body" && state_.sweep) {  // a manual move ends where it began
     stage_.body.place(state_.sweep->base);
     state_.sweep.reset();
   }
@@ -214,7 +214,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
   state_.undo.emplace(due, Undo{due.second, std::move(action), std::move(pending.fault)});
 }
 
-// What is due in one tick happens in the order of the script.
+// Steps that are due in one tick run in the order of the script.
 void ScenarioPlayer::act_now(SimTime t, const judge::Progress& progress, judge::Events& events) {
   if (!state_.undo.empty()) end_what_is_over(t, events);
   if (state_.sweep) stage_.body.carry(state_.sweep->at(t));

@@ -1,4 +1,4 @@
-// Plays a scenario: fires each step when it is due, and undoes what has a duration.
+// Plays a scenario: runs each step when it is due, and undoes those with a duration.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace robosim::scenario {
 
-/// What a scenario may touch.
+/// The objects that a scenario may change.
 struct Stage {
   const grid::Map& map;
   const grid::Stripes& stripes;
@@ -35,84 +35,83 @@ struct Stage {
   exec::Executor& executor;
   std::uint64_t seed;
   std::uint32_t number;  ///< of the robot in its world
-  Profile profile;       ///< `ideal` leaves each figure of a script in the middle of its spread
+  Profile profile;       ///< `ideal` uses the middle of each spread in a script
 };
 
-/// Limits of a script, so that each of its steps costs the same however many there are: all steps, those that
-/// wait for an event (each is looked at in each tick), the cells that obstacles are put on,
-/// and lines that paint, erase or move a door.
+/// Limits of a script, so that the cost of a step does not depend on their number. They are for all steps,
+/// for those that wait for an event (each is checked in each tick), and for the cells with obstacles. The
+/// last is for lines that paint, erase or move a door.
 inline constexpr std::size_t kMostSteps = 100'000, kMostAwaited = 1000, kMostObstacles = 1000,
                              kMostChanges = 100;
 
 class ScenarioPlayer {
  public:
-  /// Throws InputError, with the script's line, for parts, faults, stations and places that do not exist, and
-  /// beyond the limits.
+  /// Throws InputError, with the script's line, for unknown parts, faults, stations and places, and for
+  /// scripts beyond the limits.
   ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress);
 
-  /// Adds steps at the script's end; all or none. Throws as the constructor does.
+  /// Adds steps at the script's end; all or none. Throws like the constructor.
   void add(std::vector<Step> steps, const judge::Progress& progress);
 
-  /// Carries out what is due at `t`, the beginning of a tick; what it did is appended to `events`.
+  /// Runs the steps that are due at `t`, the beginning of a tick; appends their effects to `events`.
   void act(SimTime t, const judge::Progress& progress, judge::Events& events) {
     if (next_act(t) <= t) act_now(t, progress, events);
   }
-  /// When it does something next, nobody having added steps; `t`, which is now, where it may do so at any
-  /// time.
+  /// Returns when it acts next, unless steps are added; `t`, the present time, if it may act at any time.
   SimTime next_act(SimTime t) const {
     if (!state_.awaiting.empty() || state_.sweep || state_.tilt || changes_.go_on()) return t;
     return std::min(state_.timed.empty() ? kNever : state_.timed.begin()->first.first,
                     state_.undo.empty() ? kNever : state_.undo.begin()->first.first);
   }
-  /// The battery sags and recovers by itself: at the beginning of a tick it gives so many volts.
+  /// Sets the battery's voltage at the beginning of a tick, which sags and recovers by itself.
   void feed(double volts, SimTime t, judge::Events& events);
-  /// A part has told something that people would see or hear.
+  /// Receives what a part shows or sends for people.
   void hear(const robot::Told& told);
-  /// The firmware has sent a byte.
+  /// Receives a byte from the firmware.
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
   judge::Power power() const { return board_.power(); }
-  /// What the script has broken so far, in the order of time.
+  /// Returns the faults of the script so far, by time.
   const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
-  /// How often the chip has started.
+  /// Returns how often the chip has started.
   std::uint64_t boots() const { return board_.boots(); }
-  /// Writes of the firmware to its EEPROM, so far.
+  /// Returns the number of the firmware's writes to its EEPROM so far.
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
-  /// What a script's words ask for.
+  /// A fault that a script requests.
   using ReadFault = std::variant<BoardFault, robot::PartFault>;
   struct Pending {
     std::uint64_t number;  ///< its place in the script
     Step step;
-    std::optional<ReadFault> fault;  ///< of an action that is one
-    bool heard = false;              ///< the text it waits for has come
+    std::optional<ReadFault> fault;  ///< of an action that is a fault
+    bool heard = false;              ///< the awaited text has come
   };
   struct Undo {
-    std::uint64_t number;  ///< counted in the order in which they began
+    std::uint64_t number;  ///< counted in the order of their beginnings
     Action action;
-    std::optional<ReadFault> fault;  ///< of an action that is one
+    std::optional<ReadFault> fault;  ///< of an action that is a fault
   };
-  /// When something is due, and its number.
+  /// The time when something is due, and its number.
   using Moment = std::pair<SimTime, std::uint64_t>;
   template <class T>
   using Due = std::map<Moment, T>;
 
-  /// What changes during a run, but for what the script has changed elsewhere.
+  /// The state that changes during a run, except the script's changes elsewhere.
   struct State {
     std::uint64_t steps = 0, undos = 0;  ///< so far
     Due<Pending> timed;
-    std::vector<Pending> awaiting;  ///< an event, in the script's order
+    std::vector<Pending> awaiting;  ///< events, in the script's order
     Due<Undo> undo;
-    /// Where in `undo` that is which a later action about the same thing makes void.
+    /// Keys in `undo` that a later action on the same subject cancels.
     std::map<std::string, Moment> lasting;
-    /// What fingers are on, and when each leaves it, as in `undo`; kNever: it stays.
+    /// What fingers touch, and when each leaves it, as in `undo`; kNever: it stays.
     std::map<std::string, std::set<Moment>> fingers;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;
-    std::set<std::pair<int, int>> obstacle_cells;  ///< that the script names
+    std::set<std::pair<int, int>> obstacle_cells;  ///< that the script mentions
     std::size_t change_lines = 0;                  ///< that paint, erase or move a door
     std::vector<judge::ScriptFault> faults;
-    std::map<std::string, std::size_t> broken;  ///< a part's fault that has not ended, in `faults`
+    std::map<std::string, std::size_t> broken;  ///< open faults of parts, as indices in `faults`
     std::string heard;
     std::size_t longest_text = 0;
   };
@@ -128,24 +127,24 @@ class ScenarioPlayer {
   void act_now(SimTime t, const judge::Progress& progress, judge::Events& events);
   void check_limits(const std::vector<Step>& steps);
   void end_what_is_over(SimTime t, judge::Events& events);
-  /// Of a step that waits for an event: whether that has happened.
+  /// For a step that waits for an event: returns whether it has occurred.
   bool met(const Pending& pending, const judge::Progress& progress) const;
   void note_finger(const Action& action, const Moment& due);
   void carry_out(Pending pending, SimTime t, judge::Events& events);
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   wire::RunEvent::What switch_power(const Action& action, SimTime t);
-  /// Undoes what lasted for a time. A key of a remote control is held by the part itself: its end is no
-  /// event.
+  /// Undoes an action of limited duration. The part itself holds a key of a remote control: the end of that
+  /// is not an event.
   std::optional<wire::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
-  /// Draws what has a spread; throws InputError if not all of it is possible.
+  /// Draws values with a spread; throws InputError if some of the range is invalid.
   void draw(Step& step, const judge::Progress& progress) const;
-  /// Throws InputError, with the step's place. Gives its fault, if it is one.
+  /// Throws InputError, with the step's place. Returns its fault, if it is one.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;
-  /// The arguments begin with the kind.
+  /// Reads a fault. The arguments begin with the kind.
   ReadFault read_fault(const std::string& part, const std::vector<std::string>& arguments, bool ends) const;
 
   const Stage stage_;

@@ -1,4 +1,4 @@
-// One line of a scenario, taken apart into words from the left.
+// Reads one line of a scenario word by word from the left.
 #pragma once
 
 #include <cstdint>
@@ -17,36 +17,36 @@ namespace robosim::scenario {
 
 struct Word {
   std::string text;
-  bool quoted = false;  ///< it stood in double quotes; escapes are undone
+  bool quoted = false;  ///< it was in double quotes; escapes are decoded
   int column = 1;
 };
 
-/// Everything throws InputError, with the place of the word it is about.
+/// All functions throw InputError, with the place of the word.
 class ScriptLine {
  public:
-  /// Cuts the line up to a comment; `place` is its beginning. `share` draws what has a spread.
+  /// Splits the line up to a comment; `place` is its beginning. `share` draws values with a spread.
   ScriptLine(std::string_view line, Place place, const Share& share);
-  /// Whether something has.
+  /// Returns whether there are any.
   bool varies() const { return varies_; }
 
   bool more() const { return next_ < words_.size(); }
-  /// Whether the next word is this one, without quotes.
+  /// Returns whether the next word is this one, without quotes.
   bool next_is(std::string_view word) const;
-  /// Whether the next word stood in double quotes.
+  /// Returns whether the next word was in double quotes.
   bool next_is_quoted() const { return more() && words_[next_].quoted; }
-  /// The next word, which `what` describes if it is missing.
+  /// Takes the next word; `what` describes it in the message if it is missing.
   const Word& take(const char* what);
   /// Takes the next word if it is this one.
   bool take_if(std::string_view word);
   SimTime duration();
-  /// "for TIME", or TIME alone; nothing at the line's end.
+  /// Takes "for TIME", or TIME alone; returns nothing at the line's end.
   std::optional<SimTime> optional_duration();
   double quantity(const char* what, Dimension dimension, double least, double most);
-  /// A whole number, decimal or as 0x3FF.
+  /// Takes an integer, decimal or as 0x3FF.
   std::uint64_t whole(const char* what, std::uint64_t least, std::uint64_t most);
-  /// Refuses the word that was taken last.
+  /// Rejects the last word that was taken.
   [[noreturn]] void refuse(const std::string& message) const;
-  /// Refuses whatever is left.
+  /// Rejects any remaining words.
   void end() const;
 
  private:

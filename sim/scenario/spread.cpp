@@ -21,11 +21,11 @@ struct Unit {
   Dimension dimension;
   const char* name;  ///< of the SI unit
 };
-// What scripts have.
+// The units of scripts.
 constexpr Unit kUnits[] = {{Dimension::length, "m"},  {Dimension::angle, "rad"}, {Dimension::voltage, "V"},
                            {Dimension::current, "A"}, {Dimension::speed, "m/s"}, {Dimension::ratio, ""}};
 
-/// What stands before the sign, and behind it.
+/// Returns the texts before and after the sign.
 std::optional<std::pair<std::string, std::string>> split(const std::string& word) {
   for (const std::string_view sign : kSigns)
     if (const std::size_t at = word.find(sign); at != word.npos && at > 0)
@@ -37,7 +37,7 @@ std::string drawn(const std::string& value, const std::string& spread, double sh
   const auto whole = parse_whole(value), wide = parse_whole(spread);
   if (whole && wide && *whole <= INT32_MAX && *wide <= INT32_MAX) {
     const auto most = static_cast<double>(*wide);
-    const double step = std::floor((share + 1.0) * 0.5 * (2.0 * most + 1.0)) - most;  // each as likely
+    const double step = std::floor((share + 1.0) * 0.5 * (2.0 * most + 1.0)) - most;  // all equally likely
     return fmt::format("{}", static_cast<std::int64_t>(*whole) + std::llround(std::min(step, most)));
   }
   const auto time = parse_duration_ns(value), around = parse_duration_ns(spread);

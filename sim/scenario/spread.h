@@ -1,5 +1,5 @@
-// Figures of a script that each seed draws anew: "2s+-500ms", "12+-2,3", "50%±10%". They are drawn before a
-// line is read, so that nothing behind here knows of them.
+// Numbers of a script that each seed draws again: "2s+-500ms", "12+-2,3", "50%±10%". They are drawn before a
+// line is parsed, so that the parser does not need to know them.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace robosim::scenario {
 
-/// Where in its spread a line's n-th figure lies, from -1 to 1.
+/// Returns the position of a line's n-th number in its spread, from -1 to 1.
 using Share = std::function<double(std::size_t n)>;
 
-/// Whether a word has a figure with a spread.
+/// Returns whether a word has a number with a spread.
 bool has_spread(const std::string& word);
 
-/// The word with what its figures are then: "14,3" of "12+-2,3". `first`: the number of its first figure,
-/// which becomes that of the next word's. Throws InputError, at `place`.
+/// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first`: the index of its first number,
+/// advanced to the next word's. Throws InputError, at `place`.
 std::string with_shares(const std::string& word, const Share& share, std::size_t& first, const Place& place);
 
 }  // namespace robosim::scenario

@@ -23,7 +23,7 @@ struct Box {
   Vec2 least, most;
 };
 
-/// The stretch, and so much on each side of it.
+/// Returns the line, with a margin on each side.
 Box box_of(const Stretch& stretch, double half) {
   const auto [a, b] = stretch;
   return {{std::min(a.x, b.x) - half, std::min(a.y, b.y) - half},
@@ -84,7 +84,7 @@ void WorldChanges::move_obstacles(SimTime t) {
   }
 }
 
-/// The lights that a script names: all, or one by its number from 1.
+/// Returns the lights that a script selects: all, or one by its number from 1.
 std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const {
   std::vector<std::size_t> lights;
   const std::size_t count = map_.lights.size();
@@ -97,7 +97,7 @@ std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const 
   return lights;
 }
 
-/// Of what an action lays over the floor, to each side of its stretch.
+/// Returns the width of an action's area to each side of its line.
 double WorldChanges::half_width(const Action& action) const {
   if (action.verb == door) return kDoorRadius;
   return 0.5 * world_.floor().line_width() + (action.verb == erase ? kErased_m : 0.0);

@@ -1,4 +1,4 @@
-// What a script changes of the world: obstacles, paint on the floor, doors, lights.
+// Changes of the world by a script: obstacles, paint on the floor, doors, lights.
 #pragma once
 
 #include <map>
@@ -18,33 +18,33 @@ class WorldChanges {
   WorldChanges(const grid::Map& map, const grid::Stripes& stripes, world::World& world)
       : map_(map), stripes_(stripes), world_(world) {}
 
-  /// Throws InputError for what does not exist; of actions that change nothing of the world it does nothing.
+  /// Throws InputError for unknown objects; ignores actions that do not change the world.
   void check(const Action& action) const;
   wire::ScriptActed put_obstacle(const Action& action, SimTime t);
   void clear_obstacle(const std::string& cell);
-  /// Paint, erase, door or light.
+  /// Runs paint, erase, door or light.
   wire::ScriptActed perform(const Action& action);
-  /// The same undone.
+  /// Undoes it.
   wire::ScriptActed undo(const Action& action);
-  /// Obstacles that move are then where they are at `t`.
+  /// Moves moving obstacles to their places at `t`.
   void act(SimTime t) {
     if (!state_.obstacles.empty()) move_obstacles(t);
   }
 
-  /// Whether act() may move something.
+  /// Returns whether act() may move something.
   bool go_on() const { return !state_.obstacles.empty(); }
 
   struct Obstacle {
-    grid::CellAt cell;              ///< where it was put
+    grid::CellAt cell;              ///< its initial place
     int number;                     ///< the world's
-    Vec2 from = {}, to = {};        ///< of one that moves
-    SimTime began = 0, period = 0;  ///< period 0: it stands
+    Vec2 from = {}, to = {};        ///< of a moving one
+    SimTime began = 0, period = 0;  ///< period 0: it does not move
   };
-  /// What changes during a run; the rest is by the script's words for it.
+  /// The state that changes during a run; keys are the script's words.
   struct State {
     std::vector<Obstacle> obstacles;
     std::map<std::string, int> patches;             ///< the world's numbers
-    std::map<std::string, std::vector<int>> doors;  ///< of the discs that a shut one is made of
+    std::map<std::string, std::vector<int>> doors;  ///< the discs of a closed one
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
