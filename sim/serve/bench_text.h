@@ -1,4 +1,4 @@
-// The page that `robosim serve` shows: sim/serve/page, as the build has put it into the program.
+// The page of `robosim serve`: sim/serve/page, embedded by the build.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
-// What there is to choose from: the sketches, robots and maps of the folder that is served, and ours. A
-// request names one of these; it never is a path.
+// Lists the choices: the sketches, robots and maps of the served folder, and Robosim's own. A request names
+// one of these; it is never a path.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 namespace robosim::serve {
 
 struct Choices {
-  /// As `robosim run` takes them in the folder: "./Sketch" for its own, "PidFollower" for ours. Its own come
-  /// first.
+  /// Names as for `robosim run` in the folder: "./Sketch" for its own, "PidFollower" for Robosim's. Its own
+  /// come first.
   std::vector<std::string> sketches, robots, maps;
 };
 
-/// Looks at the folder anew, three levels deep. Hidden ones are left out, and what a symbolic link leads out
-/// of it to. At most 500 of each.
+/// Reads the folder again, three levels deep. Skips hidden files, and those outside of it to which a symbolic
+/// link leads. At most 500 of each.
 Choices choices_in(const HeldFolder& folder);
-/// Whether it is firmware for a chip, that something else has built.
+/// Returns whether it is firmware for a chip, built by another tool.
 bool is_image(const std::string& name);
 
 }  // namespace robosim::serve

@@ -25,7 +25,7 @@ bool is_count(std::string_view text) {
   return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos;
 }
 
-// Takes as long for a wrong one as for another.
+// Takes the same time for any wrong text.
 bool equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -51,7 +51,7 @@ bool Guard::is_ours(std::string_view host) const {
   host.remove_suffix(port.size());
   if (host == address_ || host == "[" + address_ + "]") return true;
   if (is_loopback(address_)) return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
-  // On all addresses any may be meant, and the token decides; a name may be anybody's.
+  // On all addresses any may be used, and the token decides; a host name may be a stranger's.
   return address_ == "0.0.0.0" && host.find_first_not_of("0123456789.") == host.npos;
 }
 

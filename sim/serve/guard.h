@@ -1,17 +1,17 @@
-// Which requests are answered at all. A page of another site can make the browser of whoever runs `robosim
-// serve` send requests here; it can neither read the answers nor choose these headers:
+// Decides which requests are answered at all. A page of another site can make the browser of a user of
+// `robosim serve` send requests here. It can neither read the answers nor choose these headers:
 //
 //   Host             must be ours: else another site's name leads here (DNS rebinding)
-//   Origin           if there is one, it must be ours
-//   Sec-Fetch-Site   if there is one: "same-origin", or "none" (typed by a person)
-//   X-Robosim        must be there where something is done: a form of another site cannot send it
+//   Origin           if present, must be ours
+//   Sec-Fetch-Site   if present: "same-origin", or "none" (typed by the user)
+//   X-Robosim        required for actions: a form of another site cannot send it
 //
-// The others say how large a request becomes, so that the HTTP library reads none that is larger:
-//   Range            at most one, for the answer has the page once for each
+// The others limit the size of a request, so that the HTTP library does not read a larger one:
+//   Range            at most one, since the answer has the page once for each
 //   Content-Encoding none: a few bytes may unpack to any number
-//   Transfer-Encoding, Content-Length   the length is said before the body comes
+//   Transfer-Encoding, Content-Length   the length must be known before the body arrives
 //
-// Where others than this machine may connect, a token is wanted, too.
+// If other machines may connect, a token is required, too.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,10 @@
 
 namespace robosim::serve {
 
-/// What a request says of itself; "" = nothing.
+/// The relevant headers of a request; "" = missing.
 struct Asked {
   std::string method;
-  std::string path;  ///< as it came, with percent signs
+  std::string path;  ///< unchanged, with percent signs
   std::string host;
   std::string origin;
   std::string fetch_site;
@@ -44,14 +44,14 @@ struct Refusal {
 
 class Guard {
  public:
-  /// `address` is what it listens on; `token` is "" where only this machine can connect.
+  /// `address` is the listening address; `token` is "" if only this machine can connect.
   Guard(std::string address, int port, std::string token);
 
-  /// Nothing = it may be answered.
+  /// Returns the reason for a refusal; nothing = it may be answered.
   std::optional<Refusal> refuse(const Asked& asked) const;
 
   const std::string& token() const { return token_; }
-  /// What to open: "http://127.0.0.1:8080/".
+  /// Returns the address to open: "http://127.0.0.1:8080/".
   std::string url() const;
 
  private:
@@ -62,10 +62,10 @@ class Guard {
   const std::string token_;
 };
 
-/// Whether nobody but this machine can connect to an address that is listened on.
+/// Returns whether only this machine can connect to a listening address.
 bool is_loopback(std::string_view address);
 
-/// 128 random bits as 32 hexadecimal digits. Throws InputError where the machine has none.
+/// Returns 128 random bits as 32 hexadecimal digits. Throws InputError if the machine has no source of them.
 std::string random_token();
 
 }  // namespace robosim::serve

@@ -1,4 +1,4 @@
-// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the program behind `robosim serve`, which has checked all four.
+// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the program of `robosim serve`, which has checked all four.
 #include <fmt/format.h>
 
 #include <csignal>
@@ -26,7 +26,7 @@ int serve(char** words) {
     server.stop();
   });
   server.serve();
-  waiting.detach();  // where the server ended by itself nothing has come
+  waiting.detach();  // if the server ended by itself, no signal has come
   return 0;
 }
 

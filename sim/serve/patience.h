@@ -1,6 +1,6 @@
-// How long a client may take to send a request, and how long the head of it may be. The HTTP library limits
-// only the time from one byte to the next, so that a client that sends one now and then would keep one of its
-// threads; and the length of a header, but not their number.
+// Limits the time in which a client must send a request, and the length of its head. The HTTP library limits
+// only the time between two bytes, so that a client with rare bytes would occupy a thread. It limits the
+// length of a header, but not their number.
 #pragma once
 
 #include <sys/types.h>
@@ -19,26 +19,26 @@ class Patience {
   struct Connection;
 
  public:
-  /// `port`: where the server listens. `answer`: sent to who is too slow, before the connection is closed.
+  /// `port`: the server's. `answer`: sent to a client that is too slow, before the connection is closed.
   Patience(int port, std::chrono::milliseconds most, std::string answer);
   ~Patience();
 
-  /// The connection that has just been accepted: the library does not say which. Nothing where it is gone
-  /// again.
+  /// Returns the connection that was just accepted, which the library does not pass on. Null if it has gone
+  /// already.
   Connection* accepted();
-  /// Answers its request, by `work`, in this thread; from now on it is awaited.
+  /// Answers its request, by `work`, in this thread; the time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);
 
-  // Of the connection that this thread answers:
+  // For the connection that this thread answers:
   void head_is_here();
-  void is_here();    ///< the request, as a whole
-  void read_away();  ///< what comes of one that is answered already, or its sender would not see the answer
+  void is_here();    ///< the whole request
+  void read_away();  ///< input after the answer, or its sender would not see the answer
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Connection {
     int socket = -1;
-    ino_t inode = 0;  // the number of a socket is used again
+    ino_t inode = 0;  // socket numbers are reused
     Clock::time_point since{};
     bool awaited = false;
     bool head_awaited = false;

@@ -1,4 +1,4 @@
-// A file without others: these headers and those of the HTTP library define the same structs.
+// In a separate file: these headers and those of the HTTP library define the same structs.
 #include "sim/serve/received.h"
 
 #include <linux/tcp.h>

@@ -26,9 +26,9 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
-constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, 2 MB and some
-constexpr const char* kFiles = "/api/file";             // where such is sent
-constexpr std::size_t kLongestRequest = 4000;           // to a run that is watched
+constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, a little over 2 MB
+constexpr const char* kFiles = "/api/file";             // for such files
+constexpr std::size_t kLongestRequest = 4000;           // to a watched run
 constexpr std::size_t kThreads = 64;                    // each waits for its client
 constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // from one byte to the next
@@ -51,7 +51,7 @@ bool has_body(const Request& request) {
   return request.has_header("Transfer-Encoding") || request.has_header("Content-Length");
 }
 
-// The values of a header, with commas where a request repeats it.
+// Returns the values of a header, separated by commas if a request repeats it.
 std::string all_of(const Request& request, const char* header) {
   std::string all;
   const auto [begin, end] = request.headers.equal_range(header);
@@ -79,7 +79,7 @@ void refuse(Response& response, const Refusal& refusal) {
   response.set_content(json_text({{"error", refusal.sentence}}), "application/json");
 }
 
-/// The answer as it is sent.
+/// Returns the complete answer.
 std::string too_slow(std::chrono::milliseconds patience) {
   const std::string sentence =
       fmt::format("a request must be here within {} s", 1e-3 * static_cast<double>(patience.count()));
@@ -90,7 +90,7 @@ std::string too_slow(std::chrono::milliseconds patience) {
       body.size(), body);
 }
 
-// Each line as an event of its own.
+// Formats each line as an event.
 std::string server_sent(std::string_view lines) {
   std::string text;
   while (!lines.empty()) {
@@ -101,7 +101,7 @@ std::string server_sent(std::string_view lines) {
   return text;
 }
 
-// "7.html": 7; else 0.
+// Parses "7.html" to 7; else 0.
 int number_of(std::string_view name) {
   int number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -110,8 +110,8 @@ int number_of(std::string_view name) {
   return whole ? number : 0;
 }
 
-/// A pool whose threads answer each connection under `patience`. In some releases of the library enqueue()
-/// returns whether there was room, in others nothing; its own pool may be final.
+/// A pool whose threads answer each connection with its time limit. In some releases of the library enqueue()
+/// returns whether there was room, in others nothing. The library's own pool may be final.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(Patience& patience) : patience_(patience), pool_(kThreads) {}
@@ -128,7 +128,7 @@ class Threads : public httplib::TaskQueue {
 };
 
 int bind(httplib::Server& server, const Settings& settings) {
-  server.set_socket_options([](socket_t socket) {  // the library's own let two servers share a port
+  server.set_socket_options([](socket_t socket) {  // the library's default lets two servers share a port
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
@@ -155,8 +155,8 @@ struct Server::Inside {
         guard(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         patience(port, settings.patience, too_slow(settings.patience)) {
     http.new_task_queue = [this] { return new Threads(patience); };
-    // The library leaves the body of a refused request unread, and would take it for the next one: then a
-    // page of another site could send us, in such a body, what its own headers do not allow it.
+    // The library leaves the body of a refused request unread, and would treat it as the next one. Then a
+    // page of another site could send in such a body what its own headers cannot.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) patience.read_away();
@@ -164,7 +164,7 @@ struct Server::Inside {
     http.set_payload_max_length(kLongestImage);
     http.set_read_timeout(kPatience_s);
     http.set_write_timeout(kPatience_s);
-    http.set_tcp_nodelay(true);  // each frame at once
+    http.set_tcp_nodelay(true);  // sends each frame immediately
     http.set_default_headers({{"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
                               {"X-Frame-Options", "SAMEORIGIN"},
@@ -205,7 +205,7 @@ struct Server::Inside {
     });
   }
 
-  /// The body is here when `answer` is called.
+  /// `answer` is called with the complete body.
   void post(const char* path, httplib::Server::Handler answer) {
     http.Post(path, [this, answer = std::move(answer)](const Request& request, Response& response) {
       patience.is_here();
@@ -213,7 +213,7 @@ struct Server::Inside {
     });
   }
 
-  /// What is sent is {"name", "text"}; the answer is JSON, or the sentence of what `work` throws.
+  /// The request is {"name", "text"}; the answer is JSON, or the sentence of an exception from `work`.
   void act(const char* path, std::function<Json(const Offered&)> work) {
     post(path, [work = std::move(work)](const Request& request, Response& response) {
       try {
@@ -265,7 +265,7 @@ struct Server::Inside {
                          "application/json");
   }
 
-  /// Nothing, and an answer that says why, where that is not wanted as it should be.
+  /// Returns nothing, after an answer with the reason, for an invalid request.
   std::optional<Wanted> wanted_by(const Request& request, Response& response) const {
     try {
       return read_wanted(request.body, choices_in(workshop.folder()));
@@ -302,7 +302,7 @@ struct Server::Inside {
       response.set_content(json_text({{"live", workshop.prepare(*wanted)}}), "application/json");
   }
 
-  // The run begins when its page listens, and ends when it no longer does.
+  // The run begins when its page listens, and ends when it stops listening.
   void watch(const Request& request, Response& response) {
     response.set_chunked_content_provider("text/event-stream", [this,
                                                                 number = std::stoi(request.matches[1].str())](
@@ -318,7 +318,7 @@ struct Server::Inside {
                     : event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
         return heard;
       });
-      if (!heard || workshop.ending()) return false;  // what is cut off tells the page
+      if (!heard || workshop.ending()) return false;  // the closed stream is the page's signal
       event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "there is no such run to watch"}))) + "\n");
       sink.done();
       return true;

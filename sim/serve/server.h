@@ -1,16 +1,16 @@
-// `robosim serve`: the page for a folder, by HTTP.
+// `robosim serve`: serves the page for a folder, by HTTP.
 //
 //   GET  /                    the page; /bench.css, /bench.js, /watch.js, /editor.js
-//   GET  /api/folder          what there is to choose from
-//   POST /api/run             runs it; the answer is a line of JSON for each piece of text that it prints,
+//   GET  /api/folder          the choices
+//   POST /api/run             runs it; the answer is a line of JSON for each piece of output,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
 //   POST /api/live            notes what is to be watched while it runs: {"live": N}
 //   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
-//                             and {"done": …}. The run ends when nobody listens any more
+//                             and {"done": …}. The run ends when its listener has gone
 //   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}
 //   POST /api/map             {"name"}: a map's text
-//   POST /api/floor           {"text"}: the floor of a map's text, or what is wrong with it
+//   POST /api/floor           {"text"}: the floor of a map's text, or its error
 //   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (shelf.h)
 //   GET  /live.html           the page of a run, empty
 #pragma once
@@ -26,20 +26,20 @@ namespace robosim::serve {
 struct Settings {
   std::filesystem::path folder;
   std::filesystem::path robosim;      ///< the program
-  std::string address = "127.0.0.1";  ///< an IP address of this machine; others than loopback get a token
-  int port = 0;                       ///< 0 = 8080, or any that is free
-  std::chrono::milliseconds patience{10'000};  ///< a request must be here by then, head and body
+  std::string address = "127.0.0.1";  ///< an IP address of this machine; other than loopback requires a token
+  int port = 0;                       ///< 0 = 8080, or any free one
+  std::chrono::milliseconds patience{10'000};  ///< for a request, head and body
 };
 
 class Server {
  public:
-  /// Listens from now on. Throws InputError where it cannot.
+  /// Starts to listen. Throws InputError if that fails.
   explicit Server(const Settings& settings);
   ~Server();
 
-  /// What to open in the browser.
+  /// Returns the address to open in the browser.
   std::string url() const;
-  /// Answers until stop() is called, by whomever.
+  /// Answers requests until stop() is called.
   void serve();
   /// May be called by a signal handler's thread.
   void stop();

@@ -26,21 +26,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLook_ms = 200;                    // how often it is asked whether somebody listens
-constexpr std::size_t kMostText = 1 << 20;       // of what a run prints
-constexpr std::size_t kLongestLine = 16 << 20;   // that a watched run tells: a floor may be in it
+constexpr int kLook_ms = 200;                    // period of checks for a listener
+constexpr std::size_t kMostText = 1 << 20;       // of a run's output
+constexpr std::size_t kLongestLine = 16 << 20;   // from a watched run: it may hold a floor
 constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
 constexpr const char* kFolders = "robosim-serve-";
 
-/// Holds a folder until the descriptor is closed, also by a kill. Closed: another server holds it.
+/// Locks a folder until the descriptor is closed, also by a kill. Closed: another server has locked it.
 Descriptor hold(const fs::path& folder) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (held.is_open() && ::flock(held.get(), LOCK_EX | LOCK_NB) != 0) held.close();
   return held;
 }
 
-/// Removes the folders of servers of this user that were killed.
+/// Removes the folders of killed servers of this user.
 void remove_abandoned(const fs::path& place) {
   std::error_code error;
   for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
@@ -53,7 +53,7 @@ void remove_abandoned(const fs::path& place) {
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
-/// `robot`: of several, whose it is.
+/// `robot`: its owner, if there are several.
 fs::path script_file(const fs::path& folder, int number, const std::string& robot = "") {
   return folder / fmt::format("{}", number) / (robot + ".txt");
 }
@@ -73,7 +73,7 @@ PageFolder::PageFolder() {
   const fs::path place = fs::temp_directory_path();
   remove_abandoned(place);
   struct stat info {};
-  do {  // another server may take it for abandoned before it is held
+  do {  // another server may consider it abandoned before it is locked
     std::string name = (place / fmt::format("{}XXXXXX", kFolders)).string();
     if (!::mkdtemp(name.data()))
       throw InputError({name}, std::string("cannot be made: ") + std::strerror(errno));
@@ -87,7 +87,7 @@ PageFolder::~PageFolder() {
   fs::remove_all(path_, ignored);
 }
 
-/// A run's place among those that are under way; false: there was none left.
+/// A slot for a simultaneous run; false: none was free.
 class Workshop::Place {
  public:
   explicit Place(Workshop& workshop) : workshop_(workshop) {
@@ -106,7 +106,7 @@ class Workshop::Place {
   bool has_ = false;
 };
 
-/// While a run takes requests.
+/// Exists while a run accepts requests.
 class Workshop::Listening {
  public:
   Listening(Workshop& workshop, int number, int descriptor) : workshop_(workshop), number_(number) {
@@ -176,7 +176,7 @@ Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources
         char buffer[16384];
         const ssize_t got = ::read(waits[i].fd, buffer, sizeof buffer);
         if (got <= 0) {
-          waits[i].fd = -1;  // poll looks at it no more
+          waits[i].fd = -1;  // excluded from poll()
           --open;
           continue;
         }
@@ -250,7 +250,7 @@ std::optional<Workshop::Done> Workshop::watch(int number, const Tell& tell) {
   start.errors = texts.write.get();
   Child child(start);
   for (Descriptor* given : {&requests.read, &lines.write, &texts.write}) *given = Descriptor();
-  ::fcntl(requests.write.get(), F_SETFL, O_NONBLOCK);  // one that does not listen keeps nobody waiting
+  ::fcntl(requests.write.get(), F_SETFL, O_NONBLOCK);  // a process that does not read must not block us
   const Listening listening(*this, number, requests.write.get());
 
   std::string begun;  // a line
@@ -275,7 +275,7 @@ std::optional<Workshop::Done> Workshop::watch(int number, const Tell& tell) {
 bool Workshop::ask(int number, const std::string& line) {
   const std::lock_guard lock(mutex_);
   const auto found = inputs_.find(number);
-  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // whole or not at all
+  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // completely or not at all
   return ::write(found->second, line.data(), line.size()) == static_cast<ssize_t>(line.size());
 }
 
