@@ -20,7 +20,7 @@ DrivenRun::~DrivenRun() {
   try {
     end();
   } catch (const std::exception&) {
-    // The runner has died: so has the run.
+    // The runner has died, and the run with it.
   }
 }
 
@@ -29,7 +29,7 @@ wire::Line DrivenRun::ask(const wire::DrivenRequest& request) {
   return *runner_.answer(true, on_event_);
 }
 
-// False once the run is over.
+// Returns false once the run is over.
 bool DrivenRun::take(wire::Line line) {
   if (auto* paused = std::get_if<wire::Paused>(&line.content)) {
     state_ = std::move(*paused);

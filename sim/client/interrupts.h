@@ -1,4 +1,4 @@
-// Ctrl-C, SIGTERM and SIGHUP while a run goes on.
+// Handles Ctrl-C, SIGTERM and SIGHUP during a run.
 #pragma once
 
 #include <signal.h>
@@ -10,9 +10,9 @@
 
 namespace robosim::client {
 
-/// From construction to destruction SIGINT, SIGTERM and SIGHUP end the runner's current run, which then
-/// answers with the verdict `interrupted`; a second one kills the runner. A pool ends its batch at the first.
-/// There can be one at a time.
+/// From construction to destruction, SIGINT, SIGTERM and SIGHUP end the runner's current run, which then
+/// answers with the verdict `interrupted`. A second one kills the runner. A pool ends its batch at the first.
+/// Only one object at a time.
 class Interrupts {
  public:
   explicit Interrupts(Runner& runner);
@@ -21,9 +21,9 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// How many have come.
+  /// Returns how many have come.
   static int count();
-  /// The first of them; 0 = none.
+  /// Returns the first of them; 0 = none.
   static int signal();
 
  private:

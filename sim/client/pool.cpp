@@ -12,7 +12,7 @@
 namespace robosim::client {
 namespace {
 
-/// How far runs may get ahead of one that takes long: their results wait in memory.
+/// How far runs may be ahead of a slow one: their results wait in memory.
 constexpr std::size_t kMostAhead = 10'000;
 /// Wall time. A signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
@@ -31,27 +31,27 @@ Answer failure_of(std::exception_ptr thrown) {
 
 }  // namespace
 
-/// One run at a time.
+/// Makes one run at a time.
 struct Pool::Worker {
   std::unique_ptr<Runner> runner;
   std::string target;  ///< of the runner
   bool busy = false;
   std::size_t run = 0;
 
-  /// Throws what Runner throws.
+  /// Throws the exceptions of Runner.
   void begin(std::size_t index, Task task, const Start& start) {
     if (!runner || target != task.target) {
       runner.reset();
       runner = std::make_unique<Runner>(start(task.target));
       target = task.target;
     }
-    task.request.started = false;  // nobody hears it, and each line costs all three processes a turn
+    task.request.started = false;  // it has no listener, and each line costs all three processes a turn
     runner->begin(task.request);
     run = index;
     busy = true;
   }
 
-  /// The answer, if it has come.
+  /// Returns the answer, if it has come.
   std::optional<Answer> take() {
     try {
       std::optional<wire::RunResult> result = runner->take();
@@ -74,16 +74,16 @@ struct Pool::Worker {
   }
 };
 
-/// How far a batch has come.
+/// The progress of a batch.
 struct Pool::Work {
   const Batch& batch;
-  std::size_t begun = 0;   ///< the first run that has not been looked at for beginning
-  std::size_t handed = 0;  ///< the first run that has not been handed over
+  std::size_t begun = 0;   ///< the first run that was not considered yet
+  std::size_t handed = 0;  ///< the first run that was not passed on yet
   std::map<std::size_t, Answer> waiting = {};
 
   bool wanted(std::size_t i) const { return !batch.wanted || batch.wanted(i); }
 
-  /// The next run to begin.
+  /// Returns the next run to begin.
   std::optional<std::size_t> next_to_begin() {
     while (begun < batch.count && !wanted(begun)) ++begun;
     if (begun == batch.count || begun >= handed + kMostAhead) return std::nullopt;
@@ -101,7 +101,7 @@ struct Pool::Work {
     }
   }
 
-  /// Those behind a run that is missing too.
+  /// Passes on the runs after a missing one, too.
   void hand_over_rest() {
     for (auto& [i, answer] : waiting) {
       if (wanted(i)) batch.answered(i, std::move(answer));

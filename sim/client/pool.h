@@ -1,12 +1,12 @@
-// Many runs, several at a time, with results in the order in which they were asked for.
+// Makes many runs, several at a time, and returns results in the order of the requests.
 //
 //   robosim::client::Pool pool(4);
 //   pool.run({1000,
 //             [&](std::size_t i) { return robosim::client::Task{"host", request_with_seed(i + 1)}; },
 //             [&](std::size_t i, robosim::client::Answer answer) { … }});
 //
-// How many workers there are, and how long each run takes, changes nothing in what is handed over. A worker
-// is a runner process, which forks for each run; all of them are waited for in the caller's thread.
+// The number of workers and the duration of runs do not affect the results. A worker is a runner process,
+// which forks for each run. The caller's thread waits for all of them.
 #pragma once
 
 #include <signal.h>
@@ -28,12 +28,12 @@ struct Task {
   wire::RunRequest request;
 };
 
-/// Why there is no result.
+/// The reason for a missing result.
 struct Failure {
   enum class Kind {
-    input,     ///< what was asked for is wrong (InputError)
+    input,     ///< the request is invalid (InputError)
     tool,      ///< a tool is missing (ToolMissing)
-    internal,  ///< the runner died, or met a fault of its own (RunnerError)
+    internal,  ///< the runner died, or has an internal fault (RunnerError)
   };
   Kind kind = Kind::internal;
   std::string message;
@@ -41,21 +41,21 @@ struct Failure {
 
 using Answer = std::variant<wire::RunResult, Failure>;
 
-/// What a pool works through: runs 0 to count - 1.
+/// The work of a pool: runs 0 to count - 1.
 struct Batch {
   std::size_t count = 0;
   std::function<Task(std::size_t)> task;
-  /// Called for each run in ascending order. What it throws ends the batch and passes through.
+  /// Called for each run in ascending order. An exception ends the batch and is passed on.
   std::function<void(std::size_t, Answer)> answered;
-  /// Whether a run is (still) wanted; may be empty. Asked before a run begins, which may be too early to
-  /// know, and, after the answers of all runs before it, whether to hand over its own. So a run beyond the
-  /// point where enough is known is dropped, even if it was made.
+  /// Returns whether a run is (still) wanted; may be empty. Called before a run begins, which may be too
+  /// early to know. Called again, after the answers of all earlier runs, before its own is passed on. So runs
+  /// after the deciding one are dropped, even if they were made.
   std::function<bool(std::size_t)> wanted;
 };
 
 class Pool {
  public:
-  /// How a worker's runner is started; the default is Runner(target).
+  /// Starts a worker's runner; the default is Runner(target).
   using Start = std::function<Runner(const std::string& target)>;
 
   explicit Pool(std::size_t workers, Start start = {});
@@ -63,12 +63,11 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// False if it was interrupted: then what was finished has been handed over, still in ascending order, and
-  /// the other runs are missing.
+  /// Makes the runs. Returns false if it was interrupted: then finished runs have been passed on, still in
+  /// ascending order, and the others are missing.
   bool run(const Batch& batch);
 
-  /// Ends the batch, and any later one; runs that have not finished are killed. May be called from a signal
-  /// handler.
+  /// Ends the batch, and any later one; unfinished runs are killed. May be called from a signal handler.
   void interrupt() noexcept { interrupted_ = 1; }
 
  private:

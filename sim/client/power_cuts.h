@@ -1,9 +1,8 @@
-// A power cut at every possible place: the same run once more for each byte of EEPROM that the firmware
-// writes, with the power failing in the middle of that write.
+// Simulates a power cut at every possible place. Repeats the run for each byte of EEPROM that the firmware
+// writes, with a power failure in the middle of that write.
 //
-// A byte whose writing was cut off may hold anything (the chip erases it to 0xFF, then clears bits); three
-// contents stand for that: the old one (nothing had happened yet), 0xFF (it was erased), the new one (it was
-// done).
+// A byte with an interrupted write may hold any value (the chip erases it to 0xFF, then clears bits). Three
+// values represent that: the old one (not begun), 0xFF (erased), the new one (complete).
 #pragma once
 
 #include <cstddef>
@@ -16,26 +15,26 @@
 
 namespace robosim::client {
 
-/// One place at which the power fails, for 20 ms.
+/// A power failure of 20 ms at one place.
 struct PowerCut {
   std::uint64_t write = 0;  ///< during this write to the EEPROM, from 1
-  std::string byte;         ///< what the byte then holds, in a script's words: "old", "erased", "new"
+  std::string byte;         ///< the byte's value afterwards, in a script's words: "old", "erased", "new"
 
-  /// The script's line that makes it.
+  /// Returns its line of a script.
   std::string script() const;
-  /// In words: "power cut during write 12 to the EEPROM, its byte left erased".
+  /// Returns "power cut during write 12 to the EEPROM, its byte left erased".
   std::string text() const;
 };
 
-/// Three for each write.
+/// Returns three for each write.
 std::vector<PowerCut> all_power_cuts(std::uint64_t writes);
 
-/// Called for each run with a cut, in the order of all_power_cuts(), whatever the pool's size.
+/// Called for each run with a cut, in the order of all_power_cuts(), regardless of the pool's size.
 using OnPowerCut = std::function<void(const PowerCut&, Answer)>;
 
-/// Runs `task` as it is, then with each cut, and gives the answer of the run without any, whose writes were
-/// counted; if it is a Failure, nothing was cut. Writes that only happen after a cut are not cut again.
-/// Where the pool is interrupted, runs are missing.
+/// Runs `task` unchanged, then with each cut, and returns the answer of the run without a cut, in which
+/// writes were counted. If that is a Failure, there are no cuts. Writes that only happen after a cut are not
+/// cut again. If the pool is interrupted, runs are missing.
 Answer run_with_power_cuts(Pool& pool, const Task& task, const OnPowerCut& cut);
 
 }  // namespace robosim::client

@@ -41,7 +41,7 @@ struct Process::Ends {
   Pipe answers;
 
   explicit Ends(std::filesystem::path name) : program(std::move(name)) {
-    // Requests go through a socket: writing to a program that died must not raise SIGPIPE in ours.
+    // Requests go through a socket: writing to a dead program must not raise SIGPIPE in ours.
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
     requests = Descriptor(ends[0]);
@@ -134,8 +134,7 @@ std::string Process::finish() {
   const std::int64_t deadline = now_ms() + kPatience_ms;
   while (read_line(static_cast<int>(std::max(std::int64_t{0}, deadline - now_ms())))) {
   }
-  // Until it has been waited for, nobody else gets its number, and the signal can only meet what the program
-  // forked.
+  // Until it has been waited for, its number is not reused, and the signal can only reach its forks.
   while (!child_.has_ended() && now_ms() < deadline) {
     const timespec pause{0, 500'000};
     ::nanosleep(&pause, nullptr);

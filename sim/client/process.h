@@ -1,4 +1,4 @@
-// A child process that is spoken to in lines.
+// A child process that communicates by lines.
 #pragma once
 
 #include <signal.h>
@@ -13,59 +13,59 @@
 
 namespace robosim::client {
 
-/// Starts a program with its standard input and output in our hands, in a process group of its own, so that
-/// Ctrl-C in a terminal reaches us alone. Standard error is shared with it. Nothing else of ours is
-/// inherited. The destructor ends the program and whatever it forked, and leaves no zombie.
+/// Starts a program with pipes for its standard input and output. It has its own process group, so that
+/// Ctrl-C in a terminal reaches only us. It shares our standard error, and inherits nothing else. The
+/// destructor ends the program and its forks, and leaves no zombie.
 class Process {
  public:
-  /// Throws std::system_error if the program cannot be started.
+  /// Starts the program. Throws std::system_error if that fails.
   explicit Process(const std::filesystem::path& program);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// False if the program no longer listens.
+  /// Writes text. Returns false if the program no longer reads.
   bool write(std::string_view text);
-  /// The next line without its line feed, valid until the next call; nothing at the end of the output (an
-  /// unfinished last line is dropped) or when `timeout_ms` of wall time have passed; -1 = wait for ever.
+  /// Returns the next line without its line feed, valid until the next call. Returns nothing at the end of
+  /// the output (an incomplete last line is dropped) or after `timeout_ms` of wall time; -1 = wait for ever.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
-  /// The next bytes, so many, valid until the next call; nothing if the output ends before.
+  /// Returns the next `count` bytes, valid until the next call; nothing if the output ends before.
   std::optional<std::string_view> read_bytes(std::size_t count);
 
-  /// Readable, as poll(2) has it, when the program has said something or ended.
+  /// Returns a descriptor that is readable, for poll(2), when the program has written or ended.
   int descriptor() const { return answers_.get(); }
-  /// read_line() came to the end of the output.
+  /// Returns whether read_line() reached the end of the output.
   bool silent() const { return silent_; }
 
   /// Makes the pipe of its output as short as possible (a page), so that it cannot run far ahead of its
   /// reader.
   void keep_close() const;
 
-  /// How long an interrupted program may stay silent, wall time.
+  /// The maximum silence of an interrupted program, wall time.
   static constexpr int kStopPatience_ms = 2000;
 
   /// Sends SIGINT to the program's whole process group. Async-signal-safe.
   void interrupt();
   bool interrupted() const { return interrupted_ != 0; }
-  /// It has answered: an interrupt before that is over and done with.
+  /// Forgets an interrupt before this answer.
   void forget_interrupt() { interrupted_ = 0; }
-  /// Ends the whole process group at once. Async-signal-safe.
+  /// Kills the whole process group. Async-signal-safe.
   void kill() const;
-  /// No more input. Waits for the end, at most a second; then kills. Says how it ended: "ended with status
-  /// 3", "was ended by signal 11 (Segmentation fault)".
+  /// Closes its input. Waits for the end, at most a second; then kills. Returns how it ended: "ended with
+  /// status 3", "was ended by signal 11 (Segmentation fault)".
   std::string finish();
 
  private:
   struct Ends;
   explicit Process(Ends ends);
 
-  /// How long a read may take.
+  /// The time limit of a read.
   struct Patience {
     std::int64_t until_ms;  ///< wall time; negative = for ever
     std::int64_t interrupt_seen_ms = -1;
   };
-  /// Adds to the buffer; false at the end of the output, or when patience is.
+  /// Adds to the buffer; returns false at the end of the output, or after the time limit.
   bool read_more(Patience& patience);
 
   Descriptor requests_;  // socket to its standard input
@@ -76,7 +76,7 @@ class Process {
   bool silent_ = false;
   std::vector<char> chunk_ = std::vector<char>(65536);  // of the pipe
   std::string buffer_;
-  std::size_t next_ = 0;  // where in buffer_ the next line begins
+  std::size_t next_ = 0;  // beginning of the next line in buffer_
 };
 
 }  // namespace robosim::client

@@ -24,7 +24,7 @@ std::string program_of(const std::string& target) {
     const std::string packages = target == "avr"     ? "libdw-dev"
                                  : target == "stm32" ? "libunicorn-dev libdw-dev"
                                                      : "";
-    if (!packages.empty() && helper_folder().filename() == "robosim") {  // libexec/robosim: it is installed
+    if (!packages.empty() && helper_folder().filename() == "robosim") {  // libexec/robosim: an installation
       throw ToolMissing("the target " + target + " is missing: it is the package robosim-" + target +
                         " (sudo apt install robosim-" + target + ")");
     }
@@ -39,7 +39,7 @@ std::string program_of(const std::string& target) {
   return program.string();
 }
 
-/// Of a run whose events a sketch has overwritten: whatever it came to, it cannot be believed.
+/// Marks a run whose events a sketch has overwritten: its result cannot be trusted.
 void blame_for_batch(wire::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
@@ -54,7 +54,7 @@ void blame_for_batch(wire::RunResult& result) {
   result.why = "The sketch crashed: " + cause + ".";
 }
 
-// Messages are JSON, and JSON is UTF-8: another name would reach the runner as that of another file.
+// Messages are JSON, and JSON is UTF-8: the runner would get another name as that of another file.
 void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
 }
@@ -132,7 +132,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       throw wire::RunnerError(error->message);
     }
   } catch (...) {
-    if (!answered) kill();  // it may be in the middle of a run, with more to say than anyone will read
+    if (!answered) kill();  // it may be in the middle of a run, with more output than will be read
     throw;
   }
 }
@@ -141,7 +141,7 @@ void Runner::read_batch(std::string_view bytes, const wire::OnEvent& on_event) {
   try {
     if (!batch_is_damaged_) batches_.read(bytes, on_event);
   } catch (const wire::RunnerError&) {
-    // Where firmware is code of this machine, its memory is next to that of the batches.
+    // Native firmware has its memory next to that of the batches.
     if (hello_.sandbox.empty()) throw;
     batch_is_damaged_ = true;
   }

@@ -1,4 +1,4 @@
-// Starts a runner and talks to it.
+// Starts a runner and communicates with it.
 //
 //   robosim::client::Runner runner("host");
 //   const auto robot = runner.describe_robot("uno5");
@@ -6,7 +6,7 @@
 //   request.image = …; request.map = …; request.robot = "uno5";
 //   const auto result = runner.run(request);        // result.verdict == "reached"
 //
-// One runner serves any number of runs, one after the other; use several runners for runs side by side.
+// One runner makes any number of runs in sequence; use several runners for parallel runs.
 #pragma once
 
 #include <memory>
@@ -21,16 +21,16 @@
 
 namespace robosim::client {
 
-/// The targets that this version has runners for: "host", "avr", "stm32". A build without an emulator's
-/// package lacks its runner all the same: Runner then throws ToolMissing.
+/// Returns the targets for which this version has runners: "host", "avr", "stm32". A build without an
+/// emulator's package still lacks its runner: Runner then throws ToolMissing.
 const std::vector<std::string>& available_targets();
 
 class Process;
 
 class Runner {
  public:
-  /// Starts the runner of a target. Throws ToolMissing if its program is not there, RunnerError if it does
-  /// not say hello or speaks another version of the protocol.
+  /// Starts the runner of a target. Throws ToolMissing if its program is missing, RunnerError if it does not
+  /// send its first message or has another version of the protocol.
   explicit Runner(const std::string& target);
   /// Starts the given program instead (for tests).
   static Runner from_program(const std::string& path);
@@ -40,30 +40,30 @@ class Runner {
 
   const wire::Hello& hello() const { return hello_; }
 
-  /// A stock robot's name, or a path; `full`: with RobotInfo::text. Throws InputError.
+  /// Describes a stock robot, by name, or one by path; `full`: with RobotInfo::text. Throws InputError.
   wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
-  /// Runs to the verdict. Throws InputError for bad input, ToolMissing, and RunnerError when the runner dies
-  /// without an answer, breaks the protocol or meets a fault of its own; after a RunnerError this runner is
-  /// of no more use. What `on_event` throws ends the runner and passes through.
+  /// Runs to the verdict. Throws InputError for invalid input, ToolMissing, and RunnerError if the runner
+  /// dies without an answer, breaks the protocol or has an internal fault. After a RunnerError this runner is
+  /// unusable. An exception from `on_event` ends the runner and is passed on.
   wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
-  /// run() in two parts, for those who wait for several runners at once: begin() asks, and take() has the
-  /// result if it has come, without waiting for it; it throws as run() does. In between descriptor() is
-  /// readable, as poll(2) has it, whenever take() has something to do.
+  /// The two parts of run(), for waiting on several runners at once. begin() sends the request. take()
+  /// returns the result if it has come, without waiting; it throws as run() does. In between descriptor() is
+  /// readable, for poll(2), whenever take() has work.
   void begin(const wire::RunRequest& request);
   std::optional<wire::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
-  /// From now on the runner gets ahead of `on_event` by a few kilobytes of events at most, for those who
-  /// watch: what is interrupted then is what is seen. Costs speed.
+  /// From now on limits how far the runner is ahead of `on_event` to a few kilobytes of events. That is for
+  /// viewers: an interrupt then takes effect at the visible state. Costs speed.
   void keep_close() noexcept;
 
-  /// Ends the current run with the verdict `interrupted`; run() still returns, unless nothing comes from the
-  /// runner for two seconds of wall time: then it is killed. May be called from a signal handler or from
-  /// within `on_event`.
+  /// Ends the current run with the verdict `interrupted`. run() still returns, unless the runner is silent
+  /// for two seconds of wall time: then it is killed. May be called from a signal handler or from within
+  /// `on_event`.
   void interrupt() noexcept;
-  /// Ends the runner at once; run() throws RunnerError. May be called from a signal handler.
+  /// Kills the runner; run() throws RunnerError. May be called from a signal handler.
   void kill() noexcept;
 
  private:
@@ -73,7 +73,8 @@ class Runner {
   };
   explicit Runner(const Program& program);
   [[noreturn]] void fail_silent();
-  /// The answer to the last request, no event and no error; nothing if it has not come and `wait` is false.
+  /// Returns the answer to the last request, not an event or error; nothing if it has not come and `wait` is
+  /// false.
   std::optional<wire::Line> answer(bool wait, const wire::OnEvent& on_event);
   template <typename Answer>
   std::optional<Answer> take(bool wait, const wire::OnEvent& on_event);
@@ -83,8 +84,8 @@ class Runner {
   std::unique_ptr<Process> process_;
   wire::Hello hello_;
   long long last_id_ = 0;
-  wire::BatchReader batches_{{}};  ///< of the run that was asked for last
-  bool batch_is_damaged_ = false;  ///< one of that run's; what came later is not read
+  wire::BatchReader batches_{{}};  ///< of the last requested run
+  bool batch_is_damaged_ = false;  ///< in that run; later ones are not read
 };
 
 }  // namespace robosim::client
