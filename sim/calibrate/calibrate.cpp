@@ -17,7 +17,7 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr std::size_t kMostLog_bytes = std::size_t{64} << 20;
-constexpr double kMeter = 0.01;  // how far a multimeter may be off, against what it shows
+constexpr double kMeter = 0.01;  // relative error of a multimeter
 
 bool is_path(const std::string& robot) { return robot.find_first_of("/.") != robot.npos; }
 

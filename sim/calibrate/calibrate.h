@@ -21,20 +21,20 @@ struct Calibration {
   robot::Description robot;
   SweepFit sweep;
   std::optional<DriveFit> drive;
-  std::vector<Figure> figures;        ///< sure enough to be written
-  std::vector<Figure> unsure;         ///< found, but not sure enough
-  std::vector<std::string> not_told;  ///< what these logs cannot tell, a sentence each
+  std::vector<Figure> figures;        ///< certain enough to be written
+  std::vector<Figure> unsure;         ///< found, but too uncertain
+  std::vector<std::string> not_told;  ///< what these logs do not determine, one sentence each
   double tape_m = 0.0;
 };
 
-/// Throws InputError.
+/// Computes the parameters. Throws InputError.
 Calibration calibrate(const Task&);
 
-/// For people.
+/// Returns the text for the user.
 std::string report(const Calibration&);
 
-/// The robot file's text with the figures; of a stock robot a file that is based on it. It has been read as
-/// `file` for a test. Throws InputError.
+/// Returns the robot file's text with the parameters; for a stock robot a file that is based on it. The text
+/// has been read as `file` for a check. Throws InputError.
 std::string calibrated_text(const Task&, const Calibration&, const std::string& file);
 
 }  // namespace robosim::calibrate

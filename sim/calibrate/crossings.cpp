@@ -13,12 +13,12 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr double kCodes = 1024.0;           // of analogRead() on all boards
-constexpr double kTapeShare = 0.03;         // of the readings that are over the tape, at least
+constexpr double kTapeShare = 0.03;         // minimum share of readings over the tape
 constexpr double kMostSaturated = 0.3;      // of the readings over floor, or over tape
 constexpr double kLeastContrast = 0.03;     // of the converter's range
 constexpr double kMostDisagreement = 0.35;  // of the tape's width
 
-/// `late`: how much later than it falls a pin is seen to be low, in the mean, us.
+/// `late`: the mean delay until a low pin is noticed, us.
 double signal(double reading, const robot::ReflectanceSpec& part, double supply, double late) {
   if (part.read == robot::ReflectanceSpec::Read::rc) return 1e6 / std::max(reading - late, 1.0);
   return (reading + 0.5) * supply / kCodes;
@@ -28,7 +28,7 @@ bool black_is_more(const robot::ReflectanceSpec& part) {
   return part.read != robot::ReflectanceSpec::Read::rc && part.black_high;
 }
 
-/// The slope of y over t, samples first to last.
+/// Returns the slope of y over t, samples first to last.
 double slope(const std::vector<double>& t, const std::vector<double>& y, std::size_t first,
              std::size_t last) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
@@ -70,7 +70,7 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
   }
   const robot::EncoderSpec* encoders[2] = {encoder_of(robot, 0), encoder_of(robot, 1)};
   if (!sweep.counted || !encoders[0] || !encoders[1] || !log.counts_per_period) return trace;
-  double path[2][2] = {};  // m, of each wheel, at the beginning and the end
+  double path[2][2] = {};  // m, of each wheel, at both ends
   const double radius = 0.5 * robot.chassis.wheel.value;
   const auto travelled = [&](std::size_t side, std::size_t i) {
     return sweep.count[side][i] / (encoders[side]->periods * *log.counts_per_period) * 2.0 *
@@ -90,7 +90,7 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
                     "turn; does a motor or an encoder stand still?",
                     sweep.count[0].back() - sweep.count[0].front(),
                     sweep.count[1].back() - sweep.count[1].front()));
-  // It turns about the point of the axle that stands still, so far to the left of its middle.
+  // It turns about the resting point of the axle, this far to the left of its middle.
   const double centre = 0.5 * robot.chassis.track.value * (left + right) / (left - right);
   const Vec2 at = part.elements[element].at;
   trace.radius = std::hypot(at.x, at.y + centre);
@@ -186,7 +186,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
     while (last + 1 < t.size() && t[last + 1] < crossing.leaves + duration) ++last;
     const double width = std::fabs(slope(t, trace.angle, first, last)) * trace.radius * duration;
     seen += width / static_cast<double>(found.size());
-    // Where the wheels stood still for a moment, the tape tells the speed.
+    // If the wheels stopped for a moment, the tape gives the speed.
     if (width > 0.5 * tape_m && width < 2.0 * tape_m) crossing.speed = width / duration;
   }
   if (!trace.angle.empty() && std::fabs(seen / tape_m - 1.0) > kMostDisagreement)

@@ -1,4 +1,4 @@
-// A sensor's readings in a sweep as a signal, and where in it the tape is.
+// A sensor's readings in a sweep as a signal, and the places of the tape in it.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace robosim::calibrate {
 
-/// What one element gave in one sweep.
+/// The signal of one element in one sweep.
 struct Trace {
   const Sweep* sweep = nullptr;
   const std::string* file = nullptr;
   std::vector<double> y;      ///< volts, or 1 / s
-  std::vector<double> angle;  ///< rad the robot has turned, by its wheels; empty without counts
-  double radius = 0.0;        ///< m from what it turns about to the sensor; with counts
-  double step = 0.0;          ///< of the signal, from code to code; 0 of RC sensors
-  double timing = 0.0;        ///< s: how finely an RC sensor's time is known; 0 = exactly
+  std::vector<double> angle;  ///< rad the robot has turned, by its wheels; empty without encoder counts
+  double radius = 0.0;        ///< m from the centre of the turn to the sensor; with counts
+  double step = 0.0;          ///< of the signal, between adjacent codes; 0 for RC sensors
+  double timing = 0.0;        ///< s: resolution of an RC sensor's time; 0 = exact
 };
 
-/// One passage over the tape.
+/// One crossing of the tape.
 struct Crossing {
   double enters = 0.0, leaves = 0.0;  ///< s, at half depth
-  std::size_t first = 0, last = 0;    ///< the samples between
+  std::size_t first = 0, last = 0;    ///< the samples in between
   double speed = 0.0;                 ///< m/s across the tape
 };
 
@@ -32,17 +32,17 @@ struct Levels {
   double white = 0.0, black = 0.0;
 };
 
-/// Of an element with this index in its part. Throws InputError for a reading that is no code of the
-/// converter.
+/// Returns the trace of an element with this index in its part. Throws InputError for a reading that is not a
+/// code of the converter.
 Trace make_trace(const Log&, const Sweep&, std::size_t column, const robot::ReflectanceSpec&,
                  std::size_t element, const robot::Description&);
 
-/// Roughly what it gives over floor and tape. Throws InputError if that is all the same, or the wrong way
-/// round, or at the converter's end.
+/// Returns the approximate signal over floor and tape. Throws InputError if they are equal, reversed, or at
+/// the converter's limit.
 Levels rough_levels(const Trace&, const std::string& name, const robot::ReflectanceSpec&);
 
-/// The whole passages: floor, tape, floor. Throws InputError where there is none, or where wheels and tape
-/// contradict each other.
+/// Returns the complete crossings: floor, tape, floor. Throws InputError if there is none, or if wheels and
+/// tape contradict each other.
 std::vector<Crossing> find_crossings(const Trace&, const std::string& name, const Levels&, double tape_m);
 
 }  // namespace robosim::calibrate

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kTick = 0.001;         // s, of the world
 constexpr double kPiece = 0.5;          // s of a drive
-constexpr double kRollsFor = 5.0;       // s at most, behind a timed drive
+constexpr double kRollsFor = 5.0;       // s at most, after a timed drive
 constexpr double kMostDriving = 120.0;  // s
 constexpr double kCell = 50.0;          // m: a floor without walls in reach
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
 
-/// The same robot without spreads, as typical@2 has it.
+/// Returns the robot without spreads, as in typical@2.
 robot::Description nominal(robot::Description robot) {
   robot::Chassis& c = robot.chassis;
   robot::Motors& m = robot.motors;
@@ -36,7 +36,7 @@ robot::Description nominal(robot::Description robot) {
   return robot;
 }
 
-/// What a motor gets when the sketch says -255 .. 255. 0 is all pins low.
+/// Returns a motor's command for the sketch's -255 .. 255. 0 is all pins low.
 world::WheelCommand command(const robot::Description& robot, const robot::MotorSpec& motor, int told) {
   if (told == 0) return {0.0, 0.0};
   // Between (n + 1) / 256 of an Uno's timer 0 and n / 255 of the others.
@@ -97,7 +97,7 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
       world_(floor_) {
   if (volts > 0.0) body_.supply_volts = volts;
   for (const int side : {0, 1}) {
-    // A file that has no friction gets some to begin with.
+    // A file without friction gets some as a start value.
     world::WheelParams& wheel = body_.wheel[side];
     wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
     motors_[side] = motor_of(robot_, side);
@@ -167,7 +167,7 @@ Bench::PerTurn Bench::per_turn(const Log& log) const {
 void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
   const char* name = side == 0 ? "left" : "right";
   const int told = drive.told[side].front();
-  double counted = 0.0, along = 0.0;  // in all, and as told
+  double counted = 0.0, along = 0.0;  // in total, and in the commanded direction
   for (std::size_t i = 1; i < drive.t.size(); ++i) {
     const double more = drive.count[side][i] - drive.count[side][i - 1];
     counted += more;
@@ -215,7 +215,7 @@ Bench::Plan Bench::plan(const Drive& drive, const PerTurn& per_turn) const {
   return plan;
 }
 
-// Of each set of factors each drive.
+// For each set of factors and each drive.
 std::vector<Bench::Angles> Bench::follow(std::span<const Factors> all) const {
   struct Under {
     const Plan* plan;
@@ -238,7 +238,7 @@ std::vector<Bench::Angles> Bench::follow(std::span<const Factors> all) const {
         for (const world::Side side : {world::left, world::right})  // rates are constant within a tick
           angles[i][side].push_back(bodies.wheel_angle(i, side) +
                                     bodies.wheel_rate(i, side) * plan->samples[sample].into);
-      if (sample == plan->samples.size()) {  // it is over
+      if (sample == plan->samples.size()) {  // it has ended
         bodies.place(i, kStart);
         for (const world::Side side : {world::left, world::right}) bodies.command(i, side, {});
         --left;
@@ -285,7 +285,7 @@ void Bench::compare(const Plan& plan, const Angles& angles, std::vector<double>&
   if (curves) curves->push_back(std::move(curve));
 }
 
-// Of each set of factors each timed drive: how far it comes, m.
+// For each set of factors and each timed drive: the distance, m.
 std::vector<double> Bench::drive_timed(std::span<const Factors> all) const {
   struct Under {
     const Timed* timed;

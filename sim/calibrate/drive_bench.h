@@ -1,7 +1,7 @@
-// A robot's body that is driven as a log says, with figures that may be changed: what it makes of a drive,
-// against what was counted. The figures, and what can be told from them, are at the top of drive_fit.h. What
-// the motors are told in each tick is found once; all drives, of as many sets of figures as are asked for,
-// are then driven side by side, as bodies of one batch (sim/batch/bodies.h).
+// A robot's body that is driven as in a log, with variable parameters: compares a simulated drive to the
+// counts. The parameters, and what determines them, are at the top of drive_fit.h. The motors' commands in
+// each tick are computed once. All drives, for any number of parameter sets, are then simulated in parallel,
+// as bodies of one batch (sim/batch/bodies.h).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace robosim::calibrate {
 
-/// What is fitted or held: factors of the file's figures, as logarithms.
+/// The fitted or fixed values: factors of the file's parameters, as logarithms.
 enum Factor {
   no_load_left,
   no_load_right,
@@ -32,26 +32,25 @@ using Factors = std::array<double, kFactors>;
 
 class Bench {
  public:
-  /// `volts`: of the battery; 0 = as the file has it. The robot is taken without spreads, as typical@2 has
-  /// it.
+  /// `volts`: of the battery; 0 = as in the file. The robot has no spreads, as in typical@2.
   Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, const robot::Description& robot,
         double volts);
 
-  /// The body with all factors 1.
+  /// Returns the body with all factors 1.
   const world::BodyParams& body() const { return body_; }
   bool has_motors() const { return motors_[0] && motors_[1]; }
-  /// Throws InputError for drives that no figures make.
+  /// Throws InputError for drives that no parameters can produce.
   void check();
-  /// Whether a drive turns on the spot.
+  /// Returns whether a drive turns on the spot.
   bool spins() const { return spins_; }
-  /// What was counted less what these factors make, in counts; of timed drives over what they are uncertain
-  /// by. Of a longer drive each half second is looked at by itself: errors of its place grow.
+  /// Returns the counts less their simulation with these factors; for timed drives divided by their
+  /// uncertainty. Each half second of a longer drive is compared separately, since position errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
-  /// The same of each of many.
+  /// Returns the residuals for each of many sets.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;
 
  private:
-  using PerTurn = std::array<double, 2>;              ///< counts of each wheel
+  using PerTurn = std::array<double, 2>;              ///< counts per turn of each wheel
   using Angles = std::array<std::vector<double>, 2>;  ///< rad, of each wheel, at a drive's samples
   /// A drive, tick by tick.
   struct Plan {
@@ -61,7 +60,7 @@ class Bench {
       std::size_t tick;
       world::WheelCommand of[2];
     };
-    std::vector<Command> commands;  ///< where they change
+    std::vector<Command> commands;  ///< at each change
     struct Sample {
       std::size_t tick;
       double into;  ///< s, of the tick
@@ -88,7 +87,7 @@ class Bench {
   std::vector<Plan> plans_;  ///< after check()
 };
 
-/// The body with its figures times these factors.
+/// Returns the body with its parameters times these factors.
 world::BodyParams with(world::BodyParams body, const Factors& x);
 
 }  // namespace robosim::calibrate

@@ -11,13 +11,13 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kAlike = 10.0;      // samples that say as much as one
-constexpr double kMostUnsure = 0.5;  // of a figure's logarithm: beyond, the data do not tell it
-// What ticks, and the duty of a PWM that is known to half a step, add: standard deviations, as shares.
+constexpr double kAlike = 10.0;      // samples that count as one
+constexpr double kMostUnsure = 0.5;  // of a parameter's logarithm: above it, the data do not determine it
+// Uncertainty from ticks, and from a PWM duty cycle known to half a step: standard deviations, as shares.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 
-/// The share of a figure that its spread in the file is, as a standard deviation.
+/// Returns the parameter's spread in the file as a relative standard deviation.
 double held_sd(const Number& number) {
   const Spread now = number.in(Profile::typical_2);
   return now.value > 0.0 ? now.spread / (now.value * std::numbers::sqrt3) : 0.0;
@@ -29,7 +29,7 @@ double sum_of_squares(const std::vector<double>& values) {
   return sum;
 }
 
-/// The covariance of those that are free and those that are held with `held` as their standard deviations.
+/// Returns the covariance of the free and the fixed ones, with the standard deviations `held` for the latter.
 std::vector<std::vector<double>> covariance(const Bench& bench, const Factors& x, const std::vector<int>& all,
                                             const Factors& held, double variance) {
   constexpr double kStep = 0.01;

@@ -8,7 +8,7 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // m: as robot files may have them
+constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // m: limits of robot files
 
 }  // namespace
 
@@ -35,7 +35,7 @@ EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape
   return {sse, white};
 }
 
-// A look around, then golden section.
+// A coarse search, then golden section.
 double best_offset(const Edge& edge, double footprint, double tape_m) {
   const double reach = 0.0006 + 0.25 * footprint;
   constexpr int kLooks = 4;

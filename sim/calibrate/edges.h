@@ -1,5 +1,5 @@
-// The edges of a tape in a sensor's readings, and the footprint that they show. The model is at the top of
-// sweep_fit.h.
+// The edges of a tape in a sensor's readings, and the footprint that follows from them. The model is at the
+// top of sweep_fit.h.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@ struct Edge {
   double black;              // the signal over black
 };
 
-/// How well a model fits: the sum of squared errors, shares of white to black, and the signal over white that
-/// fits best.
+/// The quality of a fit: the sum of squared errors, as shares of white to black, and the best signal over
+/// white.
 struct EdgeFit {
   double sse, white;
 };
 
-/// The share of the footprint on the tape, `inwards` of its edge.
+/// Returns the share of the footprint on the tape, `inwards` of its edge.
 double share_on_tape(double inwards, double footprint, double tape_m);
 
-/// With the edge `offset` further inwards.
+/// Fits with the edge `offset` further inwards.
 EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape_m);
 
-/// The offset that fits best.
+/// Returns the best offset.
 double best_offset(const Edge& edge, double footprint, double tape_m);
 
-/// The footprint (m) that fits best to edges first, first + stride, …; the search begins at `start`.
+/// Returns the best footprint (m) for edges first, first + stride, …; the search begins at `start`.
 double fit_footprint(const std::vector<Edge>& edges, std::size_t first, std::size_t stride, double start,
                      double tape_m);
 

@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Without the time that Arduino's serial monitor puts before each line.
+/// Removes the time that Arduino's serial monitor puts before each line.
 std::string_view without_stamp(std::string_view line) {
   const std::size_t arrow = line.find(" -> ");
   if (arrow == line.npos || arrow > 16 || line.find(':') > arrow) return line;

@@ -2,14 +2,14 @@
 // separated numbers, each under a line of column names.
 //
 //   # counts_per_period = 2               edges counted in each period of an encoder's channel
-//   # timing_step_us = 9.5                 of RC sensors: time between two looks at a pin
+//   # timing_step_us = 9.5                for RC sensors: time between two reads of a pin
 //   t_us,count_left,count_right,S1,S2     a sweep: the robot turns slowly, its sensors see floor and tape
-//   t_us,left,right,count_left,count_right    a drive from rest: what the motors are told from then on,
-//                                             -255 .. 255, 0 = they roll out; and what the encoders count
+//   t_us,left,right,count_left,count_right    a drive from rest: the motors' commands from then on,
+//                                             -255 .. 255, 0 = they coast; and the encoders' counts
 //
-// Counts are forward positive. Other lines that begin with # are comments. What a serial monitor puts before
-// a line ("12:00:01.123 -> ") is skipped, and so is all before the last "# robosim calibration log": a board
-// begins anew when the monitor opens its port.
+// Counts are positive forward. Other lines that begin with # are comments. A serial monitor's prefix of a
+// line ("12:00:01.123 -> ") is skipped. So is everything before the last "# robosim calibration log": a board
+// restarts when the monitor opens its port.
 #pragma once
 
 #include <array>
@@ -24,10 +24,10 @@ struct Sweep {
   int line = 0;                               ///< of its column names
   std::vector<int> lines;                     ///< of each row
   std::vector<double> t;                      ///< s
-  bool counted = false;                       ///< there are counts
+  bool counted = false;                       ///< it has counts
   std::array<std::vector<double>, 2> count;   ///< left, right
   std::vector<std::string> names;             ///< of the sensors
-  std::vector<std::vector<double>> readings;  ///< of each sensor, as the sketch had them
+  std::vector<std::vector<double>> readings;  ///< of each sensor, as the sketch read them
 };
 
 struct Drive {
@@ -41,12 +41,12 @@ struct Drive {
 struct Log {
   std::string file;
   std::optional<double> counts_per_period;
-  double timing_step = 0.0;  ///< s; 0 = not said
+  double timing_step = 0.0;  ///< s; 0 = not given
   std::vector<Sweep> sweeps;
   std::vector<Drive> drives;
 };
 
-/// Throws InputError with file and line.
+/// Parses a log. Throws InputError with file and line.
 Log parse_log(std::string_view text, const std::string& file);
 
 }  // namespace robosim::calibrate

@@ -49,7 +49,7 @@ std::vector<double> minimise(const std::function<double(const std::vector<double
   nlopt_set_ftol_rel(optimiser.get(), 1e-10);
   nlopt_set_xtol_rel(optimiser.get(), 1e-6);
   double least = 0.0;
-  nlopt_optimize(optimiser.get(), x.data(), &least);  // where it gives up early, what it has found counts
+  nlopt_optimize(optimiser.get(), x.data(), &least);  // if it stops early, its result so far counts
   return search.best;
 }
 
@@ -57,7 +57,7 @@ std::vector<std::vector<double>> inverse(std::vector<std::vector<double>> matrix
   const std::size_t n = matrix.size();
   std::vector<std::vector<double>> result(n, std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i) result[i][i] = 1.0;
-  for (std::size_t i = 0; i < n; ++i) {  // Gauss and Jordan: positive definite needs no other pivots
+  for (std::size_t i = 0; i < n; ++i) {  // Gauss-Jordan: a positive definite matrix needs no pivoting
     const double pivot = matrix[i][i];
     if (!(pivot > 0.0) || !std::isfinite(pivot)) return {};
     for (std::size_t k = 0; k < n; ++k) {

@@ -17,7 +17,7 @@ constexpr double kWidth = 460.0, kHeight = 280.0, kLeft = 56.0, kRight = 14.0, k
 constexpr std::size_t kMostDots = 1500;  // of a panel
 constexpr const char* kMeasured[2] = {"#0072b2", "#d55e00"};
 
-/// 1, 2 or 5 times a power of ten, of which some five fit.
+/// Returns 1, 2 or 5 times a power of ten, so that about five fit.
 double tick_of(double range) {
   const double rough = range / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})

@@ -1,4 +1,4 @@
-// Measured against fitted, as a picture (.svg): the edges of each part's sensors, and each drive.
+// Plots measured and fitted values as a picture (.svg): the edges of each part's sensors, and each drive.
 #pragma once
 
 #include <string>

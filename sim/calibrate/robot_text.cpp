@@ -10,7 +10,7 @@
 namespace robosim::calibrate {
 namespace {
 
-/// Where in the text a value of the tree begins.
+/// Returns where a value of the tree begins in the text.
 std::size_t offset_of(std::string_view text, const Place& place) {
   std::size_t at = 0;
   for (int line = 1; line < place.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
@@ -33,7 +33,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Behind the value that begins there; the text is known to be TOML.
+/// Returns the end of the value that begins there; the text is valid TOML.
 std::size_t end_of_value(std::string_view text, std::size_t at) {
   int depth = 0;
   while (at < text.size()) {
@@ -74,7 +74,7 @@ const ConfigValue* table_of(const ConfigValue& tree, const Figure& figure) {
   return nullptr;
 }
 
-/// Behind the line of a table's last key.
+/// Returns the end of the line of a table's last key.
 std::size_t end_of_table(std::string_view text, const ConfigValue& table) {
   std::size_t at = offset_of(text, table.place);
   for (const auto& [key, value] : table.members)
@@ -124,7 +124,7 @@ std::string with_figures(std::string_view text, const std::string& file, const s
   std::string result;
   std::size_t at = 0;
   for (const Change& change : changes) {
-    // A line is added before the carriage return of the line that it follows.
+    // A line is inserted before the carriage return of the preceding line.
     std::size_t begin = change.begin;
     std::size_t end = change.end;
     if (end == begin && begin > at && text[begin - 1] == '\r') end = --begin;

@@ -1,6 +1,6 @@
-// Figures put into the text of a robot file, which stays its owner's: values of keys that are there are
-// exchanged, keys that are not are added behind their table's last, tables that are not (those of its base)
-// at the end. All else, comments and layout included, stays as it is.
+// Inserts parameters into the text of a robot file. Values of existing keys are replaced. Missing keys are
+// added at the end of their table, missing tables (those of its base) at the end. Everything else stays,
+// including comments and layout.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace robosim::calibrate {
 
-/// Throws InputError for text that is no TOML, and for tables in which no line can be added ("motors = { …
-/// }").
+/// Returns the new text. Throws InputError for invalid TOML, and for tables without room for a new line
+/// ("motors = { … }").
 std::string with_figures(std::string_view text, const std::string& file, const std::vector<Figure>& figures);
 
 }  // namespace robosim::calibrate

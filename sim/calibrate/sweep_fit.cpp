@@ -19,13 +19,13 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;                       // m of floor that are as good as one reading of it
-constexpr double kMostChange = 0.25;                   // of white to black, from sweep to sweep
+constexpr double kPatch = 0.012;                       // m of floor that count as one reading
+constexpr double kMostChange = 0.25;                   // of white to black, between sweeps
 constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s: of both ends of a time by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
-constexpr std::size_t kMostEdges = 1500;  // of a part: more of them make nothing surer
+constexpr std::size_t kMostEdges = 1500;  // of a part: more do not improve the result
 constexpr double kMostClipped =
-    0.005;  // of the readings; with more of them the mean is off, and the median taken
+    0.005;  // of the readings; above it the mean is biased, and the median is used
 
 /// One element with all of its sweeps.
 struct Element {
@@ -48,7 +48,7 @@ double deviation(const std::vector<double>& values) {
   return std::sqrt(sum / std::max(static_cast<double>(values.size()) - 1.0, 1.0));
 }
 
-/// How far the mean of a few is off: wider than of many, as Student's distribution has it (95 %).
+/// Returns the uncertainty of a mean of few values, by Student's distribution (95 %).
 double mean_sd(const std::vector<double>& values) {
   constexpr double kFew[] = {6.4, 2.2, 1.6, 1.4, 1.3, 1.2, 1.2, 1.15};  // of 2, 3, …
   const std::size_t n = values.size();
@@ -63,7 +63,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The standard deviation of single readings, by second differences.
+/// Returns the standard deviation of single readings, by second differences.
 double noise_of(const std::vector<double>& differences, double step) {
   if (differences.size() < 10) return 0.0;
   double sum = 0.0;
@@ -72,16 +72,16 @@ double noise_of(const std::vector<double>& differences, double step) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// The first sample at that time or later.
+/// Returns the first sample at that time or later.
 std::size_t index_at(const std::vector<double>& t, double time) {
   return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin());
 }
 
-/// Levels and noise of one element, from what is well inside and well outside the tape.
+/// Measures levels and noise of one element, well inside and well outside the tape.
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
   double length = 0.0, radius = 0.0;
-  std::set<std::string> logs;  // each of another place on the floor
+  std::set<std::string> logs;  // each at another place of the floor
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -115,7 +115,7 @@ void measure_levels(Element& element) {
   }
   ElementFit& fit = element.fit;
   const double step = element.traces.front().step;
-  // A time's step is one of its rate, 1 / time.
+  // Converts a step of time to a step of its rate, 1 / time.
   const auto step_at = [&](const std::vector<double>& rates) {
     const double rate = rates.empty() ? 0.0 : mean(rates);
     const double timing = element.traces.front().timing;
@@ -128,7 +128,7 @@ void measure_levels(Element& element) {
   const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
   fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
-  // Where within its step a time falls is known in the mean only, to a quarter of it.
+  // The position of a time within its step is known only on average, to a quarter of it.
   fit.white.sd =
       std::hypot(fit.white.sd, 0.25 * element.traces.front().timing * fit.white.value * fit.white.value);
   fit.black = {mean(black),
@@ -173,7 +173,7 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
 }
 
 void measure_footprint(PartFit& fit, const std::vector<Element>& elements, double tape_m) {
-  // Where to begin: the width from 10 to 90 % of an edge's readings is 0.8 f.
+  // Start value: the width from 10 to 90 % of an edge's readings is 0.8 f.
   double footprint = 0.25 * tape_m;
   std::vector<Edge> edges;
   for (int round = 0; round < 3; ++round) {
@@ -186,9 +186,9 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   for (std::size_t k = 0; k < batches; ++k)
     tenths.push_back(fit_footprint(edges, k, batches, footprint, tape_m));
   const double scatter = mean_sd(tenths);
-  // Samples that are farther apart than the footprint is wide see of it that it is small, no more.
+  // Samples farther apart than the footprint only show that it is small.
   if (fit.spacing > footprint) return;
-  // What wheels and tape differ by, one of them is off.
+  // The difference between wheels and tape is an error of one of them.
   const double scale = fit.seen.value > 0.0 ? 0.5 * (fit.seen.value / tape_m - 1.0) : 0.0;
   fit.footprint = {footprint, std::hypot(scatter, std::hypot(0.01, scale) * footprint)};
   for (const Edge& edge : edges) {
@@ -199,7 +199,7 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   }
 }
 
-/// What wheels and crossings say of the track: pairs of crossings a whole turn apart.
+/// Collects the track width by wheels and crossings: pairs of crossings a whole turn apart.
 void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -219,7 +219,7 @@ void collect_turns(const Element& element, const robot::Description& robot, std:
   }
 }
 
-/// Which part and element a column is of.
+/// The part and element of a column.
 struct Column {
   const ReflectanceSpec* part = nullptr;
   std::size_t element = 0;
@@ -271,7 +271,7 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
   return elements;
 }
 
-/// `scale`: of the speeds that the wheels tell, as the track that was found has it.
+/// `scale`: for speeds from the wheels, by the fitted track width.
 PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, double tape_m, double scale) {
   PartFit fit;
   fit.part = &part;
@@ -287,7 +287,7 @@ PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, do
       for (const Crossing& c : element.crossings[k])
         if (!element.traces[k].angle.empty()) seen.push_back(c.speed * (c.leaves - c.enters));
   }
-  // Twice this is what its elements differ by, if they do so evenly.
+  // If its elements are uniformly distributed, they differ by twice this.
   const double differ = noise.size() > 1 ? 0.5 * std::numbers::sqrt3 * deviation(noise) : 0.0;
   fit.noise = {mean(noise), std::hypot(0.02 * mean(noise), differ)};
   if (!seen.empty()) fit.seen = {mean(seen), deviation(seen) / std::sqrt(static_cast<double>(seen.size()))};

@@ -26,21 +26,21 @@
 
 namespace robosim::calibrate {
 
-/// A figure as it was found: value and standard deviation, SI.
+/// A result: value and standard deviation, SI.
 struct Found {
   double value = 0.0;
   double sd = 0.0;
 };
 
-/// Of one sensor; signals as above.
+/// The results of one sensor; signals as above.
 struct ElementFit {
   std::string name;
   Found white, black;
-  double noise = 0.0, dark_noise = 0.0;  ///< of a reading over white and over black; the signal's unit
+  double noise = 0.0, dark_noise = 0.0;  ///< of a reading over white and over black; in the signal's unit
   std::size_t crossings = 0;
 };
 
-/// A sample of an edge for plots: its place, inwards from the edge, and the blackness it shows.
+/// A sample of an edge for plots: its position, inwards from the edge, and its blackness.
 struct EdgePoint {
   double s = 0.0;  ///< m
   double blackness = 0.0;
@@ -48,8 +48,8 @@ struct EdgePoint {
 
 struct PartFit {
   const robot::ReflectanceSpec* part = nullptr;
-  Found footprint;       ///< m; value 0: the samples are too far apart for one
-  Found noise;           ///< a share of white to black
+  Found footprint;       ///< m; value 0: the samples are too far apart
+  Found noise;           ///< as a share of white to black
   Found seen;            ///< m, the tape's width at half depth, by the wheels; 0 without counts
   double spacing = 0.0;  ///< m between samples
   std::vector<ElementFit> elements;
@@ -58,11 +58,11 @@ struct PartFit {
 
 struct SweepFit {
   std::vector<PartFit> parts;
-  Found track;                       ///< m; value 0: not told
-  std::vector<std::string> remarks;  ///< what the sweep cannot tell, a sentence each
+  Found track;                       ///< m; value 0: undetermined
+  std::vector<std::string> remarks;  ///< what the sweep does not determine, one sentence each
 };
 
-/// Throws InputError where the readings cannot be what such a robot sees.
+/// Fits the sweeps. Throws InputError if the readings are impossible for such a robot.
 SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m);
 
 }  // namespace robosim::calibrate
