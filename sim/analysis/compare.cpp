@@ -12,13 +12,13 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // before it is off the line, a robot is about to leave it
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // shortly before it is off the line, a robot is leaving it
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
 }
 
-/// What there was before both had lost the line.
+/// Returns the part before both had lost the line.
 History up_to(std::int64_t until, History history) {
   const auto later = [&](const TimedText& text) { return text.t_ns > until; };
   std::erase_if(history.places, later);
@@ -29,7 +29,7 @@ History up_to(std::int64_t until, History history) {
   return history;
 }
 
-/// How a run ends that has lost the line, one way or the other.
+/// Returns whether a run has ended by losing the line, in any way.
 bool is_astray(const History& history) {
   return history.lost_ns &&
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
@@ -81,12 +81,13 @@ class Comparer {
       }
   }
 
-  /// Whether `other` would have come to what happened `after_ns` after the last common event, at `since_ns`.
+  /// Returns whether `other` had time for what happened `after_ns` after the last common event, at
+  /// `since_ns`.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
-  /// What one side has and the other lacks, at the end of a lane.
+  /// Reports what one side has and the other lacks, at the end of a lane.
   template <typename Marks, typename Make>
   void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
     if (a.size() == b.size()) return;
@@ -103,7 +104,7 @@ class Comparer {
     report(std::move(d));
   }
 
-  /// False, and reported, if the time since the mark before differs too much.
+  /// Returns false, and reports it, if the time since the previous mark differs too much.
   bool same_time(const std::array<std::int64_t, 2>& t, const std::array<std::int64_t, 2>& before,
                  const std::string& what, std::array<std::optional<std::size_t>, 2> line,
                  std::array<std::optional<std::size_t>, 2> place = {}) {

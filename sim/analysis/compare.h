@@ -1,17 +1,17 @@
-// Whether two targets behave the same: two histories, aligned by what happened rather than by the clock.
+// Compares the behaviour of two targets: two histories, aligned by events rather than by the clock.
 // Instructions take different times on each target, so the same robot turns a little later, and in a slightly
 // different place.
 //
 // docs/howto/comparing.md says what counts as a difference; in short:
 //
 //   places    their names and order
-//   lines     their text and order, numbers aside; a text that comes more than 20 times, or 5 times in 2 s,
-//             is a stream: of it the rate counts, and that both sides say it at about the same time
-//   numbers   those of a line: within 10 % of each other; of a stream: within what the other side printed in
-//             the second before and after, or one beside it where it ranges over 10 and more
+//   lines     their text and order, without numbers; a text that comes more than 20 times, or 5 times in 2 s,
+//             is a stream: its rate counts, and that both sides send it at about the same time
+//   numbers   of a line: within 10 % of each other; of a stream: within the other side's output in the second
+//             before and after, or one next to it if it ranges over 10 and more
 //   times     from one place or line to the next: within 0.5 s and 25 %
 //   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second and 1 % of the
-//             time since the last place or line that both have;
+//             time since the last common place or line;
 //             the mean command between two common events: within 0.25
 //   the end   the verdict
 #pragma once
@@ -28,10 +28,10 @@ namespace robosim::analysis {
 
 struct Tolerance {
   double time = 0.25;                  ///< share by which a time may differ …
-  std::int64_t time_ns = 500'000'000;  ///< … and this much more
+  std::int64_t time_ns = 500'000'000;  ///< … plus this
   double number = 0.10;                ///< share of the larger number
 
-  /// How far apart what takes `duration_ns` may be.
+  /// Returns the tolerance for a duration.
   std::int64_t time_for(std::int64_t duration_ns) const {
     return time_ns + static_cast<std::int64_t>(time * static_cast<double>(duration_ns));
   }
@@ -41,14 +41,15 @@ struct Difference {
   enum class Kind { place, line, number, time, motors, speed, verdict };
   Kind kind = Kind::verdict;
   std::string what;                                     ///< "line 3", "the way after junction 2"
-  std::array<std::int64_t, 2> t_ns{};                   ///< when, on either side
-  std::array<std::string, 2> sides;                     ///< what each did: "\"sum 40000\""
-  std::string cause;                                    ///< "integer width: …"; empty if it has no name
-  std::array<std::optional<std::size_t>, 2> line;       ///< which of History::lines it is about, if any
-  std::array<std::optional<std::size_t>, 2> place{};    ///< the same of History::places …
+  std::array<std::int64_t, 2> t_ns{};                   ///< its times, on either side
+  std::array<std::string, 2> sides;                     ///< the behaviour of each: "\"sum 40000\""
+  std::string cause;                                    ///< "integer width: …"; empty if it is unknown
+  std::array<std::optional<std::size_t>, 2> line;       ///< index in History::lines, if it is about one
+  std::array<std::optional<std::size_t>, 2> place{};    ///< likewise in History::places …
   std::array<std::optional<std::size_t>, 2> stretch{};  ///< … and of History::stretches
 
-  /// When the first of the two did it: what comes of a difference may show earlier on the clock of the other.
+  /// Returns when the first of the two acted: consequences of a difference may show earlier on the other's
+  /// clock.
   std::int64_t first_ns() const { return std::min(t_ns[0], t_ns[1]); }
 };
 
@@ -60,7 +61,7 @@ struct KnownDifference {
 };
 
 struct Comparison {
-  std::optional<Difference> first;  ///< the earliest by first_ns(); nullopt if they behave the same
+  std::optional<Difference> first;  ///< the earliest by first_ns(); nullopt if they behave equally
   std::vector<KnownDifference> known;
 };
 

@@ -1,4 +1,4 @@
-// Whether the motors do the same in two histories.
+// Compares the motors of two histories.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace robosim::analysis {
 
-/// The first manoeuvre of `side` (0 or 1) that the other side does not make.
+/// Returns the first manoeuvre of `side` (0 or 1) that the other side does not make.
 std::optional<Difference> missing_manoeuvre(const std::array<const History*, 2>& sides, std::size_t side,
                                             const Clocks& clocks);
 
-/// The first time between two common events in which one side drives faster on average.
+/// Returns the first period between two common events in which one side drives faster on average.
 std::optional<Difference> speed_difference(const std::array<const History*, 2>& sides, const Clocks& clocks);
 
 }  // namespace robosim::analysis

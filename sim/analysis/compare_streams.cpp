@@ -8,11 +8,11 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::size_t kStream = 20;    // a text that comes more often is a stream
-constexpr std::size_t kStreamRow = 5;  // so is one that comes so often within kStreamTime_ns
+constexpr std::size_t kStream = 20;    // a more frequent text is a stream
+constexpr std::size_t kStreamRow = 5;  // as is one that comes this often within kStreamTime_ns
 constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
 constexpr std::size_t kMissedRow =
-    10;  // so many lines of a stream, for so long, are missed on the other side
+    10;  // this number of lines of a stream, for this long, is missing on the other side
 constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;
 
 class StreamComparer {
@@ -74,10 +74,10 @@ class StreamComparer {
                       {lanes_[0].front().number, lanes_[1].front().number}});
   }
 
-  /// Whether the other side has `side`'s lines at about that time, too.
+  /// Compares whether the other side has `side`'s lines at about that time, too.
   void compare_presence(std::size_t side) {
     const auto& others = lanes_[1 - side];
-    const Said* first = nullptr;  // of those that are missed
+    const Said* first = nullptr;  // of the missing ones
     std::size_t missed = 0;
     for (const Said& said : lanes_[side]) {
       const std::int64_t t = other_clock(side, said.t_ns), about = std::max(kNear_ns, tolerance_.time_for(t));
@@ -100,8 +100,8 @@ class StreamComparer {
     }
   }
 
-  /// A whole number that ranges widely is measured, and its last place shakes; one that does not may be a
-  /// state, where one more is another.
+  /// An integer with a wide range is a measurement, and its last digit varies. One with a small range may be
+  /// a state, and all values differ.
   void find_last_places() {
     last_places_.assign(lanes_[0].front().parts.numbers.size(), 0.0);
     for (std::size_t n = 0; n < last_places_.size(); ++n) {
@@ -115,8 +115,7 @@ class StreamComparer {
     }
   }
 
-  /// Each number of `side`'s lines against those that the other has said at about that time. False if one
-  /// differs.
+  /// Compares each number of `side`'s lines to the other's at about that time. Returns false if one differs.
   bool compare_numbers(const std::string& form, std::size_t side) {
     const auto& others = lanes_[1 - side];
     for (const Said& said : lanes_[side]) {

@@ -1,5 +1,6 @@
-// Lines that firmware prints again and again: what it measures, a few times a second. Two sides print them at
-// other moments, and a robot shakes: so each is held against what the other side says at about that time.
+// Compares lines that firmware prints repeatedly, such as measurements a few times a second. Two sides print
+// them at different moments, and robots vibrate. So each is compared to the other side's output at about that
+// time.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace robosim::analysis {
 
-/// A line, and its number among all lines of its side.
+/// A line, and its index among all lines of its side.
 struct Said {
   std::int64_t t_ns = 0;
   std::string text;
@@ -21,14 +22,14 @@ struct Said {
   std::size_t number = 0;
 };
 
-/// Of either side.
+/// The lines of each side.
 using Lanes = std::array<std::vector<Said>, 2>;
 
-/// Whether lines of one form that came at these times are a stream.
+/// Returns whether lines of one form at these times are a stream.
 bool is_stream(const std::vector<std::int64_t>& came);
 
-/// What differs in the lines of one form that are a stream on one side at least: that one side has none, how
-/// often they come, when they begin and end, and their numbers. At most one of each kind and side.
+/// Returns the differences in the lines of one form that are a stream on at least one side. They are a
+/// missing stream, the rate, beginning and end, and their numbers. At most one of each kind and side.
 std::vector<Difference> stream_differences(const std::string& form, const Lanes& lanes,
                                            const std::array<const History*, 2>& sides, const Clocks& clocks,
                                            const Tolerance& tolerance);

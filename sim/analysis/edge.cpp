@@ -12,12 +12,12 @@ namespace {
 
 using Kind = Difference::Kind;
 
-constexpr std::int64_t kShortest_ns = 100'000'000;  // of a manoeuvre, to be one
-// That go each way; one is enough where there are many.
+constexpr std::int64_t kShortest_ns = 100'000'000;  // minimum of a manoeuvre
+// The minimum of each behaviour; one is enough among many runs.
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
-/// "comes 2.220 s after the one before" and "comes 2.180 s after the one before"
+/// Compares "comes 2.220 s after the one before" and "comes 2.180 s after the one before"
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
   if (a.form != b.form) return false;
@@ -26,7 +26,7 @@ bool is_same_way(const std::string& one, const std::string& other, const Toleran
   return std::fabs(x - y) <= 1e-9 * static_cast<double>(tolerance.time_ns) + tolerance.time * std::fmax(x, y);
 }
 
-/// Another place, and the same one much later, are one sort; so are another manoeuvre and another speed.
+/// Groups another place with the same one much later; and another manoeuvre with another speed.
 Kind sort_of(const Difference& d) {
   if (d.kind == Kind::time) return Kind::place;
   return d.kind == Kind::speed ? Kind::motors : d.kind;
@@ -108,8 +108,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Of all tables with these sums, those that are no more likely than this one. What a target does but once,
-// with one clock of so many, it does no more often than the other.
+// Sums all tables with these totals that are at most as likely as this one. A behaviour that a target shows
+// with only one of that many clocks counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

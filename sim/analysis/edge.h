@@ -11,22 +11,23 @@
 
 namespace robosim::analysis {
 
-/// How long a run must do as another did behind a difference, to be taken for the same.
+/// How long a run must follow another one after a difference, to count as equal.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
-/// Whether `mine` does as `other` did where two targets differ, and for `behind_ns` more; or ends as that
-/// does.
+/// Returns whether `mine` does as `other` where two targets differ, and for `behind_ns` more; or ends in the
+/// same way.
 bool does_as(const History& mine, const History& other, const Difference& found,
              std::int64_t behind_ns = kBehindEdge_ns);
 
-/// Whether a target's own difference is of the sort of that found, within 2 s of it; or, wherever, between
-/// the same two ways: the same two manoeuvres, the same two times at places of one sort.
+/// Returns whether a target's own difference resembles the one found, within 2 s of it. At any time, it may
+/// also be between the same two behaviours. These are the same two manoeuvres, or the same two times at
+/// places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
-/// What a run may do, or not.
+/// A condition that a run may meet or not.
 struct ComesTo {
   std::string place;
-  std::size_t times = 1;   ///< so many times it has come there …
+  std::size_t times = 1;   ///< number of occurrences …
   std::int64_t by_ns = 0;  ///< … by then
 };
 struct Moves {
@@ -37,12 +38,12 @@ struct EndsAs {
   std::string verdict;
 };
 
-/// What a difference comes down to: a question that each run answers, of either target.
+/// A difference reduced to a question that each run of either target answers.
 class Choice {
  public:
-  /// Nothing where there is none: a mean speed.
+  /// Returns nothing if there is none: a mean speed.
   static std::optional<Choice> of(const Difference& found, const History& first, const History& second);
-  /// Whether a run goes the first one's way, in the place where `first` and `second` part.
+  /// Returns whether a run behaves like the first one, where `first` and `second` part.
   bool is_as_first(const History& run) const;
 
  private:
@@ -50,22 +51,22 @@ class Choice {
   static std::optional<std::int64_t> time_at(const ComesTo& comes, const History& run);
 
   std::variant<ComesTo, Moves, EndsAs> what_;
-  bool of_first_ = true;  ///< what holds for the first; else for the second only
+  bool of_first_ = true;  ///< true for the first; else for the second only
 };
 
-/// Of so many runs of a target, with clocks a little off, so many go the first one's way.
+/// The number of runs of a target, with clocks a little off, and how many of them behave like the first one.
 struct Share {
   int runs = 0, as_first = 0;
 };
 enum class Alikeness {
-  alike,  ///< both targets go both ways, about as often; or one goes its way with one clock of a hundred only
-  apart,  ///< one goes a way that the other never goes, or seldom
-  rare,   ///< of too few runs to say: one of the two ways is seldom gone
+  alike,  ///< both targets show both, equally often; or one shows its own with only one clock of a hundred
+  apart,  ///< one shows a behaviour that the other never or seldom shows
+  rare,   ///< too few runs: one of the two behaviours is rare
 };
-/// By Fisher's exact test, which finds targets that are alike apart in 1 of 20 pairs at most.
+/// Uses Fisher's exact test, which reports equal targets as different in at most 1 of 20 pairs.
 Alikeness alikeness(const Share& one, const Share& other);
 
-/// It is where the robot is, and when: not what it says, and it has no cause that has a name.
+/// Returns whether it is about the robot's place or time: not about its output, and without a known cause.
 bool is_of_driving(const Difference& difference);
 
 }  // namespace robosim::analysis

@@ -1,5 +1,5 @@
-// What a run looked like from outside, in a form that can be compared with another run: the places the robot
-// came to, the lines it printed, what its motors did, and how it ended.
+// The observable behaviour of a run, in a form that can be compared: the robot's places, its output, its
+// motors, and its end.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace robosim::analysis {
 
-/// A moment, and what happened then: a place's name, a line.
+/// A moment, and its event: a place's name, a line.
 struct TimedText {
   std::int64_t t_ns = 0;
   std::string text;
 };
 
-/// What the two motors do together. `ahead` and `back`: the mean of the commands is at least a quarter of
-/// their difference; otherwise the robot turns on the spot.
+/// The combined state of the two motors. `ahead` and `back`: the mean of the commands is at least a quarter
+/// of their difference; otherwise the robot turns on the spot.
 enum class Manoeuvre : std::uint8_t { stands, ahead, back, turns_left, turns_right };
 
-/// A stretch of one manoeuvre.
+/// A period of one manoeuvre.
 struct Stretch {
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
@@ -36,19 +36,19 @@ struct Stretch {
 struct History {
   std::string target;
   std::vector<TimedText> places;   ///< in order; never the same one twice in a row
-  std::vector<TimedText> lines;    ///< from its serial port, without line ends; the last may be unfinished
-  std::vector<Stretch> stretches;  ///< one after the other
+  std::vector<TimedText> lines;    ///< from its serial port, without line ends; the last may be incomplete
+  std::vector<Stretch> stretches;  ///< consecutive
   std::string verdict;
   std::string why;
   std::int64_t end_ns = 0;
-  /// From this time on the robot was off the line. What it did there was chance, and is not kept.
+  /// From this time on the robot was off the line. Its later behaviour was chance, and is not stored.
   std::optional<std::int64_t> lost_ns;
 };
 
-/// Stands in for a place while the robot is off the line.
+/// Replaces a place while the robot is off the line.
 inline constexpr const char* kOffTheLine = "off the line";
 
-/// The place a robot is at: "" between two places, kOffTheLine off the line.
+/// Returns the robot's place: "" between two places, kOffTheLine off the line.
 using PlaceFinder = std::function<std::string(const wire::Sample&)>;
 
 /// Listens to a run with samples every 10 ms, serial text and notes.

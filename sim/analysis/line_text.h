@@ -1,4 +1,4 @@
-// A line that firmware has printed, as words and numbers.
+// Splits a line of firmware's output into words and numbers.
 #pragma once
 
 #include <optional>
@@ -14,26 +14,26 @@ struct Number {
 };
 
 struct LineText {
-  std::string form;  ///< the text with "#" for each number, and "＃" for each # of its own
+  std::string form;  ///< the text with "#" for each number, and "＃" for each literal #
   std::vector<Number> numbers;
 };
 
 LineText take_apart(const std::string& line);
 
-/// The text in quotes, cut where it is long.
+/// Returns the text in quotes, truncated if it is long.
 std::string quoted(const std::string& text);
 
-/// How two numbers compare that different targets have printed.
+/// The similarity of two numbers from different targets.
 enum class Likeness {
-  same,   ///< the same text, or within the tolerance
-  known,  ///< the same value, printed differently: the last digits of a float, the width of a negative HEX
+  same,   ///< equal text, or within the tolerance
+  known,  ///< equal value, printed differently: the last digits of a float, the width of a negative HEX
   different,
 };
 Likeness likeness(const Number& a, const Number& b, double tolerance);
 
-/// "float formatting" or "width of long", for numbers whose likeness is `known`.
+/// Returns "float formatting" or "width of long", for numbers whose likeness is `known`.
 std::string known_cause(const Number& a, const Number& b);
-/// A clause if they differ by what an integer of 16 or 32 bits loses on overflow; otherwise empty.
+/// Returns a clause if they differ by the overflow of a 16- or 32-bit integer; otherwise empty.
 std::string width_cause(const Number& a, const Number& b);
 
 }  // namespace robosim::analysis

@@ -1,5 +1,5 @@
-// What firmware did around a moment, and which lines of the sketch did it: from a run's pin and byte events,
-// which carry their source lines.
+// Finds what firmware did around a moment, and the responsible lines of the sketch. Uses a run's pin and byte
+// events, which carry their source lines.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robosim::analysis {
 
-/// Something that crossed a pin: "A0" and "2.84 V", read by or driven from a line of the sketch.
+/// A value at a pin: "A0" and "2.84 V", read by or driven from a line of the sketch.
 struct PinUse {
   std::int64_t t_ns = 0;
   std::string pin;
@@ -22,17 +22,17 @@ struct PinUse {
 
 class PinLog {
  public:
-  /// Keeps, for each pin, the last use before `moment_ns`, or else the first one after it.
+  /// Stores, for each pin, the last use before `moment_ns`, or else the first one after it.
   explicit PinLog(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);
 
-  /// Sorted by the pins' names.
+  /// Returns them sorted by pin name.
   std::vector<PinUse> reads() const { return list(reads_); }
   std::vector<PinUse> writes() const { return list(writes_); }
-  /// The last pin that the firmware drove before the moment.
+  /// Returns the last pin that the firmware drove before the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
-  /// The line of the sketch that printed character number `at` of the last line `text`.
+  /// Returns the line of the sketch that printed character number `at` of the last line `text`.
   wire::SourceLine source_of(const std::string& text, std::size_t at) const;
 
  private:

@@ -12,8 +12,8 @@ bool meets(const Demand& demand, std::int64_t successes, std::int64_t runs) {
   return static_cast<double>(successes) / static_cast<double>(runs) >= demand.rate;
 }
 
-/// The least number from `low` to `high` for which `holds` is true; `holds` must be true for `high`, and for
-/// all above one for which it is.
+/// Returns the smallest number from `low` to `high` for which `holds` is true. `holds` must be true for
+/// `high`, and monotonic.
 template <typename Holds>
 std::int64_t least(std::int64_t low, std::int64_t high, const Holds& holds) {
   while (low < high) {

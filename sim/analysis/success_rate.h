@@ -12,8 +12,8 @@ struct Interval {
   double high = 1.0;
 };
 
-/// Where the true rate lies, at 95 % confidence, after `successes` of `runs`: Wilson's score interval,
-///
+/// Returns the interval of the true rate, at 95 % confidence, after `successes` of `runs`: Wilson's score
+/// interval,
 ///   (p + z²/2n ± z √(p(1-p)/n + z²/4n²)) / (1 + z²/n)      p = successes / runs, n = runs, z = 1.960
 ///
 /// It stays within 0..1 and remains meaningful when all runs succeed, where p ± z √(p(1-p)/n) would claim
@@ -21,7 +21,7 @@ struct Interval {
 /// of the American Statistical Association 22 (1927) 209-212. Without any runs: 0..1.
 Interval wilson(std::int64_t successes, std::int64_t runs);
 
-/// What is required of a number of runs that is fixed in advance.
+/// The requirement for a fixed number of runs.
 struct Demand {
   double rate = 1.0;  ///< 0..1
   /// False: `rate` is the share of exactly these runs that must succeed.
@@ -30,17 +30,17 @@ struct Demand {
   bool sure = false;
 };
 
-/// The least number of successes of `runs` that meets the demand; nullopt if not even `runs` would.
+/// Returns the smallest number of successes of `runs` that meets the demand; nullopt if not even `runs`
+/// would.
 std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
 
-/// The least number of runs that meets the demand if all of them succeed; nullopt if no number does (a sure
-/// rate of 1).
+/// Returns the smallest number of runs that meets the demand if all of them succeed; nullopt if no number
+/// does (a sure rate of 1).
 std::optional<std::int64_t> needed_runs(const Demand& demand);
 
-/// Counts runs, in a fixed order. It is decided as soon as the runs that are left can no longer change
-/// whether the demand is met: to stop then saves runs and never changes the answer, however often one looks.
-/// (Looking at the interval after each run and stopping when it looks good would be wrong more often than the
-/// interval admits.)
+/// Counts runs, in a fixed order. It is decided as soon as the remaining runs can no longer change whether
+/// the demand is met. Stopping then saves runs and never changes the answer, however often one checks. (If
+/// one stops at a good interval after any run, the result is wrong more often than the interval admits.)
 class Tally {
  public:
   Tally(std::int64_t planned, std::optional<Demand> demand);
@@ -53,9 +53,9 @@ class Tally {
   double rate() const;
   Interval interval() const { return wilson(successes_, runs_); }
 
-  /// Enough have succeeded, whatever the others do. Without a demand: never.
+  /// Returns whether enough have succeeded, whatever the others do. Without a demand: never.
   bool met() const;
-  /// Too many have failed, whatever the others do. Without a demand: never.
+  /// Returns whether too many have failed, whatever the others do. Without a demand: never.
   bool missed() const;
   bool decided() const { return met() || missed(); }
 
