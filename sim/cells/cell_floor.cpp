@@ -63,7 +63,7 @@ void CellFloor::pack_neighbours(int y, std::uint8_t* bits) {
 Sense CellFloor::sense_alone(std::size_t index, Direction d) const {
   const std::size_t front = next(index, d);
   if (is_open(front)) return Sense::straight;
-  // v1 drives on for ever at the map's edge; here a line that ends there has a dead end like any other.
+  // v1 continues for ever at the map's edge; here a line that ends there has a dead end like any other.
   if ((cells_[front] & kWall) == 0) return Sense::no_path;
   return is_open(index) && grid::blocks_line(map_, cell_at(index), d) ? Sense::no_path : Sense::straight;
 }

@@ -1,5 +1,5 @@
-// A map as the robot on cells senses it: one byte per cell, packed so that sensing is one look-up in a table
-// of 128 entries.
+// A map as the robot on cells senses it, with one byte per cell. Sensing is one look-up in a table of 128
+// entries.
 #pragma once
 
 #include <array>
@@ -12,26 +12,26 @@
 
 namespace robosim::cells {
 
-/// What the robot senses: v1's table, by how many of its front, right, left and own cell are line.
+/// The robot's perception: v1's table, by which of its front, right, left and own cell are line.
 enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junction };
-/// "no_path", "straight", …
+/// Returns "no_path", "straight", …
 const char* name_of(Sense sense);
 
-// Bits of a cell's byte: whether the next one east, south, west, north is open line, and what it is itself.
+// Bits of a cell's byte: whether the next one east, south, west, north is open line, and its own kind.
 inline constexpr std::uint8_t kNeighbours = 0x0F;
 inline constexpr std::uint8_t kOpen = 0x10;
 inline constexpr std::uint8_t kNearObstacle = 0x20;
 inline constexpr std::uint8_t kShut = 0x40;
 inline constexpr std::uint8_t kWall = 0x80;
 
-/// What is sensed by the byte of the robot's cell alone.
+/// Returns the perception by the byte of the robot's cell alone.
 class SenseTable {
  public:
   using Entry = std::uint8_t;
-  static constexpr Entry kAlone = 255;  ///< one of the four cells is line: what lies ahead decides
+  static constexpr Entry kAlone = 255;  ///< one of the four cells is line: the cell ahead decides
 
   constexpr SenseTable();
-  /// A Sense, or kAlone.
+  /// Returns a Sense, or kAlone.
   constexpr Entry of(unsigned byte, grid::Direction d) const {
     return entries_[(byte & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
   }
@@ -54,7 +54,7 @@ constexpr SenseTable::SenseTable() {
       sense = Sense::junction;
     } else if (lines == 0) {
       sense = Sense::no_path;
-    } else if (right && left) {  // the own cell is no line
+    } else if (right && left) {  // the own cell is not line
       const bool vertical = d == grid::Direction::north || d == grid::Direction::west;
       sense = vertical ? Sense::right_turn : Sense::left_turn;
     } else if (lines == 2 && right) {
@@ -67,7 +67,7 @@ constexpr SenseTable::SenseTable() {
 }
 inline constexpr SenseTable kSenseTable;
 
-/// Where a robot is: the number of a cell, and how it faces.
+/// A robot's place: the number of its cell, and its direction.
 struct Spot {
   std::size_t at = 0;
   grid::Direction facing = grid::Direction::east;
@@ -81,7 +81,7 @@ class CellFloor {
 
   const grid::Map& map() const { return map_; }
 
-  /// Cells are numbered row by row, with a border of one cell around the map.
+  /// Returns a cell's number: row by row, with a border of one cell around the map.
   std::size_t index_of(grid::CellAt c) const {
     return static_cast<std::size_t>(c.y + 1) * columns_ + static_cast<std::size_t>(c.x + 1);
   }
@@ -89,31 +89,32 @@ class CellFloor {
     const auto i = static_cast<std::uint32_t>(index);  // maps have at most 10^9 cells
     return {static_cast<int>(i % columns_) - 1, static_cast<int>(i / columns_) - 1};
   }
-  /// Added to a cell's number, this gives the next cell in a direction.
+  /// Returns the difference of a cell's number to the next cell in a direction.
   std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
   std::size_t next(std::size_t index, grid::Direction d) const {
     return index + static_cast<std::size_t>(step(d));
   }
 
-  /// All bits of a cell.
+  /// Returns all bits of a cell.
   std::uint8_t byte(std::size_t index) const { return cells_[index]; }
-  /// The bytes of all cells, by their numbers.
+  /// Returns the bytes of all cells, by number.
   const std::uint8_t* bytes() const { return cells_.data(); }
-  /// Line without an obstacle on it.
+  /// Returns whether it is line without an obstacle.
   bool is_open(std::size_t index) const { return (cells_[index] & kOpen) != 0; }
-  /// Off the map, or an obstacle stands there.
+  /// Returns whether it is off the map, or has an obstacle.
   bool is_shut(std::size_t index) const { return (cells_[index] & kShut) != 0; }
   bool is_wall(std::size_t index) const { return (cells_[index] & kWall) != 0; }
-  /// The directions in which open line is beside a cell: bit 1 << Direction.
+  /// Returns the directions in which a cell has an open line as neighbour: bit 1 << Direction.
   unsigned open_neighbours(std::size_t index) const { return cells_[index] & kNeighbours; }
-  /// Whether an obstacle stands on a cell beside this one.
+  /// Returns whether a neighbouring cell has an obstacle.
   bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
 
   Sense sense(std::size_t index, grid::Direction d) const {
     const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
     return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// The same if the line is missed on one of the four cells: 0 front, 1 right, 2 its own, 3 left.
+  /// Returns the perception if the line is missed on one of the four cells: 0 front, 1 right, 2 its own, 3
+  /// left.
   Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
 
  private:

@@ -8,9 +8,9 @@
 //   turn_around    the other way round, in place
 //   choose_right   turn_right if that cell is line, else step_forward; choose_left mirrors it
 //
-// A move that would lead off the map, or onto an obstacle (`x`), leaves the robot on its cell; time is
-// charged all the same. It may enter floor and walls, as in v1: at a wall at the end of a line it steps into
-// the wall, senses `no_path` there, and turns round.
+// A move off the map, or onto an obstacle (`x`), leaves the robot on its cell; the time counts all the same.
+// It may enter floor and walls, as in v1. At a wall at the end of a line it steps into the wall, senses
+// `no_path` there, and turns round.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ enum class Move : std::uint8_t {
   choose_right,
   choose_left
 };
-/// "step_forward", …
+/// Returns "step_forward", …
 const char* name_of(Move move);
 
 struct CellPose {
@@ -44,17 +44,17 @@ struct OutOfMoves : std::runtime_error {
   OutOfMoves() : std::runtime_error("the robot has used up its moves") {}
 };
 
-/// Chances that something goes wrong, 0..1.
+/// Probabilities of errors, 0..1.
 struct CellNoise {
-  double miss = 0.0;  ///< at each sensing: that one of the four cells, chosen at random, is not seen as line
-  double slip = 0.0;  ///< at each move: that the robot stays as it is
+  double miss = 0.0;  ///< at each sensing: one of the four cells, chosen at random, is not seen as line
+  double slip = 0.0;  ///< at each move: the robot does not move
   std::uint64_t seed = 1;
 };
 
 /// Called for every move.
 class MoveWatcher {
  public:
-  /// `pose` and `sense` are those before the move, `clock` is after it. May throw to end the run.
+  /// `pose` and `sense` are from before the move, `clock` is from after it. May throw to end the run.
   virtual void moved(const CellPose& pose, Sense sense, Move move, double clock) = 0;
 
  protected:
@@ -65,7 +65,7 @@ class CellRobot {
  public:
   static constexpr std::uint64_t kEndless = ~std::uint64_t{0};
 
-  /// `speed`: seconds a move takes. The floor must outlive this.
+  /// `speed`: seconds per move. The floor must outlive this.
   CellRobot(const CellFloor& floor, const CellPose& pose, double speed = 1.0)
       : floor_(floor), at_(floor.index_of(pose.cell)), facing_(pose.facing), speed_(speed) {}
 
@@ -82,23 +82,23 @@ class CellRobot {
 
   CellPose pose() const { return {floor_.cell_at(at_), facing_}; }
   grid::Direction facing() const { return facing_; }
-  /// The number of its cell on the floor.
+  /// Returns the number of its cell on the floor.
   std::size_t at() const { return at_; }
   std::uint64_t moves() const { return moves_; }
   double clock() const { return static_cast<double>(moves_) * speed_; }
   const CellFloor& floor() const { return floor_; }
 
-  /// Puts the robot somewhere else; costs nothing.
+  /// Puts the robot elsewhere; costs nothing.
   void place(const CellPose& pose) {
     at_ = floor_.index_of(pose.cell);
     facing_ = pose.facing;
   }
-  /// From now on so many moves in all are allowed; the next one throws OutOfMoves.
+  /// Sets the total number of moves that are allowed; the next one throws OutOfMoves.
   void limit_moves(std::uint64_t moves) {
     limit_ = moves;
     set_free();
   }
-  /// One watcher at a time; null = none.
+  /// Sets the watcher; null = none.
   void watch(MoveWatcher* watcher) {
     watcher_ = watcher;
     set_free();
@@ -106,9 +106,9 @@ class CellRobot {
   void set_noise(const CellNoise& noise);
 
   Spot spot() const { return {at_, facing_}; }
-  /// How many moves nobody has to be asked about: those up to the limit, none with a watcher or noise.
+  /// Returns the number of moves that need no checks: those up to the limit, none with a watcher or noise.
   std::uint64_t free_moves() const { return free_until_ > moves_ ? free_until_ - moves_ : 0; }
-  /// It has made so many free moves, which took it there.
+  /// Records `moves` free moves, which took it there.
   void made(std::uint64_t moves, const Spot& there) {
     moves_ += moves;
     at_ = there.at;
@@ -116,7 +116,7 @@ class CellRobot {
   }
 
  private:
-  /// Counts a move. False if the robot slips.
+  /// Counts a move. Returns false if the robot slips.
   bool begin(Move move) {
     if (moves_ >= free_until_) return begin_asking(move);
     ++moves_;
@@ -142,7 +142,7 @@ class CellRobot {
   bool noisy_ = false;
   std::uint64_t moves_ = 0;
   std::uint64_t limit_ = kEndless;
-  std::uint64_t free_until_ = kEndless;  ///< free_moves() end there
+  std::uint64_t free_until_ = kEndless;  ///< where free_moves() end
   double speed_;
   MoveWatcher* watcher_ = nullptr;
   double miss_ = 0.0, slip_ = 0.0;

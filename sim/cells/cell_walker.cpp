@@ -13,7 +13,7 @@ using nav::LandmarkKind;
 
 namespace {
 
-// Where line leaves the robot's cell, also under obstacles.
+// Returns where line leaves the robot's cell, including under obstacles.
 unsigned lines_at(const CellRobot& robot) {
   const CellFloor& floor = robot.floor();
   if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
@@ -75,7 +75,7 @@ bool CellWalker::is_junction() const {
   return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
-// It has sensed no_path: a line's end, a wall into which it has stepped there, or an obstacle.
+// Handles no_path: a line's end, a wall that it has stepped into there, or an obstacle.
 Landmark CellWalker::end_of_line() {
   const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();
@@ -91,7 +91,7 @@ Landmark CellWalker::end_of_line() {
   return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
 }
 
-// One move along the line. False if there is none to make.
+// Makes one move along the line. Returns false if there is none.
 inline bool CellWalker::goes_on() {
   if (is_junction()) return false;
   switch (robot_.sense()) {
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// On to what stops it. The usual ends of a line are known by their cell's byte: no obstacle near, and line on
-// three sides or more, or behind only.
+// Continues to the next stop. The usual ends of a line are known from their cell's byte. It has no obstacle
+// near, and line on three sides or more, or only behind.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();
@@ -129,7 +129,7 @@ Landmark CellWalker::met() {
   return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
 }
 
-// Onto the line in the middle of which it stands, whichever way it faces.
+// Enters the line in whose middle it stands, in any direction.
 Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
   const unsigned lines = lines_at(robot_);
@@ -189,7 +189,8 @@ Landmark CellWalker::follow() {
   return at;
 }
 
-// True if it goes back over the last line; then it is already at its other end, if the moves were known.
+// Returns true if it goes back over the last line. Then it is already at its other end, if the moves were
+// known.
 bool CellWalker::goes_back() {
   if (ways_.empty()) return false;
   const Way way = ways_.back();
@@ -210,7 +211,7 @@ void CellWalker::reset() {
   counted_ = robot_.moves();
 }
 
-// Not a part of the line's length.
+// Not counted in the line's length.
 void CellWalker::turn_around() {
   robot_.turn_around();
   counted_ = robot_.moves();
@@ -218,7 +219,7 @@ void CellWalker::turn_around() {
 
 CellAt CellWalker::obstacle() const {
   if (pending_ == Pending::blocked) return ahead(cell_, arm_);
-  // Where the line would go on: ahead, or to a side in a bend.
+  // The continuation of the line: ahead, or to a side in a bend.
   const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
   const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
   return ahead(cell_, to);

@@ -1,5 +1,5 @@
-// An array that grows without being copied: elements stay where they are, in chunks of equal size. So no
-// moment needs memory for two copies of it.
+// An array that grows without copies: elements stay at their addresses, in chunks of equal size. So it never
+// needs memory for two copies.
 #pragma once
 
 #include <cstddef>

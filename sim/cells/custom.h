@@ -1,4 +1,4 @@
-// A user's own algorithm, from a shared object that exports navigate() (include/robosim/cells.h).
+// Runs a user's algorithm, from a shared object that exports navigate() (include/robosim/cells.h).
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace robosim::cells {
 
-/// Runs it until it returns or the robot's moves are used up. Whatever the algorithm does to its process it
-/// does to the caller's: call this in a separate process. Throws InputError if the file has no navigate();
-/// passes on what the algorithm throws.
+/// Runs it until it returns or the robot's moves are used up. The algorithm runs in the caller's process and
+/// can damage it: call this in a separate process. Throws InputError if the file has no navigate(), and the
+/// exceptions of the algorithm.
 Walk run_custom(CellRobot& robot, const std::filesystem::path& shared_object);
 
 }  // namespace robosim::cells

@@ -1,4 +1,4 @@
-// What the explorer has found, in arrays that grow: a Network (firmware/src/nav/Network.h) for a host.
+// The explorer's map, in arrays that grow: a Network (firmware/src/nav/Network.h) for a host.
 //
 // Its places are cells of a map, so they are never negative.
 #pragma once
@@ -36,7 +36,7 @@ class GrowingNetwork {
     return here.x == at.x && here.y == at.y;
   }
   bool isTree() const { return is_tree_; }
-  /// nav::headingOf(), which counts arms, looked up.
+  /// Implements nav::headingOf(), which counts arms, by a table.
   nav::Heading heading(Id node, std::uint8_t slot) const {
     return static_cast<nav::Heading>(nodes_[node].headings >> 2 * slot & 3);
   }
@@ -65,7 +65,7 @@ class GrowingNetwork {
   static constexpr Line kNoLine{kNone, 0, 0};
   struct Node {
     Id parent;
-    Id junction;  ///< its number among junctions_; a station has none
+    Id junction;  ///< index in junctions_; unset for a station
     std::uint8_t arms;
     nav::Heading entry;
     std::uint8_t headings;  ///< two bits for each slot
@@ -100,7 +100,7 @@ class GrowingNetwork {
   bool is_tree_ = true;
 };
 
-/// What nav's templates call in place of nav::headingOf().
+/// Called by nav's templates instead of nav::headingOf().
 template <std::derived_from<GrowingNetwork> Network>
 nav::Heading headingOf(const Network& network, typename Network::Id node, std::uint8_t slot) {
   return network.heading(node, slot);

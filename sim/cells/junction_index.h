@@ -1,6 +1,7 @@
-// Which junction is at which cell of a map: by tiles of 64 x 64 cells, made where there are junctions.
+// Finds the junction at a cell of a map: by tiles of 64 x 64 cells, created where there are junctions.
 //
-// Nearly always the answer is that there is none yet: a bit of the tile says so. Else the tile's junctions
+// Almost always there is none yet, as a bit of the tile shows. Otherwise the tile's junctions are searched,
+// in the order in which they were added.
 // are looked through, in the order in which they were added.
 #pragma once
 
@@ -27,7 +28,7 @@ class JunctionIndex {
     const auto found = std::find(tile->cells.begin(), tile->cells.end(), cell(place));
     return tile->ids[static_cast<std::size_t>(found - tile->cells.begin())];
   }
-  /// There must be none yet.
+  /// Adds a junction to a place without one.
   void add(const nav::Place& place, Id id);
   void clear() { tiles_.clear(); }
 
@@ -36,9 +37,9 @@ class JunctionIndex {
   static constexpr std::uint32_t kSide = 1u << kSideBits;
 
   struct Tile {
-    std::array<std::uint64_t, kSide> rows{};  ///< a bit for each cell
+    std::array<std::uint64_t, kSide> rows{};  ///< one bit per cell
     std::vector<std::uint16_t> cells;         ///< of the junctions,
-    std::vector<Id> ids;                      ///< and who they are
+    std::vector<Id> ids;                      ///< and their numbers
     std::uint64_t row(const nav::Place& place) const {
       return rows[static_cast<std::uint32_t>(place.y) % kSide];
     }

@@ -1,6 +1,5 @@
-// An allocator for large arrays that are looked into here and there: it asks the system for large pages, of
-// which it has to provide a few only where it had to provide thousands. A vector of less than two of them is
-// as usual.
+// An allocator for large arrays with random access. It requests large pages from the system, so that a few
+// suffice instead of thousands. A vector of less than two of them is allocated as usual.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +28,7 @@ class LargePages {
       size = (size + kPage - 1) / kPage * kPage;
       memory = std::aligned_alloc(kPage, size);
 #ifdef MADV_HUGEPAGE
-      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // without it, it is just slower
+      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // only slower without it
 #endif
     } else {
       memory = std::malloc(size);

@@ -9,7 +9,7 @@
 
 namespace robosim::cells {
 
-/// A path or work memory that grows.
+/// A path, or work memory, that grows.
 class GrowingMemory {
  public:
   using Id = GrowingNetwork::Id;
@@ -24,7 +24,7 @@ class GrowingMemory {
     return costs_.data();
   }
   void setSize(std::size_t size) { size_ = size; }
-  /// The nodes of a way, both ends included.
+  /// Returns the nodes of a path, both ends included.
   std::vector<Id> way() const { return {ids_.begin(), ids_.begin() + static_cast<std::ptrdiff_t>(size_)}; }
 
  private:
@@ -33,10 +33,10 @@ class GrowingMemory {
   std::size_t size_ = 0;
 };
 
-/// "bfs", "dfs", …
+/// Returns "bfs", "dfs", …
 const std::vector<std::string>& planner_names();
 
-/// What AiNavigator uses: climb on a tree, dijkstra elsewhere.
+/// Returns AiNavigator's choice: climb on a tree, dijkstra elsewhere.
 std::string default_planner(const GrowingNetwork& network);
 
 /// `planner` must be one of planner_names().

@@ -7,8 +7,8 @@ namespace {
 
 using grid::Direction;
 
-// What the walk does, by the byte of the robot's cell: the quarter turns to the right before it goes on.
-// It goes onto open line, so nothing can keep it from there.
+// The action of the walk, by the byte of the robot's cell: the quarter turns to the right before it
+// continues. It moves onto open line, so nothing can block it.
 class WalkTable {
  public:
   static constexpr std::uint8_t kRight = 1, kLeft = 3;
@@ -46,8 +46,8 @@ class WalkTable {
 };
 constexpr WalkTable kKeepsLeft(Side::left), kKeepsRight(Side::right);
 
-// Plain line straight on. The turns of bends are asked for by branches, which a processor foresees, rather
-// than looked up in a table, for which it would have to wait.
+// Handles plain line. The turns of bends use branches, which a processor predicts, instead of a table, for
+// which it would wait.
 constexpr std::uint8_t straight(unsigned d) {
   return static_cast<std::uint8_t>(kOpen | 1u << d | 1u << (d ^ 2));
 }
@@ -125,7 +125,7 @@ std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most) 
       at += ahead;
       --left;
     }
-    // A bend: open, nothing else but two sides, of which one is behind.
+    // A bend: open, with exactly two sides, one of them behind.
     const unsigned behind = 1u << (d ^ 2);
     const unsigned side = bytes[at] ^ (kOpen | behind);
     if (left == 0 || side == 0 || side == behind || side > kNeighbours || (side & (side - 1)) != 0) break;

@@ -156,7 +156,7 @@ struct Survey::NamedPlanner {
   void forget() { way.clear(); }
 };
 
-// Ends turned to the line if it ends at a station.
+// At a station it ends facing the line.
 Ending Survey::navigate(Id from, nav::Heading heading, Id to, const std::string& planner) {
   nav::Navigator<CellWalker, Network, NamedPlanner> navigator(walker_, network_,
                                                               NamedPlanner{planner, {}, 0});
@@ -233,7 +233,7 @@ Route Survey::drive(int to, const std::string& planner) {
   return route;
 }
 
-// A shortest way's cells, the turn at the destination, and v1's step out of a wall or into one.
+// Counts a shortest path's cells, the turn at the destination, and v1's step out of a wall or into one.
 std::uint64_t Survey::fewest_moves(int from, int to) {
   const grid::Map& map = robot_.floor().map();
   if (!truth_) {

@@ -1,11 +1,11 @@
-// The third algorithm: scan a floor into a graph, then use it to drive from station to station.
+// The third algorithm: scans a floor into a graph, then uses it to drive from station to station.
 //
 // The scan is the navigator's (firmware/src/nav/Explorer.h), on the robot on cells. It ends where v1's does:
-// at the start, turned to the line. If the start is not the end of a line, the robot goes on from where the
-// scan ends to station 1 by a shortest way, if there is a station.
+// at the start, facing the line. If the start is not the end of a line, the robot then continues to station 1
+// by a shortest path, if there is a station.
 //
-// Stations are numbered from 1 as they are met, station 1 being the start if a line ends there. Junctions are
-// numbered from 1 as they are met.
+// Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
+// Junctions are numbered from 1 in the order of discovery.
 #pragma once
 
 #include <map>
@@ -22,13 +22,13 @@
 
 namespace robosim::cells {
 
-/// How a scan or a drive ended.
+/// The ending of a scan or a drive.
 enum class Ending {
-  complete,      ///< everything that can be reached was found, the destination was reached
-  lost,          ///< because of noise: what the robot met cannot be there
+  complete,      ///< everything reachable was found, the destination was reached
+  lost,          ///< because of noise: the robot met something impossible
   out_of_moves,  ///< the limit was reached
-  no_way,        ///< an obstacle is between here and there
-  refused        ///< the planner cannot do this graph: `why`
+  no_way,        ///< an obstacle blocks every path
+  refused        ///< the planner cannot handle this graph: `why`
 };
 
 struct Scan {
@@ -36,20 +36,20 @@ struct Scan {
   std::uint64_t moves = 0;
   double time = 0.0;  ///< of the clock, seconds
   CellPose end;
-  grid::TrueGraph graph;  ///< as found; `unreachable` is what the map holds beyond it
+  grid::TrueGraph graph;  ///< as found; `unreachable` is the rest of the map
 };
 
 struct Route {
   Ending ending = Ending::complete;
   std::string why;             ///< if refused
   int from = 0, to = 0;        ///< stations
-  std::vector<int> junctions;  ///< on the way
-  /// A letter for each junction: R is the first way out to the right of the one the robot comes by and L the
-  /// last; at four ways S is between them.
+  std::vector<int> junctions;  ///< on the path
+  /// A letter for each junction: R is the first way out to the right of the robot's entry and L the last. At
+  /// four ways S is between them.
   std::string turns;
   double time = 0.0;  ///< of this drive, seconds: its last move is the turn at the destination
   CellPose end;
-  double ratio_to_shortest = 1.0;  ///< its moves over those of a shortest way, which is measured on the map
+  double ratio_to_shortest = 1.0;  ///< its moves over those of a shortest path, which is measured on the map
 };
 
 class Survey {
@@ -59,23 +59,23 @@ class Survey {
 
   /// Called once, before anything else.
   const Scan& scan();
-  /// Puts the robot on a station, facing the line, as after a drive.
+  /// Puts the robot on a station, facing the line, like after a drive.
   void place_at(int station);
-  /// Drives from the station where the robot stands to another. Both must exist.
+  /// Drives from the robot's station to another. Both must exist.
   Route drive(int to, const std::string& planner);
 
   int stations() const { return static_cast<int>(scan_.graph.stations.size()); }
-  /// The station at which the robot stands; 0 = none.
+  /// Returns the robot's station; 0 = none.
   int here() const { return here_; }
-  /// The planner used where none is asked for.
+  /// Returns the default planner.
   std::string default_planner() const;
 
  private:
-  // Notes where stations and obstacles are, so that the graph can be compared with the map.
+  // Records the places of stations and obstacles, so that the graph can be compared to the map.
   struct Network : GrowingNetwork {
     struct Obstacle {
       grid::CellAt cell;
-      std::uint32_t moves;  ///< until the robot stands before it
+      std::uint32_t moves;  ///< until the robot is in front of it
     };
     const CellWalker* walker = nullptr;
     std::vector<grid::CellAt> stations;  ///< in the order of their nodes
@@ -93,11 +93,11 @@ class Survey {
   using Id = GrowingNetwork::Id;
   struct NamedPlanner;
 
-  // The map's own graph, for the lengths of shortest ways.
+  // The map's own graph, for the lengths of shortest paths.
   struct Truth {
     grid::TrueGraph graph;
     std::unordered_map<std::size_t, int> station_at;  ///< its number, by cell
-    int from = 0;                                     ///< for which of them `distances` holds
+    int from = 0;                                     ///< the start of `distances`
     std::vector<int> distances;
   };
 

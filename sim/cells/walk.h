@@ -10,7 +10,7 @@
 
 namespace robosim::cells {
 
-/// One move of the walk.
+/// Makes one move of the walk.
 inline void walk_on(CellRobot& robot, Side side) {
   switch (robot.sense()) {
     case Sense::straight:
@@ -25,14 +25,14 @@ inline void walk_on(CellRobot& robot, Side side) {
       return side == Side::left ? robot.choose_left() : robot.choose_right();
   }
 }
-/// So many of them.
+/// Makes `moves` of them.
 void walk_on(CellRobot& robot, Side side, std::uint64_t moves);
 
 struct Walk {
   enum class Ending {
-    closed,        ///< the same round would begin again
-    out_of_moves,  ///< those allowed are used up
-    returned       ///< an algorithm of the user's own has ended
+    closed,        ///< the walk would repeat
+    out_of_moves,  ///< the limit of moves is reached
+    returned       ///< a user's algorithm has ended
   };
   Ending ending = Ending::out_of_moves;
   std::uint64_t moves = 0;
@@ -41,10 +41,10 @@ struct Walk {
   std::vector<grid::CellAt> dead_ends;  ///< in the order of the first visit
 };
 
-/// The ends of lines on which a robot has stood, in the order of the first visit.
+/// The line ends that a robot has reached, in the order of the first visit.
 class DeadEnds {
  public:
-  /// After every move.
+  /// Call it after every move.
   void look(const CellRobot& robot);
   const std::vector<grid::CellAt>& cells() const { return cells_; }
 
@@ -54,8 +54,9 @@ class DeadEnds {
   std::vector<grid::CellAt> cells_;
 };
 
-/// The original never stops. This ends when the robot is back in the pose it had at the start, or after some
-/// 2^k moves (it may start beside the loop that it then walks); at the latest when its moves are used up.
+/// The original never stops. This ends when the robot is back in its initial pose, or detects a repetition
+/// after some 2^k moves. It may start next to the loop that it then walks. At the latest it ends when its
+/// moves are used up.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

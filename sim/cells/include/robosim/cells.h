@@ -1,4 +1,4 @@
-// What a navigation algorithm of your own can sense and do on Robosim's floor of cells.
+// The senses and moves that a navigation algorithm has on Robosim's floor of cells.
 //
 // Write one file:
 //
@@ -16,13 +16,13 @@
 
 namespace robosim {
 
-/// By how many of four cells are line: ahead, right, left, and the robot's own.
+/// The pattern of line in four cells: ahead, right, left, and the robot's own.
 enum class Sense {
   no_path,     ///< the line has ended
-  straight,    ///< it goes on
+  straight,    ///< the line continues
   right_turn,  ///< it bends
   left_turn,
-  junction  ///< three or four ways; which, you find out by going there
+  junction  ///< three or four ways; go there to find out which
 };
 
 class Cells {
@@ -32,19 +32,19 @@ class Cells {
   // Moves. Each takes the same time.
   virtual void step_forward() = 0;
   virtual void turn_right() = 0;    ///< onto the cell on the right, facing that way, in one move
-  virtual void turn_left() = 0;     ///< the same to the left
+  virtual void turn_left() = 0;     ///< likewise to the left
   virtual void turn_around() = 0;   ///< on the spot
   virtual void choose_right() = 0;  ///< turn_right if that cell is line, else step_forward
   virtual void choose_left() = 0;   ///< turn_left if that cell is line, else step_forward
 
-  /// Moves made so far.
+  /// Returns the number of moves so far.
   virtual unsigned long long moves() const = 0;
-  /// Where the robot is: column and row from the top left, and 'E', 'S', 'W' or 'N'. A real robot does not
-  /// know.
+  /// Return the robot's place: column and row from the top left, and 'E', 'S', 'W' or 'N'. A real robot does
+  /// not know it.
   virtual int x() const = 0;
   virtual int y() const = 0;
   virtual char facing() const = 0;
-  /// How many different ends of lines it has stood on.
+  /// Returns the number of different line ends that it has reached.
   virtual int dead_ends() const = 0;
 
  protected:
@@ -53,5 +53,5 @@ class Cells {
 
 }  // namespace robosim
 
-/// Yours.
+/// Your algorithm.
 extern "C" __attribute__((visibility("default"))) void navigate(robosim::Cells& robot);
