@@ -1,4 +1,4 @@
-// The readers of the single formats; import.h chooses among them.
+// The readers of all course formats; import.h selects one.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,56 +10,57 @@
 
 namespace robosim::course {
 
-/// robotrace_course_cad (NTF's Robotrace): circles in the order of driving, joined by their tangents.
+/// Reads robotrace_course_cad (NTF's Robotrace): circles in the order of driving, joined by their tangents.
 ///   consecutive circles i, j with signs s (+1 counter-clockwise), D between centres, d = s_j r_j - s_i r_i:
 ///   the tangent's length L = sqrt(D^2 - d^2), its direction ((dx L + dy d), (dy L - dx d)) / D^2,
 ///   its ends centre + s r (u_y, -u_x)
-/// Its marks: corners to the left where the curvature changes, start and goal to the right, 1 m apart, if
-/// they fit on the straight between the last circle and the first.
+/// Its marks: corners to the left where the curvature changes, start and goal to the right. These are 1 m
+/// apart, if they fit on the straight between the last circle and the first.
 Imported read_robotrace(const nlohmann::json& json, const std::string& file);
 
-/// RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The way from the start tile is the first path,
-/// that behind the evacuation zone the second; then what is drawn beside them. What a map cannot hold is in
-/// the remarks. `json` has “tiles”.
+/// Reads RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The way from the start tile is the first
+/// path, the way after the evacuation zone the second; then the rest of the drawings. Features that a map
+/// cannot hold are in the remarks. `json` has “tiles”.
 Imported read_rescue(const nlohmann::json& json, const std::string& file);
 
-/// JSON, or an InputError with the line on which it ends to be that.
+/// Returns JSON, or throws InputError with the line of the first error.
 nlohmann::json json_of(std::string_view text, const std::string& file);
 
-/// "length[m], curvature[1/m]", a segment a line, curvature above 0 to the left. The course begins at its
-/// start line; what is missing to a lap, if it is straight ahead, is added.
+/// Reads "length[m], curvature[1/m]", one segment per line, curvature above 0 to the left. The course begins
+/// at its start line. The gap to a complete lap is added if it is straight ahead.
 Imported read_curvature(std::string_view text, const std::string& file);
 
-/// "x y" in metres: straights with corners between them, at most 0.3 mm beside the points.
+/// Reads "x y" in metres: straights with corners between them, at most 0.3 mm off the points.
 Imported read_points(std::string_view text, const std::string& file);
 
-/// A maze as text (mazefiles, mms): passages become lines, dead ends stations. `walls_m`: 0, or with its
-/// walls, from the middle of one cell to that of the next.
+/// Reads a maze as text (mazefiles, mms): passages become lines, dead ends stations. `walls_m`: 0, or with
+/// its walls, from the middle of one cell to that of the next.
 Imported read_maze(std::string_view text, const std::string& file, double walls_m);
-/// mms's other form: "x y N E S W" a line, 1 = wall.
+/// Reads mms's other format: "x y N E S W" per line, 1 = wall.
 Imported read_maze_numbers(std::string_view text, const std::string& file, double walls_m);
 
-// --- shared by them ---
+// --- shared helpers ---
 
 /// Robotrace's rules 1-3 and 1-6 (NTF): the line's width, and from the line to the board's edge, m.
 inline constexpr double kRobotraceLine = 0.019;
 inline constexpr double kBoardMargin = 0.20;
 
-/// Its lines without line ends, and without those that are blank.
+/// A line without its line end; blank lines are skipped.
 struct NumberedLine {
   int number = 0;
   std::string_view text;
 };
 std::vector<NumberedLine> lines_of(std::string_view text);
 
-/// The numbers of a line, between blanks, commas or semicolons. Throws InputError for what is none.
+/// Returns the numbers of a line, separated by blanks, commas or semicolons. Throws InputError for other
+/// text.
 std::vector<double> numbers_in(const NumberedLine& line, const std::string& file);
 
-/// To micrometres.
+/// Rounds to micrometres.
 double rounded(double m);
 
-/// A map with this path on a floor that leaves `margin` m around it. The path is moved to fit, and its
-/// figures are rounded, to micrometres and millionths of a degree, so that people can read them.
+/// Returns a map with this path on a floor that leaves `margin` m around it. The path is moved to fit. Its
+/// numbers are rounded to micrometres and millionths of a degree, for readability.
 grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin);
 
 }  // namespace robosim::course

@@ -1,5 +1,5 @@
-// Mazes of micromouse as lines: a cell's middle is a node, two that no wall parts are joined. Or with their
-// walls, and these lines not painted.
+// Reads mazes of micromouse as lines: a cell's middle is a node, and neighbours without a wall between are
+// joined. Alternatively with their walls, and unpainted lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace robosim::course {
 namespace {
 
-constexpr int kMostCells = 256;  // a side
+constexpr int kMostCells = 256;  // per side
 // Line mazes have 150 mm between lines (LVBots: 5 to 7 inches); a map has a cell of floor between two lines.
 constexpr double kCell = 0.075;  // m
 constexpr int kLines = 2;        // cells of a map from one line to the next
-// With walls: of the classic's 180 mm a sixteenth is 11.25 mm; its rules have walls of 12 mm, within 5 %.
+// With walls: a sixteenth of the classic's 180 mm is 11.25 mm; its rules have walls of 12 mm, within 5 %.
 constexpr int kWalls = 16;
 
 struct Maze {
@@ -34,14 +34,14 @@ struct Maze {
   }
 };
 
-// Where the maze's cells are on the map.
+// The places of the maze's cells on the map.
 struct Layout {
   int pitch, margin;  // cells of the map, from middle to middle, and from the map's edge to the first
   int height;         // of the map
   grid::CellAt middle(int x, int y) const { return {pitch * x + margin, height - 1 - margin - pitch * y}; }
 };
 
-// Walls one cell thick along the sides of the maze's cells, and around it.
+// Adds walls one cell thick along the sides of the maze's cells, and around it.
 void add_walls(const Maze& maze, const Layout& layout, grid::Map& map) {
   constexpr int kHalf = kWalls / 2;
   const auto wall = [&](grid::CellAt from, int dx, int dy) {
@@ -128,7 +128,7 @@ Imported read_maze(std::string_view text, const std::string& file, double walls_
                             lines.size(), wide));
   Maze maze;
   maze.resize(width, height);
-  // Anything that is not blank is a wall; short lines are open at their ends (mackorone/mms, src/Maze.cpp).
+  // Any character except a blank is a wall; short lines are open at their ends (mackorone/mms, src/Maze.cpp).
   const auto is_wall = [&](std::size_t row, int column) {
     const std::string_view line = lines[row].text;
     const auto at = static_cast<std::size_t>(column);

@@ -1,4 +1,4 @@
-// Points with straights between them and rounded bends, as a path. An implementation detail of the readers.
+// A path of points with straights between them and rounded bends. An implementation detail of the readers.
 #pragma once
 
 #include <vector>
@@ -9,19 +9,19 @@ namespace robosim::course {
 
 struct Corner {
   Vec2 at;
-  double rounding = 0.0;    ///< m: the radius of the bend, smaller where its legs are too short; 0 = sharp
-  bool gap_behind = false;  ///< nothing is painted from here to the next point
+  double rounding = 0.0;    ///< m: the radius of the bend, smaller if its legs are too short; 0 = sharp
+  bool gap_behind = false;  ///< unpainted from here to the next point
 };
 
 using Polyline = std::vector<Corner>;
 
-/// The same the other way.
+/// Reverses the direction.
 void reverse(Polyline& line);
 
-/// Of at least two points that are not the same. In metres; lengths and radii are rounded to micrometres.
+/// Converts at least two different points. In metres; lengths and radii are rounded to micrometres.
 grid::Path path_of(const Polyline& line);
 
-/// The middles of its ways over square tiles, m along it; of those that are 10 mm or longer.
+/// Returns the middles of its sections over square tiles, in m along it, for sections of at least 10 mm.
 std::vector<double> tile_middles(const grid::Path& path, double tile);
 
 }  // namespace robosim::course

@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 constexpr double kTile = 0.300, kRescueLine = 0.020, kGreen = 0.025, kStrip = 0.250;  // m
 constexpr int kCells = 3;                                                             // of 100 mm, a tile
-constexpr int kAround = 3;  // cells around the field, a tile: robots reach beyond it
+constexpr int kAround = 3;  // cells around the field, one tile: robots reach beyond it
 constexpr int kMostTiles = 100;
 
 struct Key {
@@ -40,7 +40,7 @@ struct Tile {
   std::string id;
   std::vector<Drawn> lines;
   std::string arms, turns, greens, used_arms;
-  char up = 0, down = 0;  // sides whose neighbour is a level higher or lower
+  char up = 0, down = 0;  // sides with a higher or lower neighbour
   int obstacles = 0, bumps = 0;
   bool ramp = false, checkpoint = false;
 };
@@ -140,7 +140,7 @@ class RescueReader {
     if (!tiles_.emplace(at, std::move(tile)).second) refuse(where + " is there twice");
   }
 
-  // What is on it.
+  // Adds the drawings of a tile.
   void draw(Tile& tile, const Json& type, const std::string& where) {
     if (is_evacuation(tile.id)) return;
     for (const TileKind& kind : rescue_tiles()) {
@@ -153,7 +153,7 @@ class RescueReader {
       simplified_ += kind.simplified;
       return;
     }
-    // What the file says of it: from side to side.
+    // The paths in the file: from side to side.
     if (!type.is_object() || !type.contains("paths") || !type["paths"].is_object() || type["paths"].empty())
       refuse(fmt::format("{}: the type “{}” is not known, and the file does not say its paths", where,
                          tile.id.substr(0, 40)));
@@ -167,7 +167,7 @@ class RescueReader {
     ++simplified_;
   }
 
-  // The sides by which the route may enter, turned.
+  // Returns the sides by which the route may enter, turned.
   static std::string entries_of(const Tile& tile) {
     std::string sides;
     for (const Drawn& drawn : tile.lines)
@@ -178,7 +178,7 @@ class RescueReader {
     return sides;
   }
 
-  // By which side the route leaves that entered by this one; 0 = none.
+  // Returns the exit of the route for this entry; 0 = none.
   static char exit_of(const Tile& tile, char entry) {
     const char own = turned(entry, -tile.quarters);
     for (const Drawn& drawn : tile.lines) {
@@ -215,7 +215,7 @@ class RescueReader {
     }
   }
 
-  // Tile by tile, until there is none.
+  // Follows the route tile by tile to its end.
   void follow(Tile& from, char entry) {
     Polyline route;
     Tile* tile = &from;
@@ -274,13 +274,13 @@ class RescueReader {
         "no tile of the evacuation zone is beside “startTile2”, so the way behind the zone is missing");
   }
 
-  // Across the way, on this side of a tile's edge.
+  // Adds a strip across the path, on this side of a tile's edge.
   void strip(Vec2 at, char side, grid::Hue hue, double across) {
     const Vec2 out{(side == 'R') - 1.0 * (side == 'L'), (side == 'T') - 1.0 * (side == 'B')};
     areas_.push_back({{{at - out * (0.5 * kGreen), out}, 0.5 * kGreen, 0.5 * across}, {hue}});
   }
 
-  // Lines that the route does not take, and green squares.
+  // Adds lines outside the route, and green squares.
   void rest_of(Tile& tile) {
     for (Drawn& drawn : tile.lines) {
       if (drawn.used) continue;
@@ -301,7 +301,7 @@ class RescueReader {
     }
   }
 
-  // Along the first path, whose tiles are those of the route unless levels or lines on a tile's edge confuse
+  // Follows the first path. Its tiles are those of the route unless levels or lines on a tile's edge confuse
   // it.
   void set_goal(grid::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
@@ -372,7 +372,7 @@ class RescueReader {
   std::vector<bool> checkpoints_;  // of the first route, tile by tile
   std::vector<std::string> remarks_;
   int simplified_ = 0;
-  bool to_zone_ = false;  // the first way ends there
+  bool to_zone_ = false;  // the first path ends there
   std::size_t tiles_on_route_ = 0;
 };
 

@@ -1,7 +1,8 @@
-// The tiles of RoboCupJunior Rescue Line, as rcj-rescue-cms (commit 14ba0ba2) numbers them: an implementation
-// detail of read_rescue().
+// The tiles of RoboCupJunior Rescue Line, with their numbers in rcj-rescue-cms (commit 14ba0ba2): an
+// implementation detail of read_rescue().
 //
-// What is drawn on them was measured in the editor's pictures, to about 2 % of a tile (6 mm): that is how
+// The drawings were measured in the editor's pictures, to about 2 % of a tile (6 mm), which is their own
+// accuracy. Tiles are 300 mm wide, their lines 20 mm.
 // exact they are themselves. Tiles are 300 mm wide, their lines 20 mm.
 #pragma once
 
@@ -22,29 +23,29 @@ struct TileLine {
 struct TileKind {
   std::string_view id;
   TileLine lines[2] = {};
-  /// Of an intersection: the sides (L T R B) that are joined to the middle.
+  /// For an intersection: the sides (L T R B) that are joined to the middle.
   std::string_view arms = {};
-  /// Where the route leaves an intersection by which it was entered: "LT TL" = left to top, top to left.
+  /// Where the route leaves an intersection, by its entry: "LT TL" = left to top, top to left.
   std::string_view turns = {};
   /// Green squares in the corners of an intersection: a b above, c d below it, to the left and the right.
   std::string_view greens = {};
-  bool simplified = false;  ///< what is drawn is the way through it, not what is on it
+  bool simplified = false;  ///< only the way through it is drawn, not all its lines
 };
 
 std::span<const TileKind> rescue_tiles();
 /// In percent of a tile; roundings in m.
 Polyline polyline_of(const TileLine& line);
 
-/// A side of a tile, L T R or B, turned clockwise by quarters; and a point, percent, about the tile's middle.
+/// Turn a side of a tile, L T R or B, clockwise by quarters; and a point, percent, about the tile's middle.
 char turned(char side, int quarters);
 Vec2 turned(Vec2 percent, int quarters);
 Vec2 middle_of(char side);
-/// The side on which a point is, 0 = within the tile.
+/// Returns the side of a point, 0 = within the tile.
 char side_of(Vec2 percent);
 
 inline constexpr std::string_view kRescueExit = "58cfd6549792e9313b1610e0";
 inline constexpr std::string_view kRescueSeesaw = "58cfd6549792e9313b1610df";
-/// Of the evacuation zone.
+/// Returns whether it is of the evacuation zone.
 inline bool is_evacuation(std::string_view id) {
   return id == "58cfd6549792e9313b1610e1" || id == "58cfd6549792e9313b1610e2" ||
          id == "58cfd6549792e9313b1610e3";

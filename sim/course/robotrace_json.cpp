@@ -19,11 +19,11 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kCm = 0.01;
-constexpr double kTouching = 1e-5;       // m; a shorter tangent is none: the circles touch
+constexpr double kTouching = 1e-5;       // m; circles with a shorter tangent touch
 constexpr double kMostCoordinate = 1e5;  // cm
 constexpr std::size_t kMostCircles = 1000;
 constexpr double kMarkLength = 0.040, kMarkAway = 0.070;
-constexpr double kClose = 0.0005;  // m; nearer corners have one mark
+constexpr double kClose = 0.0005;  // m; closer corners share one mark
 
 struct Circle {
   Vec2 centre;
@@ -158,7 +158,7 @@ class Reader {
     mark(goal, -kMarkAway);
     map.course.race = grid::RaceLines{0, 0.0, rounded(goal)};
     map.goal = "robotrace";
-    // In the start and goal area, so far before the start line that a robot's sensors are behind it.
+    // In the start and goal area, far enough before the start line that a robot's sensors are behind it.
     map.start = grid::start_on(map, {0, rounded(goal + start_to_goal / 2.0), false});
     return {std::move(map), {}};
   }
