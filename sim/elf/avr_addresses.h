@@ -1,5 +1,5 @@
-// An AVR has several memories, each from address 0; an ELF file has one space of addresses. avr-gcc puts
-// flash at its beginning and the others far behind it.
+// An AVR has several memories, each from address 0; an ELF file has one address space. avr-gcc puts flash at
+// its beginning and the others far after it.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,6 @@ namespace robosim {
 
 constexpr std::uint32_t kAvrData = 0x800000;    ///< data memory: registers, then RAM
 constexpr std::uint32_t kAvrEeprom = 0x810000;  ///< the EEPROM
-constexpr std::uint32_t kAvrFuses = 0x820000;   ///< fuses; lock bits and signature lie behind them
+constexpr std::uint32_t kAvrFuses = 0x820000;   ///< fuses; followed by lock bits and signature
 
 }  // namespace robosim

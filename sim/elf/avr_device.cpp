@@ -6,9 +6,9 @@
 
 namespace robosim {
 
-// Words of 32 bits, the lowest byte first: three of the note's head, "AVR", where flash, RAM and EEPROM begin
-// and how large they are, the size of the table of names (with this word), and where in the names behind that
-// table the chip's is.
+// The note has little-endian words of 32 bits. Three are its head, "AVR". Then come start and size of flash,
+// RAM and EEPROM, and the size of the table of names (including this word). The last is the offset of the
+// chip's name after that table.
 std::string avr_device(const ElfFile& elf) {
   constexpr std::size_t kTable = 40, kWord = 4;
   const std::string_view note = elf.content_of(".note.gnu.avr.deviceinfo");

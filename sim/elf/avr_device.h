@@ -1,4 +1,4 @@
-// For which chip avr-gcc has built a program.
+// Finds the chip for which avr-gcc has built a program.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robosim {
 
-/// As -mmcu has it: "atmega328p". Empty where the file does not say: it is not of avr-libc 2, whose start-up
-/// code of each chip brings a note of it.
+/// Returns the name for -mmcu: "atmega328p". Empty if the file lacks it: only avr-libc 2 has a note in the
+/// start-up code of each chip.
 std::string avr_device(const ElfFile& elf);
 
 }  // namespace robosim

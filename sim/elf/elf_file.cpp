@@ -43,7 +43,7 @@ ElfFile::ElfFile(std::string content, std::string file)
   if (::elf_getshdrnum(elf_.get(), &section_count_) != 0 ||
       ::elf_getphdrnum(elf_.get(), &segment_count_) != 0)
     damaged();
-  // libelf takes tables that lie outside the file for tables that are not there.
+  // libelf treats tables outside the file as missing.
   if (section_count_ < header.e_shnum || segment_count_ < header.e_phnum) damaged();
   const auto has_size = [&](std::size_t size, Elf_Type type) {
     return size == ::gelf_fsize(elf_.get(), type, 1, EV_CURRENT);

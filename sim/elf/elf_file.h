@@ -1,5 +1,5 @@
-// ELF files, read by libelf of elfutils: what is loaded into memory, sections and symbols. Files come from
-// users and may be damaged; that is refused in a sentence.
+// Reads ELF files by libelf of elfutils: loaded segments, sections and symbols. Users' files may be damaged;
+// then they are refused with a sentence.
 #pragma once
 
 #include <cstddef>
@@ -13,51 +13,51 @@ struct Elf;
 
 namespace robosim {
 
-/// What is loaded into memory.
+/// A segment that is loaded into memory.
 struct ElfSegment {
-  std::uint64_t address = 0;  ///< physical: where it is flashed
-  std::string_view bytes;     ///< its content in the file; valid as long as the file is
+  std::uint64_t address = 0;  ///< physical: in flash
+  std::string_view bytes;     ///< its content in the file; valid as long as that
   bool code = false;
 };
 
 struct ElfSection {
   std::uint64_t address = 0;
   std::uint64_t size = 0;
-  bool loaded = false;  ///< it takes memory when the program runs
+  bool loaded = false;  ///< it uses memory at run time
   bool writable = false;
-  bool has_content = false;  ///< in the file; else it begins as zeros
+  bool has_content = false;  ///< in the file; else it is zero-initialised
 };
 
 struct ElfSymbol {
   enum class Kind { function, object, file_or_section, other };
-  std::string_view name;  ///< valid as long as the file is
+  std::string_view name;  ///< valid as long as the file
   std::uint64_t value = 0;
   std::uint64_t size = 0;
   Kind kind = Kind::other;
-  bool absolute = false;  ///< it has a value and no place
+  bool absolute = false;  ///< it has a value, but no address
 };
 
 class ElfFile {
  public:
-  /// Whether it begins as an ELF file does, and is as long as its header.
+  /// Returns whether the content begins like an ELF file, and is as long as its header.
   static bool is_one(std::string_view content);
 
-  /// Throws InputError, which names `file`, unless is_one() holds and its tables lie within it. The other
-  /// functions throw it where what they are asked for is damaged.
+  /// Opens a file. Throws InputError, which names `file`, unless is_one() holds and its tables lie within it.
+  /// The other functions throw it for damaged parts.
   ElfFile(std::string content, std::string file);
   ElfFile(const ElfFile&) = delete;
   ElfFile& operator=(const ElfFile&) = delete;
 
   const std::string& file() const { return file_; }
   bool is_for_avr() const { return is_for_avr_; }
-  /// A finished program, no object file and no library.
+  /// Returns whether it is a finished program, not an object file or library.
   bool is_program() const { return is_program_; }
 
   std::vector<ElfSegment> segments() const;
   std::vector<ElfSection> sections() const;
-  /// What the file holds of the section of this name; empty if it has none. Valid as long as the file is.
+  /// Returns the content of the section of this name; empty if there is none. Valid as long as the file.
   std::string_view content_of(std::string_view section) const;
-  /// Those that are defined, in the file's order.
+  /// Returns the defined symbols, in the file's order.
   std::vector<ElfSymbol> symbols() const;
 
  private:

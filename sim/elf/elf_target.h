@@ -1,4 +1,4 @@
-// Which target runs an ELF file.
+// Finds the target that runs an ELF file.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace robosim {
 
-/// "avr" or "stm32", by the file's header alone. Throws InputError, which names `file`, for what is no
-/// program for such a chip.
+/// Returns "avr" or "stm32", by the file's header alone. Throws InputError, which names `file`, for any file
+/// that is not a program for such a chip.
 std::string target_of_elf(std::string_view content, const std::string& file);
 
-/// For a file that is for the target `is`.
+/// Returns the error for a file that is for the target `is`.
 InputError wrong_target(const std::string& file, std::string_view is, std::string_view wanted);
 
 }  // namespace robosim
