@@ -1,4 +1,4 @@
-// What is drawn at random, by a seed.
+// Draws random choices from a seed.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace robosim::mutate {
 
-/// In an order drawn by the seed: the first n of it are n drawn at random.
+/// Returns the elements in an order drawn by the seed: the first n are a random sample.
 template <typename T>
 std::vector<T> shuffled(std::vector<T> all, std::uint64_t seed, const char* purpose) {
   const NoiseStream draw(seed, 0, "mutate", purpose);

@@ -1,4 +1,4 @@
-// A small change of a sketch's source: one that breaks it, as people break theirs, or one that must not
+// A small change of a sketch's source: a mutation that breaks it like a typical mistake, or one that must not
 // matter.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace robosim::mutate {
 
-/// Bytes `from` to `to` of a file are replaced.
+/// Replaces bytes `from` to `to` of a file.
 struct Edit {
   std::string file;  ///< relative to the sketch's folder
   std::size_t from = 0, to = 0;
@@ -21,7 +21,7 @@ struct Mutation {
   std::string kind;         ///< "relational", "constant" …; docs/howto/mutation.md lists them
   std::vector<Edit> edits;  ///< in the order of their places; all of one file. The first says where it is
   int line = 0;             ///< of the first, from 1
-  std::string was, now;     ///< for people: the text at the first place, and what it becomes
+  std::string was, now;     ///< for display: the text at the first place, and its replacement
 
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
@@ -32,7 +32,7 @@ std::string where(const Mutation& mutation);
 std::string what(const Mutation& mutation);
 std::string described(const Mutation& mutation);
 
-/// `text` with all edits made.
+/// Returns `text` with all edits applied.
 std::string changed(std::string text, const std::vector<Edit>& edits);
 
 }  // namespace robosim::mutate

@@ -31,7 +31,7 @@ std::string type_of(const json& node) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// The first place of `word`, as a whole word.
+/// Returns the first place of `word`, as a whole word.
 std::size_t find_word(const std::string& text, const std::string& word) {
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at)
     if ((at == 0 || !is_word(text[at - 1])) &&
@@ -59,7 +59,7 @@ const std::array<std::pair<const char*, const char*>, 10> kNarrower = {{{"unsign
                                                                         {"float", "int"},
                                                                         {"double", "int"}}};
 
-/// Gathers what can be changed, walking down the tree.
+/// Collects the possible changes, walking down the tree.
 class Finder {
  public:
   explicit Finder(const Tree& tree) : tree_(tree) {}
@@ -239,7 +239,7 @@ bool before(const Mutation& a, const Mutation& b) {
   return key(a) < key(b);
 }
 
-/// What the statement pinMode(PIN, …) is about; empty for all others.
+/// Returns the pin of the statement pinMode(PIN, …); empty for all others.
 std::string pin_of(const Tree& tree, const json& statement) {
   if (kind_of(statement) != "CallExpr" || inner(statement).size() != 3) return "";
   const auto callee = range_of(tree, inner(statement)[0]), pin = range_of(tree, inner(statement)[1]);
@@ -253,13 +253,13 @@ void find_functions(const json& node, std::vector<const json*>& found) {
     for (const json& child : inner(node)) find_functions(child, found);
 }
 
-/// Variables declared below, and all uses of each by its id.
+/// Finds the variables declared below, and all uses of each by its id.
 void find_names(const Tree& tree, const json& node, std::vector<const json*>& declared,
                 std::map<std::string, std::vector<Range>>& uses) {
   if (kind_of(node) == "VarDecl") declared.push_back(&node);
   if (kind_of(node) == "DeclRefExpr" && node.contains("referencedDecl")) {
     const std::string id = node["referencedDecl"].value("id", "");
-    // One that is used in a macro is left alone: an empty range says so.
+    // A variable that is used in a macro is not renamed: marked by an empty range.
     const auto range = range_of(tree, node);
     uses[id].push_back(range ? *range : Range{});
   }

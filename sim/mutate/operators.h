@@ -1,5 +1,5 @@
-// What can be changed in a sketch: the operators of mutation testing, each as people's mistakes have it, and
-// changes that must not matter.
+// Finds the possible changes in a sketch: the operators of mutation testing, modelled on typical mistakes,
+// and changes that must not matter.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace robosim::mutate {
 
-/// All of them, in the order of their places. What stands in a macro is left as it is.
+/// Returns all of them, sorted by place. Text in macros is not changed.
 ///
-///   relational  < <= > >= == != one for another      returned   0 or the contrary in place of a result
-///   arithmetic  + - * / % & | << >> and += …, ++ --  arguments  two of one type in each other's place
+///   relational  < <= > >= == != one for another      returned   0 or the contrary instead of a result
+///   arithmetic  + - * / % & | << >> and += …, ++ --  arguments  two of one type exchanged
 ///   logic       && || !, true and false              type       16 bits for 32, 8 for 16, int for float
-///   constant    one more, one less, twice            storage    volatile, const, PROGMEM or F() lost
-///   statement   a call, assignment, break or return left out
+///   constant    one more, one less, twice            storage    volatile, const, PROGMEM or F() removed
+///   statement   a call, assignment, break or return removed
 std::vector<Mutation> mutations(const Tree& tree);
 
-/// Neutral ones, which a test must not mind: a delay of some ms at the start of setup(), two independent
-/// pinMode() in each other's place, a local variable with another name.
+/// Returns neutral changes, which a test must tolerate. They are a delay of some ms at the start of setup(),
+/// two independent pinMode() exchanged, a local variable with another name.
 std::vector<Mutation> controls(const Tree& tree);
 
 }  // namespace robosim::mutate

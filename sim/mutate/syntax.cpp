@@ -23,14 +23,14 @@ const json& member(const json& node, const char* name) {
   return found == node.end() ? kNothing : *found;
 }
 
-/// Whether the declaration, of which all places say their files, is in one that is known.
+/// Returns whether the declaration, whose places all have their files, is in a known one.
 bool is_own(const json& declaration) {
   const json& loc = member(declaration, "loc");
   const json& place = loc.contains("expansionLoc") ? loc["expansionLoc"] : loc;
   return place.is_object() && place.value("in", -1) >= 0;
 }
 
-/// clang names a file only where it differs from that of the place before: this writes it into each.
+/// Completes places: clang names a file only if it differs from the previous place's.
 class Places {
  public:
   explicit Places(const std::function<int(const std::string&)>& number_of) : number_of_(number_of) {}
@@ -57,7 +57,7 @@ class Places {
   }
 
  private:
-  static constexpr int kOfDeclarations = 2;  ///< within the list within the translation unit
+  static constexpr int kOfDeclarations = 2;  ///< within the list of the translation unit
   const std::function<int(const std::string&)>& number_of_;
   std::string key_;
   int file_ = -1;
@@ -103,8 +103,8 @@ json dump(const fs::path& clang, const build::Reading& reading, const fs::path& 
   return read_tree(result.output, number_of);
 }
 
-/// The declarations of functions that are defined in the joined .ino files, as text: Arduino puts them before
-/// the first.
+/// Returns the declarations of functions that are defined in the joined .ino files, as text: Arduino inserts
+/// them before the first function.
 std::string prototypes(const std::string& joined, const json& unit, std::size_t& first) {
   std::string text;
   first = joined.size();

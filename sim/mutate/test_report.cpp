@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTimeIsUp = 124;  // timeout's
 
-/// "On/PidFollower" and "StartsAtOnce/host" are PidFollower.StartsAtOnce.
+/// Converts "On/PidFollower" and "StartsAtOnce/host" to PidFollower.StartsAtOnce.
 std::string plain_name(const std::string& suite, const std::string& test) {
   const std::size_t slash = suite.find('/');
   return (slash == std::string::npos ? suite : suite.substr(slash + 1)) + "." +
@@ -62,7 +62,8 @@ TestRun run_tests(const fs::path& program, const std::string& filter, const fs::
                                    result.output.empty() ? "" : ":\n" + result.output),
                        result.status == kTimeIsUp);
   TestRun run = read_report(read_file(report));
-  // Not what the robot did: the sketch does not compile, or the test asks for what does not exist.
+  // Not the robot's behaviour: the sketch does not compile, or the test requests something that does not
+  // exist.
   if (run.message.find("C++ exception with description") != std::string::npos)
     throw CouldNotRun(fmt::format("{} could not be run:\n{}", run.failed, run.message));
   return run;
