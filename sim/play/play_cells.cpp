@@ -10,7 +10,7 @@ namespace {
 
 using cells::Ending;
 
-// Of a walk or a scan: each line cell is entered a few times at most.
+// Limit of a walk or a scan: each line cell is entered a few times at most.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 grid::Start start_of(const cells::CellPose& pose) { return {pose.cell, pose.facing}; }
@@ -30,7 +30,7 @@ std::string note_of(Ending ending) {
   return "";
 }
 
-/// Tells the session of each move, for as long as it lives.
+/// Reports each move to the session during its lifetime.
 class Watching final : public cells::MoveWatcher {
  public:
   Watching(cells::CellRobot& robot, const OnStep& on_step)
@@ -85,7 +85,7 @@ class Cells final : public CellDriver {
   int here() const override { return survey_.here(); }
   grid::Start pose() const override { return start_of(robot_.pose()); }
 
-  // The drive itself, unseen, and back again: so the way shown is the way driven.
+  // Drives there invisibly and back, so that the displayed path is the driven one.
   RouteReport route(int to) override {
     const int from = survey_.here();
     const cells::Route route = drive(to);

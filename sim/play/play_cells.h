@@ -1,4 +1,4 @@
-// The robot on cells (sim/cells), as a session drives it (sim/tui).
+// Connects the robot on cells (sim/cells) to a session (sim/tui).
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace robosim::play {
 
-/// The map must outlive the driver, and the start be on its line.
+/// The map must outlive the driver, and the start must be on its line.
 std::unique_ptr<CellDriver> drive_cells(const grid::Map& map, const grid::Start& start,
                                         double seconds_per_move);
 

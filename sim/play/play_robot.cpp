@@ -24,7 +24,7 @@ constexpr std::int64_t kLongest_ns = 3'600'000 * kMs;
 constexpr std::int64_t kPressed_ns = 1000 * kMs;  // the button
 constexpr std::int64_t kThinking_ns = 100 * kMs;  // simulated, between the question and the answer
 
-/// What drives a robot as an algorithm does.
+/// A robot that drives by an algorithm.
 struct Act {
   const char* sketch;
   const char* robot;
@@ -44,8 +44,8 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Lines with which AiNavigator begins to wait for the user: for a destination after the first two, after the
-/// last for a scan.
+/// Lines with which AiNavigator begins to wait for the user: the first two for a destination, the last for a
+/// scan.
 constexpr const char* kWaits = "^(destination\\?|refused|Put me on)";
 
 class Drive {
@@ -117,7 +117,7 @@ class Drive {
     if (!run_->over() && run_->state().stop < 0) run_->finish();
   }
 
-  /// Lets the run go on, watched in the live view if there is one.
+  /// Continues the run, in the live view if there is one.
   void watch(const std::function<void()>& go_on) {
     said_.clear();
     int signal = 0;
@@ -134,7 +134,7 @@ class Drive {
       signal = client::Interrupts::signal();
     });
     if (signal == 0) return;
-    ::raise(signal);  // for whoever noted signals before
+    ::raise(signal);  // for an outer handler
     throw SessionQuit{true};
   }
 
@@ -178,7 +178,7 @@ class Drive {
   std::optional<tui::LiveScene> scene_;
   std::optional<tui::LiveView> view_;
   std::optional<client::DrivenRun> run_;
-  std::vector<std::string> said_;  // by the sketch, since the person was asked last
+  std::vector<std::string> said_;  // output of the sketch since the last question
 };
 
 }  // namespace

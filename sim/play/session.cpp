@@ -43,7 +43,7 @@ bool is_any_of(const std::string& word, std::initializer_list<const char*> words
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
 }
 
-/// The next line cell, in row order, at which a line ends.
+/// Returns the next line cell, in row order, at which a line ends.
 std::optional<CellAt> next_dead_end(const grid::Map& map, CellAt after) {
   const std::size_t count = map.cells.size();
   const std::size_t begin = map.index_of(after) + 1;

@@ -30,10 +30,10 @@ struct CellStep {
 /// May throw to end the walk.
 using OnStep = std::function<void(const CellStep&)>;
 
-/// How a walk, a scan or a drive ended.
+/// The result of a walk, a scan or a drive.
 struct WalkReport {
-  bool complete = false;  ///< scanned all, arrived, came back to the start
-  std::string note;       ///< what else a person should know; "" = nothing
+  bool complete = false;  ///< scanned all, arrived, returned to the start
+  std::string note;       ///< another message for the user; "" = none
   std::uint64_t moves = 0;
   double time_s = 0.0;  ///< of this walk alone
   grid::Start end;
@@ -51,17 +51,17 @@ struct RouteReport {
 class CellDriver {
  public:
   virtual ~CellDriver() = default;
-  /// Left or right.
+  /// Walks with left or right.
   virtual WalkReport walk(Algorithm algorithm, const OnStep& on_step) = 0;
   virtual WalkReport scan(const OnStep& on_step) = 0;
-  /// As scanned.
+  /// Returns the scanned graph.
   virtual const grid::TrueGraph& graph() const = 0;
   virtual grid::Start pose() const = 0;
-  /// The station at which the robot stands, 0 = none.
+  /// Returns the robot's station, 0 = none.
   virtual int here() const = 0;
   virtual RouteReport route(int to) = 0;
   virtual WalkReport drive(int to, const OnStep& on_step) = 0;
-  /// After a drive that was broken off: back to the station.
+  /// Puts the robot back to its station after an interrupted drive.
   virtual void put_back(int station) = 0;
 };
 
@@ -70,7 +70,7 @@ struct MapEntry {
   std::string note;  ///< "24 x 15 cells, 7 stations"
 };
 
-/// Asks the person on a page of its own: what is told first, then the question. Gives the line typed.
+/// Asks the user on a separate page: first the text, then the question. Returns the typed line.
 using AskPerson =
     std::function<std::string(const std::vector<std::string>& told, const std::string& question)>;
 
@@ -78,12 +78,12 @@ class SessionHost {
  public:
   virtual ~SessionHost() = default;
   virtual std::vector<MapEntry> maps() = 0;
-  /// What the person typed: a name of the list, or a file. Throws InputError.
+  /// Opens the user's choice: a name of the list, or a file. Throws InputError.
   virtual grid::Map open_map(const std::string& name) = 0;
   virtual std::unique_ptr<CellDriver> cells(const grid::Map& map, const grid::Start& start,
                                             double seconds_per_move) = 0;
-  /// The simulated Arduino robot, from compiling its sketch to the end of the run, on the terminal itself.
-  /// Gives a sentence about how it ended. Throws what `robosim run` would throw for bad input.
+  /// Runs the simulated Arduino robot, from compiling its sketch to the end of the run, on the terminal
+  /// itself. Returns a sentence about the end. Throws as `robosim run` does for bad input.
   virtual std::string drive_robot(const grid::Map& map, const grid::Start& start, Algorithm algorithm,
                                   tui::Console& console, const AskPerson& ask) = 0;
 };
@@ -98,20 +98,21 @@ class Session {
   struct Options {
     std::string map;               ///< "" = ask
     std::string start;             ///< X,Y,DIR; "" = the map's
-    double moves_per_second = 10;  ///< at which walks are shown, at first
+    double moves_per_second = 10;  ///< initial speed of the display of walks
   };
 
   Session(SessionHost& host, tui::Console& console, Options options);
 
-  /// To its end. False if it was interrupted. Throws InputError for a map or start in the options.
+  /// Runs to the end. Returns false if it was interrupted. Throws InputError for a map or start in the
+  /// options.
   bool run();
 
  private:
   using Body = std::function<void(tui::Page&)>;
 
-  // Asking (session_ask.cpp).
+  // Questions (session_ask.cpp).
   tui::Press read(const Body& body, const std::vector<tui::Page::Line>& footer);
-  /// A line typed. `arrow` is told of up (-1) and down (+1).
+  /// Returns a typed line. `arrow` is called for up (-1) and down (+1).
   std::string ask(const Body& body, const std::string& question, const std::function<void(int)>& arrow = {});
   void refuse(const std::string& sentence) { error_ = sentence; }
 
@@ -131,13 +132,13 @@ class Session {
   Next scan_and_drive();
   void show_graph(const std::string& result);
   int choose_destination();
-  /// Gives a sentence about how it went.
+  /// Returns a sentence about the result.
   std::string drive_to(int station);
   bool ask_whether_to_continue(const std::string& result);
 
-  // Watching (session_watch.cpp).
+  // The display (session_watch.cpp).
   struct Stopped {};
-  /// Runs a walk, shown move by move; nothing if the person broke it off.
+  /// Runs a walk, shown move by move; returns nothing if the user interrupted it.
   std::optional<WalkReport> watch(const std::string& title, const std::vector<tui::CellLabel>& labels,
                                   const std::function<WalkReport(const OnStep&)>& walk);
   void show_step(const std::string& title, const std::vector<tui::CellLabel>& labels, const CellStep& step,
@@ -146,7 +147,7 @@ class Session {
   std::string pace_text() const;
 
   void draw_map(tui::Page& page, int rows, const std::vector<tui::CellLabel>& labels = {});
-  /// The same with another cell in sight than the robot's.
+  /// Keeps another cell in view than the robot's.
   void draw_map_around(tui::Page& page, int rows, grid::CellAt around,
                        const std::vector<tui::CellLabel>& labels);
   std::string map_title() const;
@@ -154,20 +155,20 @@ class Session {
   SessionHost& host_;
   tui::Console& console_;
   Options options_;
-  std::string error_;  // told with the next question
+  std::string error_;  // shown with the next question
 
   std::optional<grid::Map> map_;
   std::optional<tui::CellPicture> picture_;
   std::string line_cells_;
-  grid::Start start_;  // as placed
+  grid::Start start_;  // placed at the beginning
   grid::Start pose_;   // now
   bool driven_ = false;
   double speed_s_ = 1.0;
   Algorithm algorithm_ = Algorithm::ai;
   std::unique_ptr<CellDriver> driver_;
 
-  // Of the walk that is being watched.
-  double pace_;  // moves a second; 0 = as fast as possible
+  // Of the walk that is shown.
+  double pace_;  // moves per second; 0 = as fast as possible
   bool paused_ = false, single_ = false, to_the_end_ = false;
   std::int64_t due_us_ = 0, drawn_us_ = 0;
 };

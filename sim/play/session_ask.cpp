@@ -1,4 +1,4 @@
-// How a session asks: one page, one question, a line or a key.
+// The questions of a session: one page, one question, a line or a key.
 #include <fmt/format.h>
 
 #include "sim/base/utf8.h"

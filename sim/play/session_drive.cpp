@@ -15,7 +15,7 @@ constexpr std::size_t kMostListed = 40;  // junctions of a route
 
 constexpr const char* kTurnLetters = " (R the first way out to the right, L the last, S between them)";
 
-// The turns as they look on the map: "east at J1, north at J2".
+// Formats the turns by directions on the map: "east at J1, north at J2".
 std::string directions_text(const grid::TrueGraph& graph, int from, const RouteReport& route) {
   std::string text;
   const grid::Arm* arm = &graph.stations[static_cast<std::size_t>(from - 1)].arm;
@@ -34,7 +34,7 @@ std::string consumed(const WalkReport& report) {
   return fmt::format("Time consumed: {:.10g} s, {} moves.", report.time_s, report.moves);
 }
 
-// "S1, S2 dock and S3": as many as a sentence can take.
+// Returns "S1, S2 dock and S3": as many as fit in a sentence.
 std::string stations_text(const grid::TrueGraph& graph) {
   constexpr int kListed = 30;
   const int count = static_cast<int>(graph.stations.size());
@@ -81,11 +81,11 @@ void Session::show_graph(const std::string& result) {
   const std::vector<tui::CellLabel> labels = tui::graph_labels(graph);
   const std::vector<std::string> lines = graph_lines(graph, console_.size().columns - 1, console_.look());
   const auto list_rows = static_cast<int>(std::min<std::size_t>(lines.size(), 1000));
-  const bool lines_too = !console_.is_live();  // nobody presses g
+  const bool lines_too = !console_.is_live();  // there is no key g
   std::size_t selected = 0;
   grid::CellAt around = pose_.cell;
   bool wants_map = true;
-  // Map and list share the screen if both fit; else they take turns.
+  // Map and list share the screen if both fit; else they alternate.
   for (;;) {
     const tui::Press press = read(
         [&](tui::Page& page) {

@@ -1,4 +1,4 @@
-// Watching the robot on cells, move by move.
+// Shows the robot on cells, move by move.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +11,10 @@ namespace {
 
 using Kind = tui::Press::Kind;
 
-constexpr double kSlowest = 0.5;  // moves a second
+constexpr double kSlowest = 0.5;  // moves per second
 constexpr double kFastest = 2000.0;
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
-// Without a terminal or in a hurry: how often a signal is looked for.
+// Without a terminal or at full speed: moves between two checks for a signal.
 constexpr std::uint64_t kLookEvery_moves = 4096;
 
 }  // namespace
@@ -84,7 +84,7 @@ std::optional<WalkReport> Session::watch(const std::string& title, const std::ve
       if (moves++ % kLookEvery_moves == 0 && console_.is_live()) obey(console_.wait(0));
       return;
     }
-    if (single_) single_ = false;  // the step asked for has been done
+    if (single_) single_ = false;  // the requested step is complete
     bool changed = true;
     while (!to_the_end_) {
       const std::int64_t now = console_.now_us();
@@ -103,7 +103,7 @@ std::optional<WalkReport> Session::watch(const std::string& title, const std::ve
           continue;
         }
         due_us_ += pace_ > 0.0 ? static_cast<std::int64_t>(1e6 / pace_) : 0;
-        if (due_us_ < now - 100'000) due_us_ = now;  // does not hurry to catch up
+        if (due_us_ < now - 100'000) due_us_ = now;  // does not catch up
         break;
       }
       const std::int64_t left_us = paused_ ? 200'000 : due_us_ - now;
