@@ -11,7 +11,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kLongest = 200.0;  // mm of a line in one piece: far pieces stay out of a page
+constexpr double kLongest = 200.0;  // mm of a line in one piece: a page skips distant pieces
 constexpr double kHairline = 0.15;
 constexpr double kBar = 100.0;
 
@@ -33,7 +33,7 @@ class Printer {
   }
 
  private:
-  // From the floor to the page.
+  // Converts from the floor to the page.
   struct View {
     Vec2 shift;
     double scale = 1.0;
@@ -46,7 +46,7 @@ class Printer {
 
   Box floor() const { return {0.0, 0.0, sheets_.width, sheets_.height}; }
 
-  // What is painted within the box of the floor.
+  // Draws the paint within the box of the floor.
   void paint(const Box& box, const View& view, double least_pen) {
     if (dark_floor_) {
       pdf_.set_grey(0.0);
@@ -113,7 +113,7 @@ class Printer {
     }
   }
 
-  // Black and white change places where the map's do.
+  // Black and white are exchanged if the map's are.
   void colour(const grid::Colour& colour) {
     const auto swapped = [this](double grey) { return map_.light_line && !dark_floor_ ? 1.0 - grey : grey; };
     switch (colour.hue) {
@@ -132,7 +132,7 @@ class Printer {
     }
   }
 
-  // Where something stands: thin, as no sensor should take it for a line.
+  // Draws where objects stand: thin, so that no sensor sees a line.
   void outlines(const Box& box, const View& view) {
     pdf_.set_grey(0.6);
     pdf_.set_pen(kHairline, false);
@@ -160,7 +160,7 @@ class Printer {
     }
   }
 
-  // On dark and on light floors.
+  // Visible on dark and on light floors.
   void mark(Vec2 from, Vec2 to) {
     for (const auto& [width, grey] : {std::pair{4.0 * kHairline, 1.0}, {kHairline, 0.0}}) {
       pdf_.set_pen(width, false);
@@ -191,7 +191,7 @@ class Printer {
     label(sheet, {cut + 4.0, edge + 0.8});
   }
 
-  // In the flap below, 8 mm high.
+  // In the lower flap, 8 mm high.
   void label(const Sheet& sheet, Vec2 at) {
     pdf_.set_grey(1.0);
     pdf_.add_box({at.x - 2.0, at.y, at.x + kBar + 2.0, at.y + 8.0});
@@ -230,7 +230,7 @@ class Printer {
     pdf_.set_grey(0.0);
     double y = paper.height - margin - 5.0;
     pdf_.text({margin, y}, 6.0, shortened(map_.name, 6.0, paper.width - 2.0 * margin));
-    // The whole of all sheets, as they lie.
+    // The total size of all sheets.
     const double wide = sheets_.columns * sheets_.net_width(), high = sheets_.rows * sheets_.net_height();
     constexpr double kText = 42.0;
     const double scale =
@@ -288,7 +288,7 @@ class Printer {
     }
   }
 
-  // An arrow where a robot begins.
+  // Draws an arrow at a robot's start.
   void start(const View& view) {
     const Pose pose = grid::Stripes(map_, 0.0).pose_of(grid::default_start(map_));
     const Vec2 at = view(pose.position * 1e3);

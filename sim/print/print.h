@@ -1,4 +1,4 @@
-// A map's floor as a PDF in true size, to be laid on the floor in sheets.
+// Prints a map's floor as a PDF in true size, as sheets to lay on the floor.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace robosim::print {
 
 struct Options {
   Paper paper;
-  double margin = 5.0;  ///< mm that the printer leaves white
-  /// What is white on black is printed as black on white; pictures are printed as they are.
+  double margin = 5.0;  ///< mm that the printer cannot print
+  /// Prints white on black as black on white; pictures stay unchanged.
   bool swapped = false;
-  bool compressed = true;  ///< the pages' contents
+  bool compressed = true;  ///< compresses the pages' contents
 };
 
 struct Printed {
@@ -21,10 +21,10 @@ struct Printed {
   Sheets sheets;
 };
 
-/// The first page is an overview with the sheets' numbers; then a page for each sheet: what is painted on its
-/// piece of the floor, as the simulation measures it (round ends, gaps, arcs), thin outlines where walls and
-/// obstacles stand, marks to cut along, its number, and a bar of 100 mm to check the printer by. Throws
-/// InputError if it takes too many sheets, ToolMissing in a build that cannot write PDF.
+/// Prints a map. The first page is an overview with the sheets' numbers. Then follows a page for each sheet.
+/// It shows the paint on its piece of the floor, as the simulation measures it (round ends, gaps, arcs), and
+/// thin outlines of walls and obstacles. It has marks to cut along, its number, and a bar of 100 mm to check
+/// the printer. Throws InputError if it takes too many sheets, ToolMissing in a build that cannot write PDF.
 Printed print_map(const grid::Map& map, const Options& options);
 
 }  // namespace robosim::print

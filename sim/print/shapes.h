@@ -1,5 +1,5 @@
-// What is painted on a floor, as outlines of which the pieces near a place can be had. Lengths in mm, x east
-// and y north from the floor's lower left corner.
+// The paint on a floor, as outlines that can be queried by place. Lengths in mm, x east and y north from the
+// floor's lower left corner.
 #pragma once
 
 #include <cmath>
@@ -17,14 +17,14 @@ struct Box {
   bool meets(const Box& o) const { return left < o.right && o.left < right && low < o.high && o.low < high; }
 };
 
-/// A straight, or an arc counter-clockwise about `centre`, as grid::Stripe has it.
+/// A straight, or an arc counter-clockwise about `centre`, as in grid::Stripe.
 struct Line {
   Vec2 from, to, centre;
   double radius = 0.0;  ///< 0 = straight
   std::size_t paint = 0;
 };
 
-/// A bar of straight ends.
+/// A bar with straight ends.
 struct Bar {
   Vec2 from, to;
   double width;
@@ -37,16 +37,16 @@ class Shapes {
 
   /// By the numbers of lines and bars.
   const std::vector<grid::Paint>& paints() const { return paints_; }
-  /// Parts of the centre lines of a paint, at most `longest` long and an eighth of a half turn, of which
-  /// something may be within the box. Each has round ends, so that the parts make up the whole.
+  /// Passes on parts of the centre lines of a paint that may reach into the box. They are at most `longest`
+  /// long and an eighth of a half turn. Each has round ends, so that the parts form the whole.
   void lines_near(std::size_t paint, const Box& box, double longest,
                   const std::function<void(const Line&)>& use) const;
   const std::vector<Bar>& bars() const { return bars_; }
-  /// Runs of painted cells (of a raster floor), or of walls, within the box.
+  /// Passes on runs of painted cells (of a raster floor), or of walls, within the box.
   void painted_cells_near(const Box& box, const std::function<void(const Box&)>& use) const;
   void walls_near(const Box& box, const std::function<void(const Box&)>& use) const;
   std::vector<Vec2> obstacles_near(const Box& box) const;
-  /// Whether something of what is painted is within the box.
+  /// Returns whether any paint is within the box.
   bool paints(const Box& box) const;
 
  private:

@@ -1,8 +1,8 @@
-// How a floor is divided into sheets of paper that are laid side by side.
+// Divides a floor into adjacent sheets of paper.
 //
-// Each sheet shows its own piece of the floor, of net_width x net_height, and a flap around it: 10 mm more of
-// the floor on each side, on which the next sheet is laid. Sheets are counted from the floor's upper left
-// corner. Lengths in mm, x east and y north from the floor's lower left corner.
+// Each sheet shows its own piece of the floor, of net_width x net_height, and a flap around it. The flap is
+// 10 mm more of the floor on each side, on which the next sheet is laid. Sheets are counted from the floor's
+// upper left corner. Lengths in mm, x east and y north from the floor's lower left corner.
 #pragma once
 
 #include <string>
@@ -26,24 +26,24 @@ struct Sheet {
 };
 
 struct Sheets {
-  Paper paper;                 ///< upright or on its side
+  Paper paper;                 ///< portrait or landscape
   double margin = 0.0;         ///< mm from the paper's edge to the flap
   double width = 0.0;          ///< mm, of the floor
   double height = 0.0;         ///< mm
-  int rows = 0, columns = 0;   ///< that the whole floor would take
-  std::vector<Sheet> printed;  ///< those on which something is painted, row by row
+  int rows = 0, columns = 0;   ///< for the whole floor
+  std::vector<Sheet> printed;  ///< those with any paint, row by row
 
   double net_width() const { return paper.width - 2.0 * (margin + kFlap); }
   double net_height() const { return paper.height - 2.0 * (margin + kFlap); }
-  /// The floor's piece that is a sheet's own; it may reach beyond the floor.
+  /// Returns a sheet's own piece of the floor; it may reach beyond the floor.
   Box piece(Sheet sheet) const {
     const double left = (sheet.column - 1) * net_width(), top = height - (sheet.row - 1) * net_height();
     return {left, top - net_height(), left + net_width(), top};
   }
 };
 
-/// The paper upright or on its side, whichever takes fewer sheets. `dark_floor`: the floor is painted, too,
-/// not only what is on it. Throws InputError beyond kMostSheets.
+/// Divides the floor, with the paper in portrait or landscape, whichever takes fewer sheets. `dark_floor`:
+/// the floor itself is painted, too. Throws InputError beyond kMostSheets.
 Sheets divide(const grid::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor);
 
 }  // namespace robosim::print
