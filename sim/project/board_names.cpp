@@ -20,7 +20,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 struct Fqbn {
-  std::string board;  ///< with vendor and architecture
+  std::string board;  ///< including vendor and architecture
   std::map<std::string, std::string> options;
 };
 
@@ -36,7 +36,8 @@ Fqbn parse(const std::string& text) {
   return fqbn;
 }
 
-/// "8MHzatmega328", "atmega328old" and "atmega328" are an ATmega328P; an atmega1280 is not an ATmega2560.
+/// Returns whether a name means the board's chip. "8MHzatmega328", "atmega328old" and "atmega328" are an
+/// ATmega328P; an atmega1280 is not an ATmega2560.
 bool names_chip(const std::string& cpu, const BoardSpec& board) {
   std::string chip = board.chip->compiler_name;
   if (chip.back() == 'p') chip.pop_back();
@@ -45,7 +46,7 @@ bool names_chip(const std::string& cpu, const BoardSpec& board) {
   return unit == std::string::npos || cpu.substr(0, unit) == std::to_string(board.clock_hz / 1'000'000);
 }
 
-/// How many options are those of the board; -1 if one is another's.
+/// Returns the number of options that match the board; -1 if one does not.
 int fit(const Fqbn& wanted, const BoardSpec& board) {
   const Fqbn own = parse(board.fqbn);
   if (wanted.board.empty() || wanted.board != own.board) return -1;

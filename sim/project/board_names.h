@@ -1,4 +1,4 @@
-// Boards by the names that other tools have for them.
+// Finds boards by their names in other tools.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace robosim::project {
 
-/// The board of an FQBN, VENDOR:ARCHITECTURE:BOARD[:KEY=VALUE,…], or null. An option that it leaves out has
-/// the value that Arduino has for it; one that our boards do not differ in may have any, but cpu=…, which
+/// Returns the board of an FQBN, VENDOR:ARCHITECTURE:BOARD[:KEY=VALUE,…], or null. A missing option has
+/// Arduino's default. An option that does not distinguish our boards may have any value, except cpu=…, which
 /// must name their chip ("atmega328old").
 const BoardSpec* board_of_fqbn(const std::string& fqbn);
 
-/// A board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), and the clock that an FQBN of
-/// another vendor's board may name ("clock=8MHz_internal"), or null.
+/// Returns a board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), or null. It has the
+/// clock of a third-party FQBN, if that has one ("clock=8MHz_internal").
 const BoardSpec* board_with_chip(const std::string& chip, const std::string& fqbn);
 
-/// The board of PlatformIO's id ("nanoatmega328"), or null.
+/// Returns the board of PlatformIO's id ("nanoatmega328"), or null.
 const BoardSpec* board_of_platformio(const std::string& id);
 
-/// How the tools write the boards that there are: "arduino:avr:uno, …" and "uno, …".
+/// Return all boards in the tools' notation: "arduino:avr:uno, …" and "uno, …".
 std::string all_fqbns();
 std::string all_platformio_ids();
 

@@ -1,17 +1,17 @@
-// Readers of the single kinds of files; project.h chooses among them.
+// The readers of all kinds of project files; project.h selects one.
 #pragma once
 
 #include "sim/project/project.h"
 
 namespace robosim::project {
 
-/// None of them is larger.
+/// The maximum size of each.
 constexpr std::size_t kMostProjectFile_bytes = std::size_t{1} << 20;
 
 Project read_platformio(const std::filesystem::path& folder, const std::string& environment);
 Project read_sketch_yaml(const std::filesystem::path& file, const std::string& profile);
 
-/// Throws: there is no such environment, or profile.
+/// Throws the error for an unknown environment or profile.
 [[noreturn]] void refuse_environment(const std::filesystem::path& file, const std::string& what,
                                      const std::string& name, const std::vector<std::string>& all);
 

@@ -1,5 +1,5 @@
-// .ini files as Python's configparser reads them, and PlatformIO with it: sections, `key = value`, values
-// that go on in indented lines, comments behind ; and #.
+// Reads .ini files like Python's configparser, and so PlatformIO: sections, `key = value`, values that
+// continue in indented lines, comments after ; and #.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 namespace robosim::project {
 
 struct IniValue {
-  std::string text;  ///< its lines without blanks around them
+  std::string text;  ///< its lines without surrounding blanks
   int line = 0;
 };
 
 class IniFile {
  public:
-  /// Throws InputError for a line that is neither.
+  /// Reads a file. Throws InputError for an invalid line.
   explicit IniFile(const std::filesystem::path& path);
 
   const std::vector<std::string>& sections() const { return order_; }
   bool has(const std::string& section) const { return values_.count(section) != 0; }
-  /// Null if there is none.
+  /// Returns the value; null if there is none.
   const IniValue* find(const std::string& section, const std::string& key) const;
 
  private:

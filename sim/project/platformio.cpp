@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kDeepest = 16;  ///< values that name values, sections that extend sections
+constexpr int kDeepest = 16;  ///< nesting of references and extended sections
 constexpr const char* kEnvironment = "env:";
 
-/// The items of a list, one a line or with commas between them.
+/// Returns the items of a list, one per line or separated by commas.
 std::vector<std::string> list_of(const std::string& text) {
   std::vector<std::string> items;
   std::string item;
@@ -38,7 +38,7 @@ std::vector<std::string> list_of(const std::string& text) {
   return items;
 }
 
-/// Words as a shell splits them.
+/// Splits words like a shell.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
@@ -67,7 +67,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// platformio.ini with what its values name filled in.
+/// platformio.ini with its references resolved.
 class Settings {
  public:
   explicit Settings(const fs::path& file) : path_(file), ini_(file) {
@@ -77,13 +77,13 @@ class Settings {
 
   const std::vector<std::string>& environments() const { return environments_; }
 
-  /// Of the section [platformio].
+  /// Returns a value of the section [platformio].
   std::string common(const std::string& key, const std::string& otherwise) const {
     const IniValue* value = ini_.find("platformio", key);
     return value ? filled(*value, "platformio", 0) : otherwise;
   }
 
-  /// Of an environment, of those that it extends, or of [env].
+  /// Returns a value of an environment, of those that it extends, or of [env].
   const IniValue* find(const std::string& environment, const std::string& key) const {
     const IniValue* value = find_in(kEnvironment + environment, key);
     return value ? value : ini_.find("env", key);
@@ -100,7 +100,7 @@ class Settings {
     return find_in(section, key, 0, without);
   }
 
-  /// `without`: sections that are known to lack it, so that none is looked through twice.
+  /// `without`: sections that are known to lack it, so that each is searched only once.
   const IniValue* find_in(const std::string& section, const std::string& key, int depth,
                           std::set<std::string>& without) const {
     if (without.count(section)) return nullptr;
@@ -116,7 +116,7 @@ class Settings {
     return nullptr;
   }
 
-  /// What ${name} stands for; nothing if it is not known.
+  /// Returns the value of ${name}; nothing if it is unknown.
   std::optional<std::string> value_of(const std::string& name, const std::string& section, int line,
                                       int depth) const {
     if (name == "PROJECT_DIR" || name == "platformio.project_dir")
@@ -188,7 +188,7 @@ std::string choose(Project& project, const Settings& settings, const std::string
   return usual[0];
 }
 
-/// Whether a macro's definition is one: NAME, NAME=value or NAME(parameters)=value, on one line.
+/// Returns whether a macro's definition is valid: NAME, NAME=value or NAME(parameters)=value, on one line.
 bool is_macro(const std::string& text) {
   const auto in_name = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   const auto end = std::find_if_not(text.begin(), text.end(), in_name);
@@ -196,7 +196,7 @@ bool is_macro(const std::string& text) {
          (end == text.end() || *end == '=' || *end == '(') && text.find('\n') == std::string::npos;
 }
 
-/// Takes the options that say what the sketch is. All others could name programs and files of this machine.
+/// Takes only options about the sketch's content. Others could name programs and files of this machine.
 void take_flags(Project& project, const std::string& text, const fs::path& folder) {
   std::vector<std::string> left_out;
   const std::vector<std::string> words = words_of(text);

@@ -11,7 +11,7 @@
 
 namespace robosim::project {
 
-/// A library that a project wants, by library.properties's name.
+/// A library that a project requires, by its name in library.properties.
 struct WantedLibrary {
   std::string name;
   std::string version;  ///< empty = any
@@ -19,10 +19,10 @@ struct WantedLibrary {
 
 struct Project {
   std::filesystem::path file;  ///< empty: there is none
-  std::string environment;     ///< which of its environments, or profiles: "uno"; empty = it has none
+  std::string environment;     ///< the selected environment, or profile: "uno"; empty = it has none
   const BoardSpec* board = nullptr;
-  const BoardSpec* stand_in = nullptr;  ///< where there is no such board: one with the same chip
-  std::string board_name;               ///< as the file writes it; empty = it names none
+  const BoardSpec* stand_in = nullptr;  ///< without such a board: one with the same chip
+  std::string board_name;               ///< as in the file; empty = none
   Place board_place;
   bool platformio = false;
   std::filesystem::path sources;                ///< the folder of PlatformIO's sources
@@ -30,28 +30,29 @@ struct Project {
   std::vector<std::filesystem::path> libraries;
   std::vector<WantedLibrary> wanted;
   std::vector<std::string> flags;    ///< -D and -U, for everything that is compiled
-  std::vector<std::string> remarks;  ///< sentences for the user: what was chosen, what is not taken
+  std::vector<std::string> remarks;  ///< sentences for the user: automatic choices, and ignored settings
 };
 
-/// The project of a sketch's folder. `environment`: of platformio.ini, or a profile of sketch.yaml; empty =
-/// that which the file says, else the first whose board is known, else the first. Throws InputError for files
-/// that cannot be read, and an environment that there is none of.
+/// Reads the project of a sketch's folder. `environment`: of platformio.ini, or a profile of sketch.yaml;
+/// empty = the file's default, else the first with a known board, else the first. Throws InputError for files
+/// that cannot be read, and for an unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 
-/// The same of a finished image: the board that arduino-cli or PlatformIO have built it for.
+/// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.
 Project project_of_image(const std::filesystem::path& image);
 
-/// The folder of the sketch that an image was built from by one of them, if it is still there; else empty.
+/// Returns the folder of the sketch from which one of them has built an image, if it still exists; else
+/// empty.
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
-/// Of an image whose board Robosim does not have: finds one with the chip that it was built for
-/// ("atmega328p") and the clock that an FQBN may name, and remarks it. Nothing where there is none.
+/// For an image whose board Robosim does not have. Finds one with its chip ("atmega328p") and the clock of an
+/// FQBN, if given, and adds a remark. Does nothing if there is none.
 void find_stand_in(Project& project, const std::string& chip);
 
-/// Throws InputError for a board that Robosim does not have, and that has no stand-in.
+/// Throws InputError for a board that Robosim does not have, and that has no substitute.
 void check_board(const Project& project);
 
-/// The sketchbooks that the preferences of Arduino's IDE and arduino-cli's configuration name.
+/// Returns the sketchbooks in the preferences of Arduino's IDE and in arduino-cli's configuration.
 std::vector<std::filesystem::path> sketchbooks();
 
 }  // namespace robosim::project

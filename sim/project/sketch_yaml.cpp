@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "Servo (1.2.1)", or without a version.
+/// Parses "Servo (1.2.1)", or a name without a version.
 WantedLibrary wanted_library(const std::string& text) {
   const std::size_t open = text.find('(');
   WantedLibrary wanted{text.substr(0, open), ""};
@@ -34,7 +34,7 @@ void take_libraries(Project& project, const YamlValue& list) {
   }
 }
 
-/// What arduino-cli has fetched for the profiles of all sketches: NAME_VERSION_HASH/NAME.
+/// Adds libraries that arduino-cli has downloaded for the profiles of all sketches: NAME_VERSION_HASH/NAME.
 void add_fetched(Project& project) {
   const char* const home = std::getenv("HOME");
   if (!home) return;

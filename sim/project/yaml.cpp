@@ -33,13 +33,13 @@ struct Parser {
   yaml_parser_t yaml;
 };
 
-/// How many lists and mappings an event opens, or closes.
+/// Returns the change of the nesting depth by an event.
 int depth_of(yaml_event_type_t type) {
   if (type == YAML_SEQUENCE_START_EVENT || type == YAML_MAPPING_START_EVENT) return 1;
   return type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT ? -1 : 0;
 }
 
-// libyaml's time grows with the square of the depth. What is no YAML is left to the reader.
+// libyaml's time is quadratic in the depth. Invalid YAML is left to the reader.
 void check_depth(const std::string& content, const std::filesystem::path& path) {
   constexpr int kDeepestYaml = 64;
   Parser parser(content);

@@ -1,5 +1,5 @@
-// YAML files as other tools write them, by libyaml: looked into, never turned into something of ours, so that
-// anchors that stand for each other a million times cost nothing.
+// Reads YAML files of other tools, by libyaml. They are queried without conversion, so that anchors that
+// refer to each other a million times cost nothing.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@ namespace robosim::project {
 
 class YamlFile;
 
-/// A value of a file; lives as long as that. One that is not there has no text, no members and no items.
+/// A value of a file; valid as long as that. A missing one has no text, no members and no items.
 class YamlValue {
  public:
   bool is_there() const { return node_ != nullptr; }
-  int line() const;  ///< counted from 1; 0 = not there
-  /// Of a scalar; empty for anything else.
+  int line() const;  ///< counted from 1; 0 = missing
+  /// Returns the text of a scalar; empty for anything else.
   std::string text() const;
-  /// Of a mapping.
+  /// Returns a member of a mapping.
   YamlValue operator[](const std::string& key) const;
   std::vector<std::pair<std::string, YamlValue>> members() const;
-  /// Of a list.
+  /// Returns the items of a list.
   std::vector<YamlValue> items() const;
 
  private:
@@ -34,7 +34,7 @@ class YamlValue {
 
 class YamlFile {
  public:
-  /// Throws InputError for a file that is no YAML, with the line.
+  /// Reads a file. Throws InputError for invalid YAML, with the line.
   explicit YamlFile(const std::filesystem::path& path);
   ~YamlFile();
   YamlFile(const YamlFile&) = delete;
