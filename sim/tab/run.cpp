@@ -16,7 +16,7 @@
 #include "sim/runner/requested_run.h"
 #include "sim/wire/protocol.h"
 
-// The worker's `reached`: how far the run has come.
+// Calls the worker's `reached`, with the progress of the run.
 EM_JS(void, tell_reached, (double t_s), { Module["reached"](t_s); });
 
 namespace {
@@ -77,7 +77,7 @@ wire::Answer answer_to(const wire::Asked<wire::Request>& asked) {
 
 extern "C" {
 
-/// `request`: a line of the runner protocol that asks for a run. Returns the line that ends it.
+/// `request`: a line of the runner protocol that requests a run. Returns the line that ends it.
 EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   recording.clear();
   const auto asked = wire::parse_request(request);
@@ -85,7 +85,7 @@ EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   return answer.c_str();
 }
 
-/// Of the last run, what stands compressed in a .rec; empty if there is none.
+/// Return the compressed content of a .rec of the last run; empty if there is none.
 EMSCRIPTEN_KEEPALIVE const char* robosim_recording() { return recording.data(); }
 EMSCRIPTEN_KEEPALIVE int robosim_recording_size() { return static_cast<int>(recording.size()); }
 }

@@ -1,4 +1,4 @@
-// Without libdw: no image has debug information, so that sentences name no lines of the sketch.
+// Replaces libdw: no image has debug information, so that messages have no lines of the sketch.
 #include "sim/exec/elf/debug_info.h"
 
 namespace robosim::exec {

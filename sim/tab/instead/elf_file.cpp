@@ -1,5 +1,5 @@
-// Without libelf: little-endian files of 32 bits, as those for an AVR are. Others target_of_elf() has
-// refused.
+// Replaces libelf: reads little-endian files of 32 bits, like those for an AVR. target_of_elf() has refused
+// others.
 #include "sim/elf/elf_file.h"
 
 #include <elf.h>
@@ -17,7 +17,7 @@ struct Elf {
 namespace robosim {
 namespace {
 
-/// Nothing where the file ends before it does.
+/// Returns nothing if the file ends too early.
 template <class Record>
 std::optional<Record> record_at(std::string_view content, std::uint64_t offset) {
   if (offset > content.size() || content.size() - offset < sizeof(Record)) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<std::string_view> part_of(std::string_view content, std::uint64_t 
   return content.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
-/// Nothing where there is no end to it.
+/// Returns nothing if the text has no end.
 std::optional<std::string_view> text_at(std::string_view names, std::uint64_t offset) {
   const std::size_t end =
       offset < names.size() ? names.find('\0', static_cast<std::size_t>(offset)) : names.npos;
@@ -43,7 +43,7 @@ std::optional<Elf32_Shdr> section_at(std::string_view content, const Elf32_Ehdr&
   return record_at<Elf32_Shdr>(content, header.e_shoff + std::uint64_t{index} * sizeof(Elf32_Shdr));
 }
 
-/// The names that a section of them holds.
+/// Returns the names in a section of names.
 std::optional<std::string_view> names_in(std::string_view content, const Elf32_Ehdr& header,
                                          std::size_t index) {
   const auto section = index < header.e_shnum ? section_at(content, header, index) : std::nullopt;

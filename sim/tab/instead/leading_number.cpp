@@ -1,4 +1,4 @@
-// Without std::from_chars for a double, which libc++ 13 does not have. strtod() of musl rounds as it does.
+// Replaces std::from_chars for a double, which libc++ 13 lacks. strtod() of musl rounds equally.
 #include "sim/base/leading_number.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
   return (end == std::string_view::npos ? text.size() : end) - at;
 }
 
-/// Of `-1.5e3`; 0 if there is none.
+/// Returns the length of `-1.5e3`; 0 if there is none.
 std::size_t length_of(std::string_view text) {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const std::size_t whole = digits_from(text, at);

@@ -1,4 +1,4 @@
-// Without RE2: only who drives a run step by step waits for patterns, and nobody does in a tab.
+// Replaces RE2: only drivers of a run step by step wait for patterns, and a tab has none.
 #include "sim/run/line_pattern.h"
 
 #include "sim/base/error.h"

@@ -1,4 +1,4 @@
-// Without libpng.
+// Replaces libpng.
 #include "sim/grid/png_rows.h"
 
 #include "sim/base/error.h"

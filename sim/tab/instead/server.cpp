@@ -1,4 +1,4 @@
-// Without sockets: no debugger comes into a tab.
+// Replaces sockets: a tab has no debugger.
 #include "sim/exec/gdb/server.h"
 
 namespace robosim::exec::gdb {

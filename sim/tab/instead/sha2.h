@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), as much of libmd's interface as Robosim uses.
+// SHA-256 (FIPS 180-4): the part of libmd's interface that Robosim uses.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@ constexpr std::size_t SHA256_DIGEST_STRING_LENGTH = 65;
 struct SHA2_CTX {
   std::uint32_t state[8];
   std::uint64_t bytes;     ///< so far
-  std::uint8_t block[64];  ///< the last of them, until it is full
+  std::uint8_t block[64];  ///< the last one, while it is incomplete
 };
 
 void SHA256Init(SHA2_CTX* context);
 void SHA256Update(SHA2_CTX* context, const std::uint8_t* data, std::size_t size);
-/// Lower-case hexadecimal, with a zero at the end.
+/// Returns lower-case hexadecimal, with a terminating zero.
 char* SHA256End(SHA2_CTX* context, char* hex);
