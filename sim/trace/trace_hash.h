@@ -1,4 +1,4 @@
-// The fingerprint of a run: two runs are the same run if and only if their hashes are equal.
+// The fingerprint of a run: two runs are equal if and only if their hashes are equal.
 #pragma once
 
 #include <array>
@@ -13,9 +13,8 @@
 
 namespace robosim::trace {
 
-/// Hashes what a run did: the bits of every pose, every change of a pin or its PWM, every byte sent. Nothing
-/// that is merely observed is hashed, so recording more never changes it. XXH3-64 over 64-bit little-endian
-/// words.
+/// Hashes the events of a run: the bits of every pose, every change of a pin or its PWM, every sent byte.
+/// Observations are not hashed, so recording more never changes it. XXH3-64 over 64-bit little-endian words.
 class TraceHash {
  public:
   TraceHash();
@@ -23,7 +22,7 @@ class TraceHash {
   TraceHash& operator=(const TraceHash& other);
   ~TraceHash();
 
-  /// The pose at the end of a tick. Called once a tick: the hash needs no time for it.
+  /// Adds the pose at the end of a tick. Called once per tick: the hash needs no time for it.
   void pose(const Pose& pose) {
     static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
     std::memcpy(take(kPoseWords), &pose, sizeof pose);
@@ -31,18 +30,18 @@ class TraceHash {
   void pin(Pin pin, const PinDrive& drive, SimTime t);
   void serial(std::uint8_t byte, SimTime t);
 
-  /// "1:" and 16 hexadecimal digits; the number is the version of this definition.
+  /// Returns "1:" and 16 hexadecimal digits; the number is the version of this definition.
   std::string text();
 
  private:
   struct State;
 
   static constexpr std::size_t kPoseWords = 4;
-  // Tags keep records of different kinds apart. A pose needs none: it comes once a tick.
+  // Tags distinguish records of different kinds. A pose needs none: it comes once per tick.
   static constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
   static constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
 
-  /// Room for so many words more, which are then written there.
+  /// Returns room for `count` more words, which the caller writes.
   std::uint64_t* take(std::size_t count) {
     if (used_ + count > words_.size()) [[unlikely]]
       flush();
