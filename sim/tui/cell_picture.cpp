@@ -17,8 +17,8 @@ constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Where to begin showing `count` of what lies from `least` to `most`, if it began at `now` and `middle` must
-// be well in sight.
+// Returns where to begin showing `count` cells of those from `least` to `most`. It began at `now`, and
+// `middle` must be well in view.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;
@@ -74,7 +74,7 @@ CellPicture::Part CellPicture::choose_part(int columns, int rows, CellAt around)
     part.rows = map_.height;
     return part;
   }
-  // Of what does not fit, floor and walls around the line are left out first.
+  // If not everything fits, floor and walls around the line are dropped first.
   const int least_x = std::min(left_line_, around.x), most_x = std::max(right_line_, around.x + 1);
   const int least_y = std::min(top_line_, around.y), most_y = std::max(bottom_line_, around.y + 1);
   part.columns = std::clamp(columns / part.wide, 1, most_x - least_x);
@@ -132,8 +132,7 @@ int CellPicture::draw(Frame& frame, int row, int rows, CellAt around, const std:
   const auto row_of = [&](CellAt c) { return row + (c.y - part.y) * part.high; };
   for (const CellLabel& label : labels) {
     if (!shows(label.cell)) continue;
-    // Where the line comes from the right a word ends on its cell, if there is room for that; and it stands
-    // beside the robot.
+    // If the line comes from the right, a word ends on its cell, if there is room. It is next to the robot.
     const int length = static_cast<int>(label.text.size());
     const int beside = robot && robot->cell == label.cell ? 1 : 0;
     const bool ends_here =

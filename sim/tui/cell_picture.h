@@ -1,5 +1,5 @@
-// A map for the robot on cells: each cell as large as the screen allows, with the robot, its trail and names.
-// If the map is too large, the part around the robot is shown.
+// A map for the robot on cells: each cell as large as possible on the screen, with the robot, its trail and
+// names. If the map is too large, it shows the part around the robot.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct CellLabel {
   Ink ink = Ink::mark;
 };
 
-/// "S1", "J1" on every station and junction of a graph.
+/// Returns labels "S1", "J1" for every station and junction of a graph.
 std::vector<CellLabel> graph_labels(const grid::TrueGraph& graph);
 
 class CellPicture {
@@ -27,17 +27,17 @@ class CellPicture {
   /// The map must outlive the picture.
   explicit CellPicture(const grid::Map& map);
 
-  /// Notes that the robot was on a cell.
+  /// Adds a cell to the robot's trail.
   void add_trail(grid::CellAt cell);
   void clear_trail() { trail_.clear(); }
 
-  /// Draws into `rows` rows from `row` on, over the frame's whole width; `around` is kept in sight. Gives the
+  /// Draws into `rows` rows from `row` on, over the frame's whole width; `around` stays in view. Returns the
   /// number of rows taken.
   int draw(Frame& frame, int row, int rows, grid::CellAt around, const std::optional<grid::Start>& robot,
            const std::vector<CellLabel>& labels, Look look);
 
  private:
-  // What is shown: cells from (x, y) on, so many of them, each `wide` x `high` characters.
+  // The visible part: the cells from (x, y) on, and their number, each `wide` x `high` characters.
   struct Part {
     int x = 0, y = 0;
     int columns = 0, rows = 0;
@@ -51,8 +51,8 @@ class CellPicture {
 
   const grid::Map& map_;
   int left_line_, top_line_, right_line_, bottom_line_;  // the line's surroundings
-  std::vector<bool> trail_;                              // by cell; empty until the robot was somewhere
-  int left_ = 0, top_ = 0;                               // of the part shown last: it moves only when it must
+  std::vector<bool> trail_;                              // by cell; empty until the robot has a place
+  int left_ = 0, top_ = 0;                               // of the last visible part: moves only if necessary
 };
 
 }  // namespace robosim::tui

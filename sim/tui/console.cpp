@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Press::Kind;
 
-constexpr int kLook_ms = 200;  // how soon a signal is noticed
+constexpr int kLook_ms = 200;  // delay until a signal is noticed
 
 }  // namespace
 
@@ -96,14 +96,14 @@ Press LineConsole::wait(int timeout_ms) {
       return {Kind::end};
     }
     if (!in_line_) flush();
-    // Byte by byte, so that what comes after this line is left to whoever reads next.
+    // Byte by byte, so that later input is left to the next reader.
     char c = 0;
     const ssize_t n = ::read(input_, &c, 1);
     if (n == 1 && c != '\r') bytes_ += c;
     if (n == 1) in_line_ = c != '\n';
     if (n == 0 || (n < 0 && errno != EINTR)) {
       ended_ = true;
-      bytes_ = in_line_ ? "\n" : "";  // the last line lacks its end
+      bytes_ = in_line_ ? "\n" : "";  // completes the last line
     }
   }
 }

@@ -35,8 +35,7 @@ std::string fleet_picture(const FleetReport& report, const grid::Map& map, int c
   return to_text(frame, look);
 }
 
-/// Columns as wide as what is in them.
-/// The cells' texts may be names that others chose.
+/// Formats columns as wide as their content. The cells' texts may be untrusted names.
 std::string table(std::vector<std::vector<std::string>> rows) {
   for (auto& row : rows)
     for (std::string& cell : row) cell = in_one_line(cell);
@@ -88,7 +87,7 @@ std::string fleet_screen(const FleetReport& report, const grid::Map* map, int co
                     fmt::format("{} on {}, {}", row.sketch, row.robot, row.target)});
   }
   text += table(std::move(rows)) + "\n";
-  // What failed comes first where not all can be told.
+  // Failures come first if not all robots fit.
   std::size_t told = 0, untold = 0;
   const bool all = report.rows.size() <= kMostRobotsTold;
   for (const FleetRow& row : report.rows) {

@@ -1,4 +1,4 @@
-// The screen at the end of a run of several robots: a line for each.
+// The final screen of a run of several robots: a line for each.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace robosim::tui {
 
 struct FleetRow {
   std::string name;
-  std::string sketch;  ///< as the user named it, and so the next
+  std::string sketch;  ///< likewise the next one: as the user named it
   std::string robot;
   std::string target;
   wire::RunResult result;

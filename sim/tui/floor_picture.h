@@ -12,7 +12,7 @@
 
 namespace robosim::tui {
 
-/// Which part of the floor is shown, and how large.
+/// The visible part of the floor, and its scale.
 struct Window {
   int columns = 0;     ///< characters
   int rows = 0;        ///< characters
@@ -30,8 +30,8 @@ struct Area {
 /// The whole map.
 Area area_of(const grid::Map& map);
 
-/// A window of at most `columns` x `rows` characters that shows `area` as large as possible: a map cell gets
-/// a whole number of dots if it gets one at all, and at most 16.
+/// Returns a window of at most `columns` x `rows` characters that shows `area` as large as possible. A map
+/// cell gets a whole number of dots if it gets one at all, and at most 16.
 Window fit(const grid::Map& map, Area area, int columns, int rows);
 
 /// A character on the floor: a station's number, an arrow.
@@ -40,7 +40,7 @@ struct Mark {
   Glyph glyph;
 };
 
-/// An arrow for a heading, in steps of 45 degrees.
+/// Returns an arrow for a heading, in steps of 45 degrees.
 char32_t arrow(double yaw_rad);
 
 class FloorPicture {
@@ -49,14 +49,14 @@ class FloorPicture {
   explicit FloorPicture(const grid::Map& map);
 
   const Window& window() const { return window_; }
-  /// Draws walls, hills and line anew; the trail is forgotten.
+  /// Draws walls, hills and line again; drops the trail.
   void look_at(const Window& window);
 
   void add_trail(Vec2 from, Vec2 to);
   /// Replaces the robot: its outline, closed, and a line from its middle to its front.
   void set_robot(const std::vector<Vec2>& outline, Vec2 middle, Vec2 front);
 
-  /// With its top left corner at (column, row) of the frame; marks lie on top.
+  /// Draws it with its top left corner at (column, row) of the frame; marks are on top.
   void draw(Frame& frame, int column, int row, const std::vector<Mark>& marks, Look look) const;
 
  private:
@@ -66,9 +66,11 @@ class FloorPicture {
     int x, y;
   };
   Dot dot_of(Vec2 p) const;
-  /// Within `reach_m` of a centre line, or where the line is wider half its width, if `whole`.
+  /// Returns whether p is within `reach_m` of a centre line; with `whole`, within half of a wider line's
+  /// width.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
-  /// Of a hill at p, in a character's middle: ^ > v < is uphill, : is level, = a seesaw; 0 = there is none.
+  /// Returns the sign of a hill at p, in a character's middle: ^ > v < is uphill, : is level, = a seesaw; 0 =
+  /// none.
   char relief_at(Vec2 p) const;
   bool has_surface(Vec2 p) const;
   void set(Layer& layer, Dot dot) const;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr char32_t kBad = U'?';
 
-/// One column wide in every terminal: Latin to Cyrillic without combining marks, punctuation, arrows, boxes,
-/// braille.
+/// Returns whether a character is one column wide in every terminal: Latin to Cyrillic without combining
+/// marks, punctuation, arrows, boxes, braille.
 bool is_narrow(char32_t c) {
   return (c >= 0x20 && c < 0x7F) || (c >= 0xA1 && c < 0x300 && c != 0xAD) || (c >= 0x370 && c < 0x483) ||
          (c >= 0x2010 && c < 0x2028) || (c >= 0x2030 && c < 0x205F) || (c >= 0x2190 && c < 0x2300) ||

@@ -1,4 +1,4 @@
-// A rectangle of characters, and how it becomes bytes for a terminal.
+// A rectangle of characters, and its conversion to bytes for a terminal.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace robosim::tui {
 
-/// What a character stands for; its colour follows from that.
+/// The meaning of a character, which determines its colour.
 enum class Ink : std::uint8_t { plain, faint, line, wall, trail, robot, mark, good, bad, strong };
 
-/// What the terminal can do.
+/// The terminal's abilities.
 struct Look {
-  bool utf8 = true;    ///< else everything is drawn in plain ASCII
-  bool colour = true;  ///< else no escape sequence for colours is written
+  bool utf8 = true;    ///< else plain ASCII
+  bool colour = true;  ///< else no escape sequences for colours
 };
 
-/// From LC_ALL, LC_CTYPE or LANG; NO_COLOR and TERM=dumb switch colours off, as does `terminal` = false.
+/// Reads LC_ALL, LC_CTYPE or LANG; NO_COLOR and TERM=dumb disable colours, as does `terminal` = false.
 Look look_from_environment(bool terminal);
 
 struct Glyph {
@@ -35,11 +35,11 @@ class Frame {
     return column >= 0 && row >= 0 && column < columns_ && row < rows_;
   }
   const Glyph& at(int column, int row) const { return glyphs_[index(column, row)]; }
-  /// Outside the frame nothing happens.
+  /// Has no effect outside the frame.
   void set(int column, int row, Glyph glyph) {
     if (contains(column, row)) glyphs_[index(column, row)] = glyph;
   }
-  /// Writes UTF-8 text from left to right, cut at the frame's edge; gives the column after it.
+  /// Writes UTF-8 text from left to right, cut at the frame's edge; returns the column after it.
   int put(int column, int row, std::string_view text, Ink ink = Ink::plain);
 
  private:
@@ -51,19 +51,19 @@ class Frame {
   std::vector<Glyph> glyphs_;
 };
 
-/// The text's characters, each one column wide: what is not (control, combining and wide characters, broken
-/// UTF-8) becomes one '?', so that no program on a simulated robot can drive the terminal.
+/// Returns the text's characters, each one column wide. Others (control, combining and wide characters,
+/// broken UTF-8) become one '?', so that no program on a simulated robot can control the terminal.
 std::u32string printable(std::string_view utf8);
-/// One character as UTF-8, or as the nearest ASCII.
+/// Appends one character as UTF-8, or as the nearest ASCII.
 void append(std::string& bytes, char32_t c, bool utf8);
 
-/// Lines without trailing blanks, each with a line feed.
+/// Returns lines without trailing blanks, each with a line feed.
 std::string to_text(const Frame& frame, Look look);
-/// The bytes that turn a terminal which shows `before` into one that shows `after`, by cursor movements.
-/// Frames of different size: clears, and draws everything.
+/// Returns the bytes that change a terminal from `before` to `after`, by cursor movements. For frames of
+/// different size, clears and draws everything.
 std::string changes(const Frame& before, const Frame& after, Look look);
 
-/// The escape sequence that selects an ink; empty without colours.
+/// Returns the escape sequence that selects an ink; empty without colours.
 std::string select(Ink ink, Look look);
 
 }  // namespace robosim::tui

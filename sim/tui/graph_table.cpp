@@ -30,7 +30,7 @@ std::string node_name(const TrueGraph& graph, Behind kind, int number) {
   return fmt::format("J{} {}", number, at(junction(graph, number).cell));
 }
 
-// What is at the other end of a link, without its place.
+// Returns the other end of a link, without its place.
 std::string behind(const TrueGraph& graph, const Arm& arm) {
   switch (arm.behind) {
     case Behind::station:
@@ -47,7 +47,7 @@ std::string behind(const TrueGraph& graph, const Arm& arm) {
 
 std::string link_text(const Arm& arm) { return fmt::format("{} {}", direction_word(arm.out), arm.length); }
 
-// The depth-first tree, without recursion: lines may be as deep as the network is long.
+// The depth-first tree, without recursion: its depth may equal the network's length.
 class Tree {
  public:
   Tree(const TrueGraph& graph, bool utf8)
@@ -107,19 +107,19 @@ class Tree {
     if (!is_junction) return;
     Open deeper{{}, 0, indent + (last ? "   " : utf8_ ? "│  " : "|  ")};
     const auto& arms = junction(graph_, arm.id).arms;
-    for (std::size_t i = 1; i < arms.size(); ++i)  // to the right hand of the one it is entered by
+    for (std::size_t i = 1; i < arms.size(); ++i)  // to the right of its entry
       deeper.arms.push_back(arms[(static_cast<std::size_t>(arm.slot) + i) % arms.size()]);
     open_.push_back(std::move(deeper));
   }
 
   const TrueGraph& graph_;
   bool utf8_;
-  std::vector<bool> junctions_, stations_;  // shown already
+  std::vector<bool> junctions_, stations_;  // already shown
   std::vector<Open> open_;
   std::vector<std::string> lines_;
 };
 
-// Far more than anybody reads; a deep tree's indentation grows with the square of its size.
+// More than any user reads; a deep tree's indentation grows quadratically.
 constexpr std::size_t kMostTreeNodes = 500;
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr int kMostReadingRows = 4;
 constexpr int kMostTold = 3;
 constexpr int kBar = 10;  // characters
 constexpr std::size_t kSerialKept = 4096;
-// A map is shown whole if a cell gets at least so many dots; else the window follows the robot at a larger
+// A map is shown whole if a cell gets at least this many dots; else the window follows the robot at a larger
 // scale.
 constexpr double kLeastDotsPerCell = 3.0;
 constexpr double kFollowDotsPerCell = 8.0;
@@ -95,7 +95,7 @@ void LiveScene::move_window(Vec2 top_left) {
   Window window = floor_.window();
   const Area all = area_of(map_);
   const Vec2 size{window.columns * 2 * window.dot_m, window.rows * 4 * window.dot_m};
-  // Whole characters, so that the floor does not crawl inside them; and not past the map's edges.
+  // Whole characters, so that the floor does not creep within them; limited to the map.
   const auto snap = [](double metres, double step) { return std::round(metres / step) * step; };
   window.top_left.x = std::clamp(snap(top_left.x, 2 * window.dot_m), 0.0, std::max(all.most.x - size.x, 0.0));
   window.top_left.y =
@@ -117,7 +117,7 @@ void LiveScene::choose_window(int columns, int rows) {
   if (window.columns == now.columns && window.rows == now.rows && window.dot_m == now.dot_m) return;
   const Vec2 top_left = now.columns ? now.top_left : window.top_left;
   floor_.look_at(window);
-  // Also draws the trail, which look_at forgot.
+  // Also draws the trail, which look_at dropped.
   Window nowhere = window;
   nowhere.top_left = {-1.0, -1.0};
   floor_.look_at(nowhere);
@@ -187,7 +187,7 @@ int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   for (std::size_t i = 0; i < count && row - first < kMostReadingRows; ++i) {
     if (is_level(started_.readings[i])) item(started_.readings[i], s.readings[i], Ink::strong, "");
   }
-  // Servos and the like are numbers; buttons, LEDs and similar parts are on or off.
+  // Servos and similar parts are numbers; buttons, LEDs and similar parts are on or off.
   if (column > 0) ++row;
   column = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -220,7 +220,7 @@ int LiveScene::draw_told(Frame& frame, int row) const {
 
 Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look) {
   Frame frame(columns, rows);
-  // The panel is drawn on a frame of its own first: only then is known how high it is.
+  // The panel is first drawn on a separate frame, to find its height.
   Frame panel(columns, 2 + 2 * kMostReadingRows + kMostTold + 1 + kSerialRows + 1);
   int panel_rows = draw_told(panel, draw_readings(panel, 0, look));
   if (result_) {
@@ -235,7 +235,7 @@ Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look
     panel.put(panel.put(0, serial_row, look.utf8 ? "› " : "> ", Ink::faint), serial_row, line);
     ++serial_row;
   }
-  panel_rows += kSerialRows;  // also while they are empty: the floor must not change its size
+  panel_rows += kSerialRows;  // even if empty: the floor must not change its size
   const int floor_rows = std::max(rows - panel_rows - 2, 3);
 
   choose_window(columns, floor_rows);
@@ -251,7 +251,7 @@ Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look
   }
   floor_.draw(frame, 0, 1, marks(), look);
 
-  // What changes comes first: a long title must not push it out of a narrow window.
+  // Changing values come first: a long title must not push them out of a narrow window.
   int column = 0;
   if (sample_) {
     column = frame.put(0, 0,

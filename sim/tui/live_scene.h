@@ -1,4 +1,4 @@
-// What the live view shows, as a function of what has happened: it knows no terminal and no clock.
+// The content of the live view, as a function of the events: it depends on no terminal and no clock.
 #pragma once
 
 #include <map>
@@ -25,9 +25,9 @@ class LiveScene {
   void finish(const wire::RunResult& result);
   const wire::Started& started() const { return started_; }
 
-  /// Moves the window by so many tenths of its size; it no longer follows the robot.
+  /// Moves the window by tenths of its size; it stops following the robot.
   void scroll(int right, int down);
-  /// The window follows the robot again, where the map is too large to be shown whole.
+  /// Makes the window follow the robot again, if the map is too large to be shown whole.
   void follow();
 
   /// `speed`: "x1", "paused".
@@ -46,17 +46,17 @@ class LiveScene {
   void move_window(Vec2 top_left);
   Vec2 to_world(double forward_m, double left_m) const;
   std::vector<Mark> marks() const;
-  /// Whether a reading is a line sensor's level; others are numbers, or on or off.
+  /// Returns whether a reading is a line sensor's level; others are numbers, or on or off.
   bool is_level(const std::string& reading) const;
-  /// The unit of a reading that is a number; null of others.
+  /// Returns the unit of a numeric reading; null for others.
   const std::string* unit_of(const std::string& reading) const;
-  /// What displays show. Both give the row below.
+  /// Draw the texts of displays. Both return the row below.
   int draw_told(Frame& frame, int row) const;
   int draw_readings(Frame& frame, int row, Look look) const;
 
   std::string title_;
   std::vector<std::string> names_;
-  std::map<int, Other> others_;  ///< by their numbers
+  std::map<int, Other> others_;  ///< by number
   const grid::Map& map_;
   wire::RobotInfo robot_;
   FloorPicture floor_;
@@ -65,8 +65,8 @@ class LiveScene {
   Trail trail_;
   Vec2 drawn_to_;  // end of the trail in floor_
   std::vector<std::string> visited_;
-  std::string serial_;                       // the end of it
-  std::map<std::string, std::string> told_;  // what displays show, by part
+  std::string serial_;                       // its last part
+  std::map<std::string, std::string> told_;  // texts of displays, by part
   std::string note_;
   std::optional<wire::RunResult> result_;
   bool follows_ = true;

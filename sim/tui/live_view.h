@@ -1,4 +1,4 @@
-// A run, watched in the terminal while it happens.
+// Shows a run in the terminal while it lasts.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace robosim::tui {
 
-/// How often a live view takes a sample, simulated time.
+/// The sample period of a live view, simulated time.
 constexpr std::int64_t kViewEvery_ns = 10'000'000;
 
 /// Takes the terminal from construction to destruction. While it waits for the wall clock it does not return
@@ -19,7 +19,7 @@ constexpr std::int64_t kViewEvery_ns = 10'000'000;
 class LiveView {
  public:
   struct Options {
-    double speed = 1.0;  ///< simulated seconds a wall second; 0 = as fast as possible
+    double speed = 1.0;  ///< simulated seconds per second of wall time; 0 = as fast as possible
     Look look;
     std::function<bool()> stopped;  ///< whether the user wants to leave (Ctrl-C): the view stops waiting
     std::function<void()> quit;     ///< called when `q` is pressed: ends the run

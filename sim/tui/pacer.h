@@ -1,4 +1,4 @@
-// Couples simulated time to wall time for a viewer only: a run's result never depends on it.
+// Couples simulated time to wall time for a viewer: a run's result never depends on it.
 #pragma once
 
 #include <algorithm>
@@ -9,19 +9,19 @@ namespace robosim::tui {
 /// Both clocks in microseconds; the wall clock's origin does not matter.
 class Pacer {
  public:
-  /// `speed` simulated seconds a wall second; 0 = as fast as possible.
+  /// `speed` in simulated seconds per second of wall time; 0 = as fast as possible.
   explicit Pacer(double speed) : speed_(speed) {}
 
   double speed() const { return speed_; }
   bool paused() const { return paused_; }
 
-  /// How long to wait until `sim_us` is due; 0 = it is due.
+  /// Returns how long to wait until `sim_us` is due; 0 = now.
   std::int64_t wait_us(std::int64_t sim_us, std::int64_t wall_us) {
     if (speed_ <= 0.0) return 0;
     if (!running_) start(sim_us, wall_us);
     const double due =
         static_cast<double>(sim_us - sim_origin_) / speed_ - static_cast<double>(wall_us - wall_origin_);
-    // A viewer that cannot keep up does not hurry to catch up later.
+    // A viewer that is too slow does not catch up later.
     if (due < -kLate_us) start(sim_us, wall_us);
     return due <= 0.0 ? 0 : static_cast<std::int64_t>(due);
   }

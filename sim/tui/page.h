@@ -1,4 +1,4 @@
-// One screenful of a session, from the top: a title, text, lists, a map; directly below them a footer, which
+// One screen of a session, from the top: a title, text, lists, a map. Directly below them is a footer, which
 // is always shown.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace robosim::tui {
 
 class Page {
  public:
-  /// The footer's lines come last, wrapped, and are never pushed out.
+  /// The footer's lines come last, wrapped, and are always visible.
   struct Line {
     std::string text;
     Ink ink = Ink::plain;
@@ -23,22 +23,22 @@ class Page {
 
   Look look() const { return look_; }
   int columns() const { return frame_.columns(); }
-  /// How many rows are left above the footer.
+  /// Returns the number of rows left above the footer.
   int rows_left() const { return least_footer_row_ - row_; }
 
-  /// One row, cut at the edge.
+  /// Adds one row, cut at the edge.
   void line(std::string_view text, Ink ink = Ink::plain);
-  /// As many rows as it needs.
+  /// Adds text, with as many rows as necessary.
   void text(std::string_view text, Ink ink = Ink::plain);
   void blank() { ++row_; }
-  /// Lines of which those around `selected` are shown if there is no room for all, in at most `rows`.
+  /// Adds a list, in at most `rows`. Without room for all lines, those around `selected` are shown.
   void list(const std::vector<std::string>& lines, std::size_t selected, int rows, bool mark_selected = true);
-  /// The frame, for something drawn from row() on, which took so many rows.
+  /// Returns the frame, to draw from row() on; took() then gets the number of rows.
   Frame& frame() { return frame_; }
   int row() const { return row_; }
   void took(int rows) { row_ += rows; }
 
-  /// With the footer.
+  /// Returns the page, with the footer.
   Frame finish();
 
  private:

@@ -1,4 +1,4 @@
-// One line on a terminal's standard error that says how far long work has come; nothing in a pipe.
+// One line of progress on a terminal's standard error; nothing in a pipe.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@ namespace robosim::tui {
 
 class Progress {
  public:
-  /// Silent if standard error is no terminal or `wanted` is false.
+  /// Silent if standard error is not a terminal or `wanted` is false.
   explicit Progress(bool wanted);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   bool active() const { return active_; }
-  /// Shows a line, at once.
+  /// Shows a line immediately.
   void say(const std::string& text);
   /// Shows a line that changes often: ten times a second at most, and nothing in the first half second.
   void update(const std::string& text);
-  /// Simulated time as such a line.
+  /// Shows simulated time as such a line.
   void advance(std::int64_t t_us, double for_s);
   /// Wipes the line.
   void clear();

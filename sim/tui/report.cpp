@@ -17,16 +17,16 @@ namespace {
 constexpr int kPictureRows = 20;
 constexpr std::size_t kMostTrailPoints = 8192;
 constexpr std::size_t kSerialLines = 5;
-// What a map cell must get for a picture of the whole map to be of use.
+// The minimum for a map cell in a useful picture of the whole map.
 constexpr double kLeastDotsPerPrintedCell = 2.0;
 
-/// Grows by a point.
+/// Extends an area by a point.
 void include(Area& area, Vec2 p) {
   area.least = {std::min(area.least.x, p.x), std::min(area.least.y, p.y)};
   area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
 }
 
-/// Whole cells with so many more around, inside the map.
+/// Returns whole cells with a margin around them, inside the map.
 Area with_margin(const Area& area, const grid::Map& map, double cells) {
   const auto down = [&](double metres) { return (std::floor(metres / map.cell_m) - cells) * map.cell_m; };
   const auto up = [&](double metres) { return (std::ceil(metres / map.cell_m) + cells) * map.cell_m; };
@@ -41,7 +41,7 @@ Area around(const Trail& trail, const grid::Map& map) {
   return with_margin(area, map, 2.0);
 }
 
-/// What is not mere floor.
+/// Returns the area of everything except plain floor.
 Area content(const Trail& trail, const grid::Map& map) {
   Area area{map.centre({0, map.height - 1}), map.centre({0, map.height - 1})};
   bool first = true;
@@ -89,11 +89,11 @@ class Writer {
     if (ink != Ink::plain) written_ += select(Ink::plain, look_);
     written_ += '\n';
   }
-  /// Wrapped.
+  /// Adds wrapped text.
   void text(std::string_view words, Ink ink) {
     for (const std::string& part : wrap(words, std::max(columns_, 20))) line(part, ink);
   }
-  /// "label: text", the text's further lines indented by as much.
+  /// Adds "label: text", with further lines of the text indented equally.
   void labelled(std::string_view label, std::string_view text, Ink ink = Ink::plain) {
     std::string start = in_one_line(label);
     const int indent = width_of(start) + 1;
@@ -120,7 +120,7 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
-// "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if all was used.
+// Returns "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if everything was used.
 std::string usage_text(const wire::Usage& usage) {
   std::string text;
   const auto listed = [&](const char* label, const auto& things, auto told) {
@@ -136,7 +136,7 @@ std::string usage_text(const wire::Usage& usage) {
   return text;
 }
 
-// "by zero in position, Mean.ino:3 (214 times, first at 0.39 s). …"
+// Returns "by zero in position, Mean.ino:3 (214 times, first at 0.39 s). …"
 std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   std::string text = "by zero";
   for (const wire::DivisionByZero& division : divisions) {
@@ -150,7 +150,7 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
   return text + ". A chip goes on there with a number that means nothing, and so did this run.";
 }
 
-// "CLKPR (Slow.ino:3 in setup()). …"
+// Returns "CLKPR (Slow.ino:3 in setup()). …"
 std::string lacks_text(const std::vector<wire::Lack>& lacks) {
   std::string text;
   for (const wire::Lack& lack : lacks) {
@@ -163,7 +163,7 @@ std::string lacks_text(const std::vector<wire::Lack>& lacks) {
 
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
 
-// "35 points · 2 × gap 20, 3 × tile 15"; empty where nothing has counted.
+// Returns "35 points · 2 × gap 20, 3 × tile 15"; empty without a score.
 std::string score_text(const wire::Metrics& m) {
   std::string parts;
   for (const wire::ScorePart& part : m.score_parts)
@@ -223,7 +223,7 @@ void write_figures(Writer& out, const Report& report) {
   }
 }
 
-/// Whether there is something that `robosim why` can follow back.
+/// Returns whether `robosim why` can trace the verdict.
 bool has_causes(const std::string& verdict) {
   return verdict != "reached" && verdict != "interrupted" && verdict != "over_budget";
 }
@@ -244,7 +244,7 @@ std::int64_t trail_every_ns(std::int64_t for_ns) {
 }
 
 void Trail::add(const wire::Sample& sample) {
-  const auto place = [](double mm) { return std::round(100.0 * mm) / 100'000.0; };  // as recordings keep it
+  const auto place = [](double mm) { return std::round(100.0 * mm) / 100'000.0; };  // as in recordings
   last_ = {place(sample.x_mm), place(sample.y_mm)};
   yaw_rad_ = sample.yaw_rad;
   carried_ = hand_.has_moved();

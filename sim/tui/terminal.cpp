@@ -19,7 +19,7 @@ constexpr std::string_view kLeave = "\033[0m\033[?25h\033[?1049l";
 
 constexpr std::array kFaults = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
-// For the signal handlers.
+// State for the signal handlers.
 volatile sig_atomic_t resized = 0;
 volatile sig_atomic_t stop_asked = 0;
 int restore_input = -1;
@@ -34,7 +34,7 @@ extern "C" void on_stop(int) { stop_asked = 1; }
 extern "C" void on_fault(int number) {
   write_all(restore_output, kLeave);
   if (restore_input >= 0) ::tcsetattr(restore_input, TCSANOW, &before_us);
-  ::raise(number);  // SA_RESETHAND: the default action now
+  ::raise(number);  // SA_RESETHAND: now the default action
 }
 
 void handle(int number, void (*handler)(int), int flags, struct sigaction* before) {
@@ -177,7 +177,7 @@ void Screen::read_bytes(int timeout_ms) {
   if (n > 0) {
     bytes_.append(chunk, static_cast<std::size_t>(n));
   } else if (n == 0) {
-    // Nothing any more, for Ctrl-C discards what was typed before it; or hung up: do not spin.
+    // No more keys, since Ctrl-C discards earlier input; or hung up: avoids a busy loop.
     has_keys_ = (ready.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
   } else if (errno != EINTR) {
     has_keys_ = false;
@@ -208,7 +208,7 @@ void Screen::handle_stop() {
   leave();
   struct sigaction ours {};
   handle(SIGTSTP, SIG_DFL, 0, &ours);
-  ::raise(SIGTSTP);  // returns when the user continues us
+  ::raise(SIGTSTP);  // returns when the user continues this process
   ::sigaction(SIGTSTP, &ours, nullptr);
   enter();
   resized = 1;

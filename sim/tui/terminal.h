@@ -17,20 +17,20 @@ struct TerminalSize {
   bool operator==(const TerminalSize&) const = default;
 };
 
-/// The size of the terminal behind a descriptor; nothing if it is none.
+/// Returns the size of the terminal behind a descriptor; nothing if it is not a terminal.
 std::optional<TerminalSize> terminal_size(int fd);
 
-/// What a user pressed.
+/// The user's keys.
 enum class Key { none, space, plus, minus, quit, follow, up, down, left, right, other };
 
-/// Takes keys from the front of what a terminal sent: `bytes` loses what was understood. An escape sequence
-/// that is not complete yet stays.
+/// Takes keys from the front of a terminal's input: removes the recognised bytes from `bytes`. An incomplete
+/// escape sequence stays.
 Key take_key(std::string& bytes);
 
-/// The same, for callers that also want letters.
+/// A key, for callers that also need letters.
 struct Press {
   enum class Kind : unsigned char {
-    nothing,    ///< none came in time
+    nothing,    ///< timeout
     character,  ///< `character`: printable ASCII, or a byte of UTF-8
     enter,
     erase,
@@ -39,8 +39,8 @@ struct Press {
     left,
     right,
     other,
-    end,       ///< no more will come: end of the input, Ctrl-D, the terminal is gone
-    interrupt  ///< Ctrl-C, or another signal that asks the program to end
+    end,       ///< no further input: end of the input, Ctrl-D, the terminal is gone
+    interrupt  ///< Ctrl-C, or another signal that requests the program's end
   };
   Kind kind = Kind::nothing;
   char character = 0;
@@ -49,11 +49,11 @@ struct Press {
 Press take_press(std::string& bytes);
 
 /// Full-screen mode, from construction to destruction: alternate screen, no cursor, keys unbuffered and not
-/// echoed. Afterwards the terminal is as it was, also when the process dies of a fault (SIGSEGV, SIGABRT, …)
-/// or is stopped by Ctrl-Z and goes on. There can be one at a time.
+/// echoed. Afterwards the terminal is restored, also when the process dies of a fault (SIGSEGV, SIGABRT, …)
+/// or is stopped by Ctrl-Z and continues. Only one at a time.
 class Screen {
  public:
-  /// `output` must be a terminal; keys come from `input` if that is one too.
+  /// `output` must be a terminal; keys come from `input` if that is one, too.
   Screen(int input, int output, Look look);
   ~Screen();
   Screen(const Screen&) = delete;
@@ -61,13 +61,13 @@ class Screen {
 
   TerminalSize size() const;
   bool has_keys() const { return has_keys_; }
-  /// Writes what changed since the last frame.
+  /// Writes the changes since the last frame.
   void show(const Frame& frame);
-  /// Waits at most so long for a key; gives none after that, after a signal, and after a resize.
+  /// Waits at most `timeout_ms` for a key; returns none after that, after a signal, and after a resize.
   Key wait_key(int timeout_ms);
-  /// The same with letters; `end` once there is no keyboard any more.
+  /// Includes letters; returns `end` once there is no keyboard any more.
   Press wait_press(int timeout_ms);
-  /// Whether the window was resized, or the process continued after a stop, since the last call.
+  /// Returns whether the window was resized, or the process continued after a stop, since the last call.
   bool take_resized();
 
  private:
@@ -79,9 +79,9 @@ class Screen {
   int input_, output_;
   Look look_;
   bool has_keys_;
-  bool raw_ = false;  // the terminal gives keys one by one, unseen
+  bool raw_ = false;  // the terminal passes on single keys without echo
   Frame shown_{0, 0};
-  std::string bytes_;  // keys not understood yet
+  std::string bytes_;  // unrecognised input so far
 };
 
 }  // namespace robosim::tui

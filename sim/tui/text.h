@@ -1,4 +1,4 @@
-// Small pieces of text for screens.
+// Helpers for text on screens.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@ namespace robosim::tui {
 /// Breaks text between words into lines of at most `columns` characters; a longer word stays whole.
 std::vector<std::string> wrap(std::string_view text, int columns);
 
-/// The number of characters of UTF-8 text.
+/// Returns the number of characters of UTF-8 text.
 int width_of(std::string_view utf8);
 
-/// The last `count` lines of a serial output; a final line feed ends the last line rather than beginning
-/// another.
+/// Returns the last `count` lines of a serial output; a final line feed ends the last line instead of
+/// beginning another.
 std::vector<std::string> last_lines(std::string_view text, std::size_t count);
 
-/// A bar of `columns` characters, filled by `share` (0..1) in eighths of a character.
+/// Returns a bar of `columns` characters, filled by `share` (0..1) in eighths of a character.
 std::u32string bar(double share, int columns, bool utf8);
 
-/// "12.34 s"; from a minute on "2 min 12.3 s".
+/// Returns "12.34 s"; from a minute on "2 min 12.3 s".
 std::string time_text(double seconds);
 
 }  // namespace robosim::tui
