@@ -1,4 +1,4 @@
-// What is known of each pin that a sketch uses: what it is called, and what was done to it.
+// The facts about each pin that a sketch uses: its name, and how it was used.
 #pragma once
 
 #include <initializer_list>
@@ -13,10 +13,10 @@ namespace robosim::wiring {
 
 enum class Side { unknown, left, right };
 
-/// By a name's words: left, r, ENA, IN3, motorB, M2 … Of numbered motors and channels the first is taken for
-/// the left one.
+/// Returns the side by a name's words: left, r, ENA, IN3, motorB, M2 … Of numbered motors and channels the
+/// first counts as the left one.
 Side side_of(const std::vector<std::string>& words);
-/// Whether one of the words begins with one of these.
+/// Returns whether one of the words begins with one of these.
 bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
 
 struct Clue {
@@ -24,7 +24,7 @@ struct Clue {
   std::string name;                ///< empty = none
   std::vector<std::string> words;  ///< of the name
   bool in_array = false;
-  int argument = -1;  ///< its place among the arguments of the object that it is given to; -1 = none
+  int argument = -1;  ///< its position among the arguments of its object; -1 = none
   Spot spot;
   const PinFacts* facts = nullptr;
 
@@ -32,8 +32,8 @@ struct Clue {
   bool is_used() const { return facts->driven || is_read() || facts->pulled_up; }
 };
 
-/// All pins that a sketch uses or names, in the order of their names in the source, then of their numbers.
-/// Whoever has found out what hangs on a pin takes it.
+/// All pins that a sketch uses or names, sorted by their names' places in the source, then by number. A guess
+/// that identifies a pin's part takes the pin.
 class Clues {
  public:
   Clues(const BoardSpec& board, const SketchNames& names, const PinHistory& history);
@@ -43,18 +43,18 @@ class Clues {
   const PinHistory& history() const { return history_; }
 
   const Clue& of(Pin pin) const { return by_pin_[pin]; }
-  /// Those used that nobody has taken.
+  /// Returns the used pins that have not been taken.
   std::vector<const Clue*> left() const;
-  /// Those that have a name in the source, and were never used.
+  /// Returns the pins that have a name in the source, and were never used.
   std::vector<const Clue*> never_used() const;
-  /// Whether one of these functions is given it, or an array with it, as the first argument.
+  /// Returns whether one of these functions gets it, or an array with it, as the first argument.
   bool is_given_to(std::initializer_list<const char*> functions, Pin pin) const;
   bool is_free(Pin pin) const { return pin != kNoPin && taken_.count(pin) == 0; }
   void take(Pin pin) { taken_.insert(pin); }
 
-  /// "5" or "\"A0\"", as a robot file has it.
+  /// Returns "5" or "\"A0\"", as in a robot file.
   std::string toml(Pin pin) const;
-  /// "ENA, follower.ino:3"; for a pin without a name empty.
+  /// Returns "ENA, follower.ino:3"; empty for a pin without a name.
   std::string where(Pin pin) const;
 
  private:

@@ -1,4 +1,4 @@
-// A guessed robot as the text of a robot file, with what it rests on and what a person has to look at.
+// Formats a guessed robot as the text of a robot file, with its evidence and the questions to the user.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace robosim::wiring {
 /// `remarks`: sentences for the top of the file.
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks = {});
 
-/// Lines of a script that presses each button of the draft, twice.
+/// Returns lines of a script that presses each button of the draft, twice.
 std::string presses(const RobotDraft& draft);
 
 }  // namespace robosim::wiring

@@ -83,7 +83,7 @@ void guess_output(Clues& clues, RobotDraft& draft, const Clue& clue) {
   }
 }
 
-// "pin 5", "pin A0"
+// Returns "pin 5", "pin A0"
 std::string shown(const Clues& clues, Pin pin) {
   const std::string name = clues.board().pins[pin].name;
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);

@@ -1,4 +1,4 @@
-// From what is known of a sketch's pins to the parts of a robot that would fit.
+// Guesses the parts of a robot from the facts about a sketch's pins.
 #pragma once
 
 #include <string>
@@ -14,19 +14,19 @@ struct PartDraft {
   std::string name;
   std::string type;
   std::vector<std::pair<std::string, std::string>> keys;  ///< as TOML writes them, in their order
-  std::string why;                                        ///< what the guess rests on: "ENA, IN1, IN2"
-  std::vector<std::string> doubts;                        ///< sentences for the person
+  std::string why;                                        ///< the evidence: "ENA, IN1, IN2"
+  std::vector<std::string> doubts;                        ///< sentences for the user
 };
 
-/// What neither names nor a run without the part can tell. All of it can be tried out.
+/// Properties that neither names nor a run without the part determine. All of them can be tried out.
 struct Ways {
   bool black_low = false;    ///< sensors read low over black
   bool other_order = false;  ///< the first sensor is the rightmost
-  bool other_sides = false;  ///< the motors are the other way round
-  bool close = false;        ///< two sensors are both on the line, not to the sides of it
+  bool other_sides = false;  ///< the motors are exchanged
+  bool close = false;        ///< two sensors are both on the line, not next to it
 };
 
-/// Which of the Ways make a difference for this sketch.
+/// The Ways that make a difference for this sketch.
 struct Open {
   bool black = false;
   bool order = false;
@@ -35,30 +35,31 @@ struct Open {
 };
 
 struct RobotDraft {
-  std::string base;  ///< a stock robot, of which chassis and motors are taken
+  std::string base;  ///< a stock robot, for chassis and motors
   std::string board;
   std::string driver;   ///< a chip
   std::string standby;  ///< its pin, as TOML; empty = none
   std::vector<PartDraft> parts;
-  std::vector<std::string> questions;  ///< about pins that no part was found for
+  std::vector<std::string> questions;  ///< about pins without a part
   Open open;
 };
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
                  const Ways& ways);
 
-// The guess, a kind of part after the other; each takes the pins that it has found parts for.
+// The guesses, one for each kind of part; each takes the pins of its parts.
 
-/// What a library is given: servos, distance sensors, displays, serial modules, encoders.
+/// Guesses parts by libraries: servos, distance sensors, displays, serial modules, encoders.
 void guess_by_libraries(Clues& clues, RobotDraft& draft);
-/// Motors on the shields that have libraries of their own, and devices on the two-wire bus.
+/// Guesses motors on shields with libraries of their own, and devices on the two-wire bus.
 void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft);
 void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft);
 void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft);
-/// Buttons, encoders, LEDs, buzzers; and a question about each pin that is left.
+/// Guesses buttons, encoders, LEDs, buzzers; adds a question about each remaining pin.
 void guess_the_rest(Clues& clues, RobotDraft& draft);
 
-/// A name for a part from the sketch's: letters, digits, `_` and `-`, and no other part's.
+/// Returns a name for a part from the sketch's: letters, digits, `_` and `-`, different from other parts'
+/// names.
 std::string part_name(const RobotDraft& draft, const std::string& wanted);
 
 }  // namespace robosim::wiring

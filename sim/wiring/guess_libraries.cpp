@@ -35,7 +35,7 @@ class Libraries {
       else
         part(given, "hc-sr04", {{"trig", pin(0)}, {"echo", pin(1)}});
     } else if (type == "SoftwareSerial") {
-      // As the module is labelled: its txd goes to the pin that the sketch receives by.
+      // By the module's labels: its txd is connected to the pin by which the sketch receives.
       part(given, "bluetooth", {{"txd", pin(0)}, {"rxd", pin(1)}});
       doubt("baud is 9600 unless given here: the one of " + given.name + ".begin()");
     } else if (type == "LiquidCrystal" && given.pins.size() == 6) {
@@ -96,7 +96,7 @@ class Libraries {
     return encoders <= 1 ? "\"left\"" : "\"right\"";
   }
 
-  // A wheel's, if its name has a side; else it turns something.
+  // It steers a wheel if its name has a side; else it turns something else.
   void servo(const Given& given, Pin pin) {
     const Side side = side_of(words_of(given.name));
     if (side == Side::unknown) {
@@ -128,7 +128,7 @@ class Libraries {
       for (const Pin pin : *pins) clues_.take(pin);
   }
 
-  // shiftOut(data, clock, …): the latch is told by its name.
+  // shiftOut(data, clock, …): the latch is found by its name.
   void shift_register(const Given& given, Pin data, Pin clock) {
     if (!clues_.is_free(data) || !clues_.is_free(clock)) return;
     Pin latch = kNoPin;
@@ -145,7 +145,7 @@ class Libraries {
         "what hangs on the outputs of REG? Other parts name them as pins: \"REG.Q0\" to \"REG.Q7\"");
   }
 
-  // pulseIn() on a pin: the trigger is the pin that gives short pulses.
+  // pulseIn() on a pin: the trigger is the pin with short pulses.
   void echo(const Given& given, Pin pin) {
     Pin trigger = kNoPin;
     for (const Clue* clue : clues_.left()) {

@@ -19,12 +19,12 @@ bool is_motor_like(const Clue& clue) {
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
-// analogWrite(pin, 0) makes a level: what the source says counts, too.
+// analogWrite(pin, 0) makes a level: so the source counts, too.
 bool is_pwm(const Clues& clues, const Clue& clue) {
   return clue.facts->pwm || clues.is_given_to({"analogWrite"}, clue.pin);
 }
 
-// High all the time, by a name that has no side: the driver's enable, or standby.
+// High all the time, with a name without a side: the driver's enable, or standby.
 bool is_enable_of_both(const Clues& clues, const Clue& clue) {
   constexpr double kMostly = 0.45;  // of 0.5
   return clue.facts->driven && !is_pwm(clues, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
@@ -32,7 +32,7 @@ bool is_enable_of_both(const Clues& clues, const Clue& clue) {
          clues.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
 }
 
-// rmf, lf: a side and a direction in one word. The B of motorB is no direction.
+// Matches rmf, lf: a side and a direction in one word. The B of motorB is not a direction.
 bool is_short_for(const Clue& clue, char direction) {
   constexpr std::size_t kLongest = 4;
   const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
@@ -60,7 +60,7 @@ int number_of(const Clue& clue) {
              : std::stoi(clue.words.back().substr(0, 4));
 }
 
-// 1 = a is the input for forward, -1 = b is; 0 = their names do not tell.
+// Returns 1 if a is the input for forward, -1 if b is; 0 = their names do not show it.
 int named_order(const Clue& a, const Clue& b) {
   if (is_forward(a) != is_forward(b)) return is_forward(a) ? 1 : -1;
   if (is_backward(a) != is_backward(b)) return is_backward(a) ? -1 : 1;
@@ -70,7 +70,7 @@ int named_order(const Clue& a, const Clue& b) {
   return 0;
 }
 
-// The pins of one motor, and what they are for.
+// The pins of one motor, and their functions.
 class Motor {
  public:
   Motor(const Clues& clues, Pins pins) : clues_(clues) {
@@ -104,7 +104,7 @@ class Motor {
   bool is_transistor() const { return en_ && !in1_ && !phase_; }
   bool order_is_named() const { return named_; }
 
-  // Above 0: it was mostly driven forward.
+  // Returns a value above 0 if it was mostly driven forward.
   double lean() const {
     const Pin enable = en_ ? en_->pin : kNoPin;
     if (phase_) return clues_.history().lean(enable, phase_->pin, kNoPin);
@@ -160,7 +160,7 @@ struct Sides {
   bool named = true;
 };
 
-// Pins that are given to one object belong to one motor: Motor(5, 7, 8).
+// Pins of one object belong to one motor: Motor(5, 7, 8).
 Pins given_together(const Clues& clues, const Pins& pins, std::size_t number) {
   for (const Given& given : clues.names().given) {
     Pins group;
@@ -215,7 +215,7 @@ Sides divide(const Clues& clues, const Pins& pins) {
   return sides;
 }
 
-// Four inputs by PWM and one pin that stays high: that one enables the driver.
+// Four inputs with PWM and one pin that stays high: that one enables the driver.
 void take_enable_without_name(Clues& clues, Pins& pins, RobotDraft& draft) {
   constexpr double kMostly = 0.45;  // of 0.5
   const auto is_level = [&](const Clue* clue) { return !is_pwm(clues, *clue); };

@@ -9,7 +9,7 @@ namespace {
 
 using Pins = std::vector<const Clue*>;
 
-// int pins[] = {2, 3, 13}: a name that says nothing.
+// int pins[] = {2, 3, 13}: a name without information.
 bool is_named(const Clue& clue) {
   const auto says_nothing = [](const std::string& word) {
     return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
@@ -21,7 +21,7 @@ bool is_named(const Clue& clue) {
 
 bool is_sensor_like(const Clues& clues, const Clue& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
-  // Of an encoder, a button, a receiver of remote control: a line sensor's edges and pulses are of no use.
+  // Of an encoder, a button, a remote control's receiver: edges and pulses of a line sensor are useless.
   if (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
   if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
@@ -34,7 +34,7 @@ bool is_sensor_like(const Clues& clues, const Clue& clue) {
   return named || (!clue.facts->pulled_up && !is_named(clue));
 }
 
-// From left to right, as far as names tell: far left, left, middle, right, far right.
+// Returns the position from left to right by the name: far left, left, middle, right, far right.
 int place_of(const Clue& clue) {
   const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
   switch (side_of(clue.words)) {
@@ -56,7 +56,7 @@ const char* kind_of(const Pins& sensors) {
   return "digital";
 }
 
-// Distance of two elements, and how far ahead of the axle they are: those of the stock robots.
+// Distance of two elements, and their distance ahead of the axle, as in the stock robots.
 struct Layout {
   const char* pitch;
   const char* ahead;

@@ -1,4 +1,5 @@
-// Motor shields and what hangs on the two-wire bus: a library is given a number, and its wires are known.
+// Guesses motor shields and devices on the two-wire bus: a library gets a number, which determines the
+// wiring.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,11 +15,11 @@ namespace {
 struct Outputs {
   std::array<const char*, 4> en, in1, in2;
 };
-// Adafruit's motor shield v1 and its copies: AFMotor.h. A 74HC595 has the directions.
+// Adafruit's motor shield v1 and its copies: AFMotor.h. A 74HC595 drives the directions.
 constexpr Outputs kFirst{{"11", "3", "6", "5"},
                          {"\"shield.Q2\"", "\"shield.Q1\"", "\"shield.Q5\"", "\"shield.Q0\""},
                          {"\"shield.Q3\"", "\"shield.Q4\"", "\"shield.Q7\"", "\"shield.Q6\""}};
-// Its version 2: Adafruit_MotorShield.h. A PCA9685 has all.
+// Its version 2: Adafruit_MotorShield.h. A PCA9685 drives everything.
 constexpr Outputs kSecond{{"\"shield.8\"", "\"shield.13\"", "\"shield.2\"", "\"shield.7\""},
                           {"\"shield.10\"", "\"shield.11\"", "\"shield.4\"", "\"shield.5\""},
                           {"\"shield.9\"", "\"shield.12\"", "\"shield.3\"", "\"shield.6\""}};
@@ -29,7 +30,7 @@ struct Numbered {
   const Given* given;
 };
 
-/// Those of a type whose first argument is 1 to 4, each number once.
+/// Returns the motors of a type whose first argument is 1 to 4, each number once.
 std::vector<Numbered> motors_of(const Clues& clues, const char* type) {
   std::vector<Numbered> motors;
   for (const Given& given : clues.names().given) {
@@ -50,7 +51,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
                 const Outputs& outputs) {
   std::vector<Numbered> left, right, unknown;
   for (const Numbered& motor : motors) {
-    // motor1 says no more than the shield's number does.
+    // motor1 has the same information as the shield's number.
     std::vector<std::string> words = words_of(motor.given->name);
     std::erase_if(words, [](const std::string& word) { return std::isdigit(word[0]) != 0; });
     const Side side = side_of(words);

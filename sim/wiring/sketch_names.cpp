@@ -11,7 +11,7 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kMostSteps = 8;  // of a name that stands for a name
+constexpr int kMostSteps = 8;  // for names that refer to names
 
 const std::set<std::string>& pin_functions() {
   static const std::set<std::string> names = {
@@ -22,7 +22,7 @@ const std::set<std::string>& pin_functions() {
   return names;
 }
 
-// Types of numbers, and words that stand before them.
+// Types of numbers, and words that precede them.
 bool is_number_type(const std::string& word) {
   static const std::set<std::string> names = {"int",      "byte",    "char",   "short",    "long",
                                               "unsigned", "uint8_t", "int8_t", "uint16_t", "int16_t",
@@ -30,7 +30,7 @@ bool is_number_type(const std::string& word) {
   return names.count(word) != 0;
 }
 
-// Classes of devices on the two-wire bus, whose objects are given no pins.
+// Classes of devices on the two-wire bus, whose objects get no pins.
 bool is_device(const std::string& word) {
   static const std::set<std::string> names = {
       "MPU6050",          "Adafruit_MPU6050", "Adafruit_TCS34725", "VL53L0X",
@@ -39,7 +39,7 @@ bool is_device(const std::string& word) {
 }
 
 struct Value {
-  std::vector<std::string> words;  // what it stands for: one, or an array's
+  std::vector<std::string> words;  // its replacement: one, or an array's
   bool is_array = false;
   Spot spot;
 };
@@ -97,11 +97,11 @@ class Reader {
   Spot spot() const { return {file_, tokens_[at_].line}; }
 
   void set(const std::string& name, Value value) {
-    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // a loop's
+    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // a loop's variable
     if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
   }
 
-  // `#define NAME 5`, or with brackets: (5)
+  // Reads `#define NAME 5`, or with brackets: (5)
   void read_define() {
     const std::string name = tokens_[at_].text;
     std::vector<std::string> words;
@@ -114,7 +114,7 @@ class Reader {
     }
   }
 
-  // `enum { LEFT = 5, RIGHT = 6 };`
+  // Reads `enum { LEFT = 5, RIGHT = 6 };`
   void read_enum() {
     while (!ahead(0).text.empty() && !ahead(0).is("{") && !ahead(0).is(";")) ++at_;
     for (; !ahead(0).text.empty() && !ahead(0).is("}") && !ahead(0).is(";"); ++at_)
@@ -147,7 +147,7 @@ class Reader {
     }
   }
 
-  // `NAME = 5, OTHER = 6;` or `NAME[] = {A0, A1};`, from the first name.
+  // Reads `NAME = 5, OTHER = 6;` or `NAME[] = {A0, A1};`, from the first name.
   void read_variables() {
     for (;;) {
       const std::string name = ahead(0).text;
@@ -175,7 +175,7 @@ class Reader {
     }
   }
 
-  // The arguments of the brackets that are `from` ahead; each as it is written, without spaces.
+  // Returns the arguments of the brackets that are `from` ahead; each as in the source, without spaces.
   std::vector<std::string> arguments(std::size_t from) const {
     std::vector<std::string> list(1);
     int depth = 0;
@@ -192,7 +192,7 @@ class Reader {
     return list;
   }
 
-  // How far ahead is what follows the brackets that are `from` ahead.
+  // Returns the distance to the token after the brackets that are `from` ahead.
   std::size_t behind_brackets(std::size_t from) const {
     int depth = 0;
     for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
@@ -229,7 +229,7 @@ class Reader {
                                                      "setPin", "init",          "begin"};
     const bool takes_pins = kTakesPins.count(tokens_[at_].text) != 0;
     if (!object.empty() && takes_pins) note_use(list);
-    // Numbers given to other methods are none: lcd.setCursor(0, 14).
+    // Arguments of other methods are not pins: lcd.setCursor(0, 14).
     if (!object.empty() && !takes_pins && !tokens_[at_].is("getMotor")) return;
     if (tokens_[at_].is("begin") && is_size_of_display(list)) return;
     given_.push_back({tokens_[at_].text, object, {}, list, spot()});
@@ -252,7 +252,7 @@ class Reader {
     used_.insert(name);
   }
 
-  // `Type name(5, 6);`, not a function's head
+  // Reads `Type name(5, 6);`, but not a function's head
   void read_object() {
     static const std::set<std::string> no_types = {"return", "else",    "new",    "case",   "void",
                                                    "bool",   "boolean", "float",  "double", "String",
@@ -272,14 +272,14 @@ class Reader {
     }
   }
 
-  // `Type name = Type(5, 6);`
+  // Reads `Type name = Type(5, 6);`
   void read_made() {
     const auto list = arguments(4);
     note_use(list);
     given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
   }
 
-  // `name = new Type(5, 6);`
+  // Reads `name = new Type(5, 6);`
   void read_new() {
     const bool has_name = at_ > 1 && tokens_[at_ - 1].is("=") && tokens_[at_ - 2].kind == Token::Kind::word;
     const auto list = arguments(2);
@@ -287,7 +287,7 @@ class Reader {
     given_.push_back({ahead(1).text, has_name ? tokens_[at_ - 2].text : ahead(1).text, {}, list, spot()});
   }
 
-  // Motors motors(Motor(5, 7, 8), Motor(6, 9, 10)): each of the arguments.
+  // Reads each argument of Motors motors(Motor(5, 7, 8), Motor(6, 9, 10)).
   void read_inner_object(const std::string& outer, const std::string& argument) {
     const std::vector<Token> inner = tokens_of(argument);
     if (inner.size() < 4 || inner[0].kind != Token::Kind::word || !inner[1].is("(")) return;
@@ -298,7 +298,7 @@ class Reader {
     given_.push_back({inner[0].text, outer, {}, list, spot()});
   }
 
-  // attachInterrupt(0, …): the name of its pin.
+  // Returns the name of the pin for attachInterrupt(0, …).
   std::optional<std::string> pin_of_interrupt(const std::vector<std::string>& list) const {
     if (list.empty() || list[0].size() != 1 || std::isdigit(static_cast<unsigned char>(list[0][0])) == 0)
       return {};
@@ -321,8 +321,8 @@ class Reader {
     return pin == kNoPin ? std::nullopt : std::optional<Pin>(first_number(board_, pin));
   }
 
-  // An argument's: one, or those of an array; `( const uint8_t [ ] ) { A0 , A1 }` is one too. Of `pins [ 1 ]`
-  // that one, of `pins [ i ]` all.
+  // Returns the pins of an argument: one, or those of an array; `( const uint8_t [ ] ) { A0 , A1 }` is one,
+  // too. For `pins [ 1 ]` that one, for `pins [ i ]` all.
   std::vector<Pin> pins_of(const std::string& argument) const {
     if (const auto pin = pin_of(argument)) return {*pin};
     if (const std::size_t bracket = argument.find(" [ ");
@@ -356,8 +356,8 @@ class Reader {
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;
-  std::set<std::string> handed_on_;  // names that stand in an array, or that any function was given
-  std::set<std::string> used_;       // names that a function of pins, or an object, was given
+  std::set<std::string> handed_on_;  // names in an array, or passed to any function
+  std::set<std::string> used_;       // names passed to a function of pins, or to an object
   std::vector<Given> given_;
 };
 

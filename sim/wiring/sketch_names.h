@@ -1,5 +1,5 @@
-// What a sketch's source says of its pins: the names it gives them, and the libraries that it gives them to.
-// Read, not compiled: what stands here are hints, and a run says what the sketch does.
+// Reads a sketch's source for its pins: their names, and the libraries that get them. The source is not
+// compiled: these are hints, and a run shows the sketch's behaviour.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace robosim::wiring {
 
-/// Where in the sketch.
+/// A place in the sketch.
 struct Spot {
   std::string file;
   int line = 0;
@@ -21,19 +21,18 @@ struct Named {
   std::string name;
   std::vector<Pin> pins;  ///< of an array in its order
   bool is_array = false;
-  bool sure = true;  ///< a function of pins takes it; else it is only handed on, and may be any number
+  bool sure = true;  ///< an argument of a function of pins; else it is only passed on, and may be any number
   Spot spot;
 };
 
-/// Pins that a library, or a class of the sketch's own, is given: `NewPing sonar(12, 11, 200);`,
-/// `pan.attach(9);`.
+/// Pins passed to a library, or to a class of the sketch: `NewPing sonar(12, 11, 200);`, `pan.attach(9);`.
 struct Given {
-  std::string type;       ///< "NewPing", "Servo"; of a function its name: "attachInterrupt"
-  std::string name;       ///< of the object: "sonar"; may be empty
-  std::vector<Pin> pins;  ///< of each argument; all of one that is an array; kNoPin where it cannot be one
-  std::vector<std::string> arguments;  ///< all, as they are written
+  std::string type;                    ///< "NewPing", "Servo"; for a function its name: "attachInterrupt"
+  std::string name;                    ///< of the object: "sonar"; may be empty
+  std::vector<Pin> pins;               ///< of each argument; all of an array; kNoPin if it cannot be one
+  std::vector<std::string> arguments;  ///< all, as in the source
   Spot spot;
-  std::vector<std::vector<Pin>> each = {};  ///< pins of each argument; empty where it cannot be one
+  std::vector<std::vector<Pin>> each = {};  ///< pins of each argument; empty if it cannot be one
 };
 
 struct SketchNames {
@@ -42,7 +41,7 @@ struct SketchNames {
 };
 
 SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board);
-/// The same of one file's text, for tests.
+/// Reads one file's text, for tests.
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board);
 
 }  // namespace robosim::wiring

@@ -1,4 +1,4 @@
-// The words of a C++ source, as far as names of pins need them: no comments, no directives but #define.
+// Splits a C++ source into the tokens that names of pins need: no comments, no directives except #define.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ struct Token {
     word,
     number,
     text,         ///< a string or character
-    punctuation,  ///< one character; `end` behind a #define
-    define,       ///< the name behind `#define`; what it stands for follows
+    punctuation,  ///< one character; `end` after a #define
+    define,       ///< the name after `#define`; its replacement follows
   };
   Kind kind;
   std::string text;
@@ -21,12 +21,12 @@ struct Token {
   bool is(const char* what) const { return text == what && kind != Kind::text; }
 };
 
-/// What stands behind the last token of a #define.
+/// The text after the last token of a #define.
 inline constexpr const char* kEndOfDefine = "end";
 
 std::vector<Token> tokens_of(const std::string& source);
 
-/// The words that a name is made of, in small letters: "leftMotor_EN1" is left, motor, en, 1.
+/// Returns the words of a name, in lower case: "leftMotor_EN1" is left, motor, en, 1.
 std::vector<std::string> words_of(const std::string& name);
 
 }  // namespace robosim::wiring
