@@ -5,7 +5,7 @@
 
 namespace robosim::worlds {
 
-/// A number from 0 to below − 1.
+/// Returns a number from 0 to below − 1.
 using Die = std::function<int(int below)>;
 
 }  // namespace robosim::worlds

@@ -1,4 +1,4 @@
-// What breaks in a random world.
+// Draws the faults of a random world.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ namespace robosim::worlds {
 
 /// What may break, and how badly at most; 0 = never. docs/reference/robots.md says what each does.
 struct FaultLimits {
-  int at_most = 1;               ///< in a run
-  int from_ms = 0;               ///< they begin between these times
+  int at_most = 1;               ///< per run
+  int from_ms = 0;               ///< the interval of their beginnings
   int until_ms = 20'000;         ///<
-  double sensor_offset = 0.05;   ///< share of white to black, either way
+  double sensor_offset = 0.05;   ///< share of white to black, in either direction
   double sensor_noise = 0.03;    ///< standard deviation, a share of white to black
-  std::int64_t covered_us = 0;   ///< a sensor sees black for so long
-  double motor_weakness = 0.1;   ///< share of the voltage that a motor lacks
-  double clock_drift_ppm = 5e3;  ///< either way
+  std::int64_t covered_us = 0;   ///< duration of black readings of a sensor
+  double motor_weakness = 0.1;   ///< share of the voltage that a motor loses
+  double clock_drift_ppm = 5e3;  ///< in either direction
 };
 
 struct Fault {
@@ -28,22 +28,22 @@ struct Fault {
   Kind kind = Kind::offset;
   std::string part;  ///< "" for drift
   int at_ms = 0;
-  int level = kLevels;    ///< how bad, from 1 to kLevels: as bad as the limits allow
+  int level = kLevels;    ///< severity, from 1 to kLevels, which is the limit
   bool negative = false;  ///< offset, drift
 };
 
 struct FaultPlan {
-  std::vector<Fault> faults;  ///< in the order of time
+  std::vector<Fault> faults;  ///< sorted by time
 
   std::vector<FaultPlan> smaller() const;
   std::string script(const FaultLimits& limits) const;
 };
 
-/// What may break.
+/// The parts that may fail.
 struct Breakable {
   std::vector<std::string> sensors, motors;
 };
-/// At most so many faults.
+/// Draws at most `most` faults.
 FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const Die& die);
 
 }  // namespace robosim::worlds

@@ -32,11 +32,11 @@ std::set<Knot> reached_from(Knot from, const LineNetwork& network) {
   return reached;
 }
 
-/// In row order.
+/// Compares in row order.
 bool comes_before(Knot a, Knot b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-/// Sorts the pieces, moves the network to the lattice's corner, drops columns and rows without line, and puts
-/// a start that is no station any more at the first one.
+/// Sorts the pieces, moves the network to the lattice's corner, and drops columns and rows without line. A
+/// start that is not a station any more moves to the first one.
 void tidy(LineNetwork& network) {
   const std::set<Knot> knots = knots_of(network.pieces);
   if (knots.empty()) return;
@@ -63,7 +63,7 @@ void tidy(LineNetwork& network) {
     network.start = stations.front();
 }
 
-/// What is left on the side of `keep` without a piece.
+/// Returns the network on the side of `keep` without a piece.
 LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   LineNetwork left = network;
   std::erase(left.pieces, piece);
@@ -73,7 +73,7 @@ LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   return left;
 }
 
-/// Lattice column `column` laid upon the one before it. Unsound if lines would meet that do not.
+/// Merges lattice column `column` into the previous one. Unsound if separate lines would meet.
 bool fold_column(LineNetwork& network, int column) {
   const auto moved = [&](Knot knot) { return knot.x >= column ? Knot{knot.x - 1, knot.y} : knot; };
   const std::set<Knot> knots = knots_of(network.pieces);
@@ -112,7 +112,7 @@ void add_folded(const LineNetwork& network, std::vector<LineNetwork>& found) {
   }
 }
 
-/// With free room around.
+/// Adds free room around it.
 LineNetwork padded(LineNetwork network) {
   for (std::vector<int>* widths : {&network.columns, &network.rows}) {
     widths->insert(widths->begin(), network.apart);
@@ -124,7 +124,7 @@ LineNetwork padded(LineNetwork network) {
   return network;
 }
 
-/// A line of several pieces that ends at a station becomes a single piece, at any place where there is room.
+/// Replaces a line of several pieces that ends at a station by a single piece, at any place with enough room.
 void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& found) {
   for (const Knot station : padded(network).stations()) {
     LineNetwork rest = padded(network);
@@ -242,7 +242,7 @@ std::string LineNetwork::map() const {
 }
 
 LineNetwork grow(const GrowthLimits& limits, const Die& die) {
-  // Room enough that growth is seldom hemmed in, little enough that lines come to lie side by side.
+  // Enough room that growth is seldom blocked, little enough that lines become neighbours.
   int side = 3;
   while (side * side < 3 * limits.pieces) ++side;
   LineNetwork network;

@@ -1,4 +1,4 @@
-// A network of lines on a lattice: what random maps are made of, and shrunk by.
+// A network of lines on a lattice: the basis of random maps, and of shrinking them.
 #pragma once
 
 #include <algorithm>
@@ -26,43 +26,44 @@ struct Piece {
 bool has(const std::vector<Piece>& pieces, const Piece& piece);
 
 struct LineNetwork {
-  int apart = 3;              ///< cells: the least distance of two knots; 2 at least, or lines would touch
-  int most_ways = 4;          ///< of a knot
-  std::vector<Piece> pieces;  ///< in order
+  int apart = 3;              ///< cells: the smallest distance of two knots; at least 2, or lines would touch
+  int most_ways = 4;          ///< per knot
+  std::vector<Piece> pieces;  ///< sorted
   std::vector<int> columns, rows;  ///< cells from a lattice column, or row, to the next
-  std::vector<Piece> obstacles;    ///< pieces in whose middle one stands
+  std::vector<Piece> obstacles;    ///< pieces with one in their middle
   Knot start;
 
-  /// Neighbouring knots with a line between.
+  /// Returns neighbouring knots with a line between.
   std::vector<Knot> neighbours(Knot knot) const;
   bool is_connected() const;
-  /// Knots with one neighbour, in row order.
+  /// Returns knots with one neighbour, in row order.
   std::vector<Knot> stations() const;
-  /// A connected network that starts at a station; no knot has too many ways.
+  /// Returns whether it is a connected network that starts at a station, without knots that have too many
+  /// ways.
   bool is_sound() const;
 
-  /// Networks that are a step smaller, sound ones only; the smallest come first. Ends after finitely many
-  /// steps.
+  /// Returns networks that are a step smaller, sound ones only; the smallest come first. Repeated calls end
+  /// after finitely many steps.
   std::vector<LineNetwork> smaller() const;
-  /// Cells from lines to the map's edge: what a robot needs to turn round.
+  /// Returns the number of cells from lines to the map's edge: a robot needs them to turn round.
   int margin() const { return std::max(apart, 3); }
-  /// The column, or row, of the map's cell at a knot.
+  /// Return the column, or row, of the map's cell at a knot.
   int column_of(int x) const;
   int row_of(int y) const;
-  /// The rows of a map, without the start.
+  /// Returns the rows of a map, without the start.
   std::vector<std::string> cells() const;
-  /// As a map file.
+  /// Returns the text of a map file.
   std::string map() const;
 };
 
 struct GrowthLimits {
   int pieces = 1;
   int apart = 3;
-  int most_ways = 4;  ///< of a knot
+  int most_ways = 4;  ///< per knot
   int cycles = 0;
   int obstacles = 0;
 };
-/// A random sound network, with at most so many pieces.
+/// Returns a random sound network, with at most that number of pieces.
 LineNetwork grow(const GrowthLimits& limits, const Die& die);
 
 }  // namespace robosim::worlds

@@ -1,4 +1,4 @@
-// One of the robots that a robot file's figures with a spread stand for.
+// One of the robots that a robot file with spreads describes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robosim::worlds {
 
-/// A number that differs from robot to robot.
+/// A parameter that varies between robots.
 struct Figure {
   std::string table;  ///< "chassis"; or "part S"
   std::string key;    ///< "track"; or "at 0", "at 1": the first and second item of `at`
@@ -18,16 +18,16 @@ struct Figure {
   std::string unit;     ///< "mm"; "" = none
 };
 
-/// The figures of a robot file with a spread, in its order, and the places of its floor sensors, give or take
-/// `mounting_mm`. Values or spreads that are not numbers with the same unit are left out.
+/// Returns the parameters of a robot file with a spread, in its order, and the places of its floor sensors,
+/// plus or minus `mounting_mm`. Values or spreads that are not numbers with the same unit are skipped.
 std::vector<Figure> figures_of(std::string_view robot_file, const std::string& name, double mounting_mm);
 
 struct RobotVariant {
   static constexpr int kLevels = 10;
-  std::vector<int> levels;  ///< of each figure: −kLevels is value − spread, 0 is as in the file
+  std::vector<int> levels;  ///< of each parameter: −kLevels is value − spread, 0 is the file's value
 
   std::vector<RobotVariant> smaller() const;
-  /// As a robot file; `base` itself if nothing is different.
+  /// Returns the text of a robot file; `base` itself if nothing differs.
   std::string file(const std::string& base, const std::vector<Figure>& figures) const;
 };
 RobotVariant assemble(const std::vector<Figure>& figures, const Die& die);

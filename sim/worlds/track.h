@@ -9,20 +9,20 @@
 namespace robosim::worlds {
 
 struct Track {
-  int apart = 4;                   ///< cells: the least width of a square
-  std::vector<Knot> squares;       ///< by their upper left corners, in order
+  int apart = 4;                   ///< cells: the smallest width of a square
+  std::vector<Knot> squares;       ///< by their upper left corners, sorted
   std::vector<int> columns, rows;  ///< cells: their widths and heights
   std::vector<Piece> gaps;         ///< pieces whose middle cell is not painted
-  Piece start;                     ///< in whose middle the start is
+  Piece start;                     ///< the piece with the start in its middle
 
-  /// The loop; its start means nothing.
+  /// Returns the loop; its start is meaningless.
   LineNetwork outline() const;
-  /// One loop, that starts on it, not in a gap.
+  /// Returns whether it is one loop, with its start on it, and not in a gap.
   bool is_sound() const;
 
-  /// Tracks that are a step smaller, sound ones only. Ends after finitely many steps.
+  /// Returns tracks that are a step smaller, sound ones only. Repeated calls end after finitely many steps.
   std::vector<Track> smaller() const;
-  /// The grid of a map file: `S`, and `3` for gaps.
+  /// Returns the grid of a map file: `S`, and `3` for gaps.
   std::string grid() const;
 };
 
