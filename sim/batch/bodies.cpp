@@ -19,11 +19,11 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Where each body would be if it rolled on, and whether it does: `moves`. `done` is 0 of those that neither
-// do that nor stand without being driven.
+// Computes where each body would be if it rolled on, and whether it does: `moves`. `done` is 0 for those that
+// neither do that nor stand without being driven.
 //
-// Nothing is written where it was read: of "this lane's number, if it moves" compilers make stores that leave
-// lanes out, which some processors take 20 times as long for.
+// The output is separate from the input. Compilers turn "this lane's number, if it moves" into masked stores,
+// for which some processors take 20 times as long.
 ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {
@@ -68,8 +68,8 @@ ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lane
   }
 }
 
-// A tick of each body that rolls on, and of each that stands and is not driven, which stays as it is. The
-// others are as they were, and `done` is 0 of them. `after` is room for it.
+// Simulates a tick of each body that rolls on, and of each that stands without being driven, which stays
+// unchanged. The others are unchanged, and `done` is 0 for them. `after` is memory for the result.
 void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
   Lanes moves;
   roll(block, after, moves, done);
@@ -158,7 +158,7 @@ const world::Body& Bodies::body(std::size_t number) const {
   return *bodies_[number];
 }
 
-// To the body itself.
+// Writes the state to the body itself.
 void Bodies::write(std::size_t number) const {
   const BodyBlock& block = blocks_[number / kLanes];
   const std::size_t lane = number % kLanes;

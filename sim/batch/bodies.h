@@ -1,14 +1,15 @@
-// Many bodies, each as if it were alone on one floor: for searches that drive a body again and again with
-// other figures or other commands.
+// Many bodies, each as if it were alone on one floor: for searches that simulate a body repeatedly with other
+// parameters or other commands.
 //
-// A tick of a body that rolls (sim/world/body.h) is some hundred additions and multiplications, each of which
-// waits for the one before. Here they are done for a block of bodies at once (lanes.h), in the same order,
-// and so with the same bits. This holds for what bodies do nearly always: both tyres roll, both wheels turn
-// the way they turned, nothing is near. Each tick each lane is tested for that. One that starts, stops,
-// slips, skids, or comes near a wall, and any body that is not an ordinary one (windings, steered wheels,
-// wheels that skid, loads that shift), goes through this tick as a world::Body, by Body's own code. The
-// tick of one that rolls is rolling.h's, which single bodies take, too; batch_test.cpp compares them, bit by
-// bit.
+// A tick of a rolling body (sim/world/body.h) is some hundred additions and multiplications, each of which
+// waits for the previous one. Here they are done for a block of bodies at once (lanes.h), in the same order,
+// and so with the same bits. This holds for the usual state of bodies: both tyres roll, both wheels keep
+// their direction, nothing is near. Each lane is tested for that in each tick.
+//
+// A body that starts, stops, slips, skids, or comes near a wall goes through this tick as a world::Body, by
+// Body's own code. So does any special body (windings, steered wheels, wheels that skid, loads that shift).
+// The tick of a rolling body is in rolling.h, which single bodies use, too; batch_test.cpp compares them, bit
+// by bit.
 //
 // Bodies of a batch neither see nor touch each other.
 #pragma once
@@ -23,7 +24,7 @@
 
 namespace robosim::batch {
 
-/// What a block's bodies do: their Rolling (sim/world/rolling.h), by the names there.
+/// The state of a block's bodies: their Rolling (sim/world/rolling.h), with its names.
 struct BodyMotion {
   Lanes x, y, heading_x, heading_y;  // m; unit vector
   Lanes v, u, omega;                 // m/s, m/s, rad/s
@@ -33,13 +34,13 @@ struct BodyMotion {
   Lanes free_way;                    // m
   Lanes slips;                       // 1 = yes
 
-  /// One body's.
+  /// Takes one body's state.
   void take(const BodyMotion&, std::size_t lane);
 };
 
-/// And what they are: their Roller.
+/// The properties of a block's bodies: their Roller.
 struct BodyBlock : BodyMotion {
-  // Of the commands as they are.
+  // Of the commands.
   Lanes direction[2], drives[2];          // the sign of `drive`, its amount
   Lanes push[2], drag[2], push_until[2];  // driven
   Lanes brake_push[2], brake_drag[2], brake_from[2];
@@ -52,24 +53,24 @@ struct BodyBlock : BodyMotion {
 
 class Bodies {
  public:
-  /// The world is not changed, and must outlive this. Throws std::invalid_argument where its floor is not a
+  /// The world is not changed, and must outlive this. Throws std::invalid_argument unless its floor is a
   /// plane of one kind.
   explicit Bodies(const world::World& world);
 
-  /// Bodies are numbered from 0. Throws std::invalid_argument (see world::Body).
+  /// Adds a body, numbered from 0. Throws std::invalid_argument (see world::Body).
   std::size_t add(const world::BodyParams&, const Pose&);
   std::size_t size() const { return bodies_.size(); }
 
-  /// As world::Body has it.
+  /// See world::Body.
   void command(std::size_t number, world::Side, const world::WheelCommand&);
   void place(std::size_t number, const Pose&);
 
-  /// One tick of all.
+  /// Simulates one tick of all.
   void step();
 
-  /// All about one of them, until it changes again.
+  /// Returns the complete state of one of them, until it changes again.
   const world::Body& body(std::size_t number) const;
-  // What is asked of many.
+  // Frequent queries.
   double wheel_angle(std::size_t number, world::Side side) const {
     return blocks_[number / kLanes].angle[side][number % kLanes];
   }
@@ -79,7 +80,7 @@ class Bodies {
   }
   double speed(std::size_t number) const { return blocks_[number / kLanes].v[number % kLanes]; }
   double distance(std::size_t number) const { return blocks_[number / kLanes].distance[number % kLanes]; }
-  /// In steps of kLanes.
+  /// Returns the blocks of kLanes bodies.
   const std::vector<BodyBlock>& blocks() const { return blocks_; }
 
  private:

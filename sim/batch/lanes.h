@@ -1,12 +1,12 @@
-// How a batch lays out its numbers: in blocks of kLanes robots, each figure an array over the block. A loop
-// over such arrays is what compilers make vector instructions of.
+// The layout of numbers in a batch: blocks of kLanes robots, with each value as an array over the block.
+// Compilers turn loops over such arrays into vector instructions.
 #pragma once
 
 #include <cstddef>
 
 #include "sim/base/for_avx.h"
 
-/// In front of a function of loops over lanes.
+/// Precedes a function of loops over lanes.
 #define ROBOSIM_LANES_FUNCTION ROBOSIM_ALSO_FOR("avx2")
 
 namespace robosim::batch {
@@ -14,7 +14,7 @@ namespace robosim::batch {
 /// Robots in a block.
 constexpr std::size_t kLanes = 8;
 
-/// A figure of each of them.
+/// A value for each of them.
 struct Lanes {
   alignas(4 * sizeof(double)) double of[kLanes] = {};
   double& operator[](std::size_t lane) { return of[lane]; }

@@ -59,7 +59,7 @@ ROBOSIM_LANES_FUNCTION void find_volts(const SensorBlock& sensor, const Lanes& d
   }
 }
 
-// What the ADC adds.
+// Adds the ADC's noise.
 void add_noise(const SensorBlock& sensor, Lanes& volts) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     if (!(sensor.adc_noise[i] > 0.0)) continue;

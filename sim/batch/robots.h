@@ -1,5 +1,5 @@
 // Many robots without firmware, each alone on one floor: their motors get commands, their bodies move, their
-// line sensors read. For studies of parameters, and for whatever searches or learns by trying.
+// line sensors are read. For studies of parameters, and for search or learning by trial.
 //
 //   grid::Map map = grid::read_map("oval.map");
 //   world::World world(map);
@@ -8,15 +8,14 @@
 //   std::vector<double> volts(robots.size());
 //   while (robots.now() < kSecond) {
 //     robots.read(2, robots.now(), volts);          // the third sensor of each, now
-//     robots.tell(17, world::left, {0.6, 0.4});     // as a driver makes of its pins
+//     robots.tell(17, world::left, {0.6, 0.4});     // as a driver computes it from its pins
 //     robots.step();
 //   }
 //
-// A robot of a batch does what robot::Robot does that is made of the same description, seed and number: with
-// the same commands it has the same poses, and reads the same volts, noise included, bit for bit
-// (tests/unit/batch). It costs less, as nothing in it waits for anything: no pins, no edges, no parts that
-// nobody asks; the arithmetic of a block of robots at once (bodies.h), and the pose once for all sensors that
-// read at one time.
+// A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
+// commands it has equal poses, and reads equal volts, noise included, bit for bit (tests/unit/batch). It
+// costs less, as it has no pins, no edges, and no unused parts. The arithmetic is done for a block of robots
+// at once (bodies.h), and the pose once for all sensors that read at one time.
 //
 // Robots of a batch neither see nor touch each other.
 #pragma once
@@ -34,7 +33,7 @@
 
 namespace robosim::batch {
 
-/// One sensor of each robot of a block. Figures as robot::ElementFigures and robot::AnalogInputs have them.
+/// One sensor of each robot of a block. Values as in robot::ElementFigures and robot::AnalogInputs.
 struct SensorBlock {
   Lanes at_x, at_y, footprint;  // m
   Lanes light, shift, noise, dark_noise, beside_dark_noise;
@@ -54,29 +53,29 @@ struct SensorPoses {
 
 class Robots {
  public:
-  /// The world's floor, walls and obstacles are theirs, and may be changed between ticks; it must outlive
-  /// this. Throws std::invalid_argument where its floor is not a plane of one kind, or lamps stand about it.
+  /// Uses the world's floor, walls and obstacles, which may be changed between ticks; it must outlive this.
+  /// Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
   explicit Robots(const world::World& world);
 
-  /// A further robot; the first has number 0. `individual` is what robot::Robot calls its number. Of its
-  /// parts it has the motors, and reflectance sensors with `read = "analog"` whose emitters are on; the
-  /// others are left out. Throws InputError for what would change how it drives or reads: a [battery],
-  /// steered wheels, a fan, other reflectance sensors, an emitter on a pin; and where it has more or fewer
-  /// sensors than the first.
+  /// Adds a robot; the first has number 0. `individual` is the number in robot::Robot. It has the motors of
+  /// its description, and reflectance sensors with `read = "analog"` whose emitters are on; other parts are
+  /// skipped. Throws InputError for parts that would change how it drives or reads. They are a [battery],
+  /// steered wheels, a fan, other reflectance sensors, an emitter on a pin. Also throws if it has more or
+  /// fewer sensors than the first.
   std::size_t add(const robot::Description&, std::uint64_t seed, Profile, const Pose& start,
                   std::uint32_t individual = 0);
   std::size_t size() const { return bodies_.size(); }
   std::size_t sensors() const { return sensors_; }
 
-  /// What the driver makes of its pins from now on, the beginning of a tick (robot::bridge_command). Of a
-  /// differential's motor both sides are to be told.
+  /// Sets the driver's command from its pins from now on, the beginning of a tick (robot::bridge_command). A
+  /// differential's motor needs it for both sides.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
-  /// What sensor number `sensor`, in the file's order, gives at `t` of each robot: V. `t` is a time of the
-  /// tick that begins now. Takes a sample of noise.
+  /// Reads sensor number `sensor`, in the file's order, at `t` for each robot: V. `t` is a time of the tick
+  /// that begins now. Takes a sample of noise.
   void read(std::size_t sensor, SimTime t, std::span<double> volts);
-  /// One tick of all.
+  /// Simulates one tick of all.
   void step();
-  /// The beginning of the tick.
+  /// Returns the beginning of the tick.
   SimTime now() const { return now_; }
 
   const Bodies& bodies() const { return bodies_; }
@@ -94,12 +93,12 @@ class Robots {
   const world::Floor& floor_;
   Bodies bodies_;
   std::size_t sensors_ = 0;
-  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // of each sensor, block by block
+  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // per sensor, block by block
   std::vector<SensorPoses> poses_;
   SimTime posed_at_ = -1;   // the time of poses_
   std::vector<Told> told_;  // in this tick
   std::vector<world::WheelCommand> commands_[2];
-  std::vector<bool> lags_;  // of each sensor: one of them does
+  std::vector<bool> lags_;  // per sensor: one of them lags
   SimTime now_ = 0;
 };
 
