@@ -23,7 +23,7 @@ bool is_in(uintptr_t address, const void* begin, uintptr_t bytes) {
   return address - reinterpret_cast<uintptr_t>(begin) < bytes;
 }
 
-/// Whether the address has a shadow: image, stack or heap.
+/// Returns whether the address has a shadow: image, stack or heap.
 bool is_ours(uintptr_t address) {
   return is_in(address, state.stack, state.stack_bytes) ||
          is_in(address, __ehdr_start, static_cast<uintptr_t>(_end - __ehdr_start)) ||
@@ -43,7 +43,7 @@ __attribute__((noinline, noreturn)) void report(uintptr_t address, size_t bytes,
   access.write = write;
   access.first = first;
   if (is_ours(first)) {
-    // A mark of 1..7 is about an object's own last bytes; what it is, the next one says.
+    // A mark of 1..7 is for an object's own last bytes; the following mark has its kind.
     const uint8_t* mark = shadow_of(first);
     access.mark = *mark < kGrain ? mark[1] : *mark;
   }
@@ -58,11 +58,11 @@ __attribute__((noinline, noreturn)) void report(uintptr_t address, size_t bytes,
 
 constexpr uintptr_t kNone = UINTPTR_MAX;
 
-/// The first address in there that must not be accessed, or kNone.
+/// Returns the first address in the range that must not be accessed, or kNone.
 uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
   for (uintptr_t at = address; at - address < bytes;) {
     if (!is_ours(at) || !is_allowed(at)) return at;
-    // On to the next grain; in a last one of fewer bytes, to the next byte.
+    // Continues with the next grain; in a last one of fewer bytes, with the next byte.
     at = *shadow_of(at) == 0 ? (at / kGrain + 1) * kGrain : at + 1;
   }
   return kNone;
@@ -71,19 +71,19 @@ uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
 inline void check(uintptr_t address, size_t bytes, bool write, const void* where) {
   const uintptr_t first = first_forbidden(address, bytes);
   if (first == kNone) return;
-  // The processor says more about a null pointer, and at once.
+  // The processor reports more about a null pointer, and immediately.
   constexpr uintptr_t kNullPage = 4096;
   if (first < kNullPage) return;
   report(address, bytes, write, first, where);
 }
 
-/// For functions that are also called with memory of the executor's.
+/// Checks accesses of functions that are also called with the executor's memory.
 void check_ours(const void* begin, size_t bytes, bool write, const void* where) {
   const auto address = reinterpret_cast<uintptr_t>(begin);
   if (bytes > 0 && is_ours(address)) check(address, bytes, write, where);
 }
 
-/// Not the C library's: where Robosim runs under AddressSanitizer, that one checks by itself.
+/// Replaces the C library's function, which checks by itself if Robosim runs under AddressSanitizer.
 size_t length(const char* text, size_t most = SIZE_MAX) {
   const volatile char* at = text;
   size_t count = 0;
@@ -93,7 +93,7 @@ size_t length(const char* text, size_t most = SIZE_MAX) {
 
 }  // namespace
 
-// Byte by byte (volatile): where Robosim runs under AddressSanitizer, its memset must not see the shadow.
+// Byte by byte (volatile): if Robosim runs under AddressSanitizer, its memset must not see the shadow.
 void allow(const void* begin, size_t bytes) {
   volatile uint8_t* shadow = shadow_of(reinterpret_cast<uintptr_t>(begin));
   for (; bytes >= kGrain; bytes -= kGrain) *shadow++ = 0;
@@ -133,7 +133,7 @@ void __asan_version_mismatch_check_v8() {}
 void __asan_before_dynamic_init(const char*) {}
 void __asan_after_dynamic_init() {}
 void __asan_unregister_globals(const void*, size_t) {}
-// A function that does not return ends the firmware: what is on its stack stays as it is.
+// A function that does not return ends the firmware: its stack stays unchanged.
 void __asan_handle_no_return() {}
 
 void __asan_register_globals(const robosim::host::GlobalRecord* globals, size_t count) {
@@ -170,7 +170,7 @@ void __asan_allocas_unpoison(uintptr_t top, uintptr_t bottom) {
   if (top != 0 && top <= bottom) robosim::host::allow(reinterpret_cast<const void*>(top), bottom - top);
 }
 
-// Functions of the C library, which has no checks: the linker hands their callers to us (--wrap).
+// Functions of the C library, which has no checks: the linker redirects their callers to these (--wrap).
 #define ROBOSIM_READ(begin, bytes) check_ours(begin, bytes, false, __builtin_return_address(0))
 #define ROBOSIM_WRITE(begin, bytes) check_ours(begin, bytes, true, __builtin_return_address(0))
 

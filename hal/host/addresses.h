@@ -23,7 +23,7 @@ constexpr uintptr_t kShadow = uintptr_t{1} << 36;
 constexpr uintptr_t kShadow = uintptr_t{1} << 29;
 #endif
 
-// Marks of our own and of gcc's code for a function's frame, as LLVM's compiler-rt numbers them.
+// Our own marks and those of gcc's code for a function's frame, with LLVM's compiler-rt numbers.
 constexpr uint8_t kStackBefore = 0xF1;
 constexpr uint8_t kStackBetween = 0xF2;
 constexpr uint8_t kStackBehind = 0xF3;

@@ -20,7 +20,7 @@ void run_attached(int number) {
   if (attached[number]) attached[number]();
 }
 
-/// The board's own number for it; of the first two, which every board has, the chip's.
+/// Returns the board's own number; for the first two, which every board has, the chip's.
 Pin pin_of(uint8_t number) {
   const robosim::BoardSpec& spec = host::board->spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)

@@ -29,7 +29,7 @@ void yield_to_executor(SimTime wake) {
   executor->yield();
 }
 
-/// When the next thing happens that does not ask whether interrupts are enabled.
+/// Returns the next event that does not depend on enabled interrupts.
 SimTime next_event() { return watchdog.due() < tone_end ? watchdog.due() : tone_end; }
 
 /// `pending`: an interrupt waits to be served.
@@ -44,8 +44,9 @@ void set_deadline(SimTime due) {
   deadline = polling.again ? state.now : state.limit < due ? state.limit : due;
 }
 
-// The most frequent case of all: of Timer 0's overflow alone it is time, for the core's own handler. The same
-// as reach_deadline() would come to by asking everybody. False, and nothing is done, if it is another case.
+// Handles the most frequent case: only Timer 0's overflow is due, for the core's own handler. The result
+// equals that of reach_deadline(), which checks all peripherals. Returns false, without effect, in any other
+// case.
 bool serve_overflow_alone() {
   if (state.now >= state.limit || !interrupts_enabled() || !timer0.overflows_next()) return false;
   const SimTime next = next_alone();
@@ -57,8 +58,9 @@ bool serve_overflow_alone() {
   return true;
 }
 
-// Idles where nothing happens before `time` but Timer 0's overflow, for the core's own handler: the same as
-// idle_until() would come to by asking everybody. False, and idle_until() has to go on, if something does.
+// Idles if nothing happens before `time` except Timer 0's overflow, for the core's own handler. The result
+// equals that of idle_until(), which checks all peripherals. Returns false, without effect, in any other
+// case: then idle_until() must continue.
 bool sleep_alone(SimTime time) {
   while (interrupts_enabled()) {
     const SimTime next = next_alone();
@@ -97,8 +99,7 @@ void reach_deadline() {
     if (state.now < deadline) return;
     ++served;
   }
-  // A low level raises its interrupt again and again: then the firmware's own code still gets a block in
-  // between.
+  // A low level raises its interrupt repeatedly: so the firmware's own code still gets a block in between.
   while (served < kVectors) {
     if (state.now >= state.limit) {
       yield_to_executor(state.now);
@@ -116,7 +117,7 @@ void reach_deadline() {
 
 namespace {
 
-// What calls leave behind on the stack must not look like something that firmware keeps there.
+// Remains of calls on the stack must not look like state of the firmware.
 __attribute__((noinline)) void wipe_stack() {
   uint8_t frame[kFrames];
   memset(frame, 0, sizeof frame);
@@ -135,7 +136,7 @@ __attribute__((noinline)) void hand_stack() {
   __asm__ volatile("" ::: "memory");  // no tail call: the frame stays
 }
 
-// Puts the registers that its callers keep values in on the stack, into its own frame.
+// Saves the registers with callers' values on the stack, in its own frame.
 __attribute__((noinline)) void hand_registers() {
   __builtin_unwind_init();
   hand_stack();
@@ -160,8 +161,8 @@ __attribute__((noinline)) void block_is_due() {
   begin_look();
 }
 
-// What it keeps itself would be looked at, too: that is nothing, in a frame without gaps, which one with a
-// frame pointer and nothing else is.
+// Its own state would be compared, too. So it has none, in a frame without gaps: with a frame pointer and
+// nothing else.
 __attribute__((noinline)) void block_in_look() {
   __asm__ volatile("" : : "r"(__builtin_frame_address(0)));
   if (look_wants_state()) {
@@ -201,7 +202,7 @@ void be_late() {
 void idle_until(SimTime time) {
   settle_registers();
   if (sleep_alone(time)) return;
-  // While it waits nothing raises a flag but what is done here.
+  // During the wait only the following code raises flags.
   bool pending = interrupts_enabled() && pending_interrupts();
   while (state.now < time) {
     SimTime next = time < next_event() ? time : next_event();
@@ -264,7 +265,7 @@ void stop_for_ever(const char* how) {
 }  // namespace robosim
 
 /// gcc does not instrument empty blocks: `for (;;);` would be a jump to itself, in which no time passes.
-/// sim/build puts a call of this in place of such a jump.
+/// sim/build replaces such a jump by a call of this.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

@@ -15,14 +15,14 @@ namespace host ROBOSIM_WITHIN {
 
 class Comparator {
  public:
-  /// ACSR.
+  /// Reads ACSR.
   uint8_t control();
   void set_control(uint8_t value);
 
   void sync() {
     if (state.now >= due_) look_again();
   }
-  /// When it looks next by itself.
+  /// Returns the time of the next sample by itself.
   SimTime due() const { return due_; }
   bool may_interrupt() const;
   bool pending() const;

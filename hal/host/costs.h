@@ -33,7 +33,7 @@ constexpr int kInit = 60;  ///< wiring.c's init(), counted in its disassembly
 constexpr int kPinMode = 73;       ///< 70 output, 77 input
 constexpr int kDigitalWrite = 73;  ///< 93 on a pin with PWM
 constexpr int kDigitalRead = 74;   ///< 94 on a pin with PWM
-constexpr int kTimerPin = 20;      ///< what a pin with PWM adds to both
+constexpr int kTimerPin = 20;      ///< addition to both for a pin with PWM
 constexpr int kShiftOutBit = 170;  ///< of 244 a bit, the rest is one digitalWrite
 constexpr int kShiftInBit = 104;   ///< of 251 a bit, the rest is one digitalWrite and one digitalRead
 
@@ -49,19 +49,19 @@ constexpr int kMillis = 19;
 constexpr int kMicros = 55;
 constexpr int kDelayEnd = 85;   ///< delay(10) took 160,154 cycles, 69 of them in the first call of micros()
 constexpr int kDelayPoll = 30;  ///< delay()'s loop without its micros()
-constexpr int kPulseWait = 11;  ///< a turn of pulseIn's loops that wait for the pulse: timeouts come early
-constexpr int kPulseLoop = 16;  ///< a turn of the loop that measures it
+constexpr int kPulseWait = 11;  ///< a round of pulseIn's loops that wait for the pulse: timeouts come early
+constexpr int kPulseLoop = 16;  ///< a round of the loop that measures it
 
 // Interrupts. M
 constexpr int kInterrupt = 30;        ///< entry, saved registers and return of an ISR()
-constexpr int kAttachedHandler = 50;  ///< what a handler by attachInterrupt takes more
+constexpr int kAttachedHandler = 50;  ///< addition for a handler by attachInterrupt
 constexpr int kTimer0Overflow = 96;   ///< the whole handler, every 64 * 256 cycles
 constexpr int kAttachInterrupt = 13;
 
 // Mathematics. M
 constexpr int kMap = 687;
 constexpr int kRandom = 810;       ///< random(), rand()
-constexpr int kRandomBelow = 590;  ///< what random(below) takes more
+constexpr int kRandomBelow = 590;  ///< addition for random(below)
 
 // Serial. M
 constexpr int kSerialBegin = 161;
@@ -69,7 +69,7 @@ constexpr int kSerialWrite = 88;
 constexpr int kSerialTransmitHandler = 122;
 constexpr int kSerialReceiveHandler = 45;  ///< counted in the handler's disassembly, less kInterrupt
 constexpr int kSerialNumber = 130;         ///< print(number): once,
-constexpr int kSerialDigit = 615;  ///< and for each digit, beyond its write(): print(10000L) took 3765
+constexpr int kSerialDigit = 615;  ///< and for each digit, besides its write(): print(10000L) took 3765
 constexpr int kSerialRead = 32;
 constexpr int kSerialAvailable = 35;
 

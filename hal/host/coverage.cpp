@@ -9,12 +9,12 @@ extern "C" {
 extern const gcov_info* const __start_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 extern const gcov_info* const __stop_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 
-// Of libgcov, for programs without files.
+// From libgcov, for programs without files.
 void __gcov_info_to_gcda(const gcov_info* info, void (*name)(const char*, void*),
                          void (*dump)(const void*, unsigned, void*), void* (*allocate)(unsigned, void*),
                          void* argument);
 
-// Records name it for merging with a file, which only happens where there are files.
+// Records refer to it for merging with a file, which only happens if there are files.
 void __gcov_merge_add(int64_t*, unsigned) {}
 }
 
@@ -28,7 +28,7 @@ void dump(const void* bytes, unsigned count, void* sink) {
   static_cast<CounterSink*>(sink)->add(bytes, count);
 }
 
-// Asked for by kinds of counters that -fprofile-arcs has not.
+// Required by kinds of counters that -fprofile-arcs does not use.
 void* allocate(unsigned, void*) { return nullptr; }
 
 }  // namespace

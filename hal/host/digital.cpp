@@ -19,7 +19,7 @@ uint8_t reference = DEFAULT;
 constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
 constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
-/// Whether anything has changed.
+/// Returns whether anything has changed.
 bool set_mode(uint8_t pin, uint8_t mode) {
   const host::Port port = host::port_of(pin);
   const uint8_t mask = host::mask_of(pin);
@@ -38,8 +38,8 @@ bool set_mode(uint8_t pin, uint8_t mode) {
   return before.direction != registers.direction || before.output != registers.output;
 }
 
-/// The core takes PWM off a pin before it reads or writes it: only bit COMxx1, as the core does. Whether it
-/// had any.
+/// Disconnects PWM from a pin before a read or write, like the core: only bit COMxx1. Returns whether it had
+/// any.
 bool disconnect(uint8_t pin) {
   const host::TimerPin by = host::timer_of(pin);
   if (by.timer < 0) return host::end_pwm(pin);
@@ -104,7 +104,7 @@ void analogReference(uint8_t mode) {
 }
 
 ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
-  // Both ways of the core: 8 is A8, and so is its number as a pin.
+  // Both conventions of the core: 8 is A8, and so is its number as a pin.
   const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
   const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
   const bool elsewhere = host::places[number].no_channel;
@@ -114,7 +114,7 @@ ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
   const uint8_t before = host::adc.multiplexer();
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
-  // The core sets ADMUX last.
+  // The core writes ADMUX last.
   if (host::adc.multiplexer() != before) host::adc.charge();
   if (!host::adc.on()) return 0;
   const robosim::SimTime clock = host::adc.clock();
@@ -147,7 +147,7 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
   host::Timer& timer = host::timer(by.timer);
   const uint8_t connection = timer.connection(by.channel);
   if (!(connection & 2)) timer.set_connection(by.channel, connection | 2);
-  // An 8-bit register keeps the low byte of a value out of range.
+  // An 8-bit register stores the low byte of a value out of range.
   timer.set_compare(by.channel, timer.is_wide() ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
   host::refresh_pin(pin);
 }

@@ -12,19 +12,19 @@ namespace host ROBOSIM_WITHIN {
 
 class Eeprom {
  public:
-  /// EECR.
+  /// Reads EECR.
   uint8_t control() const;
   void set_control(uint8_t value);
-  /// EEDR, and EEAR, which does not change while a write goes on.
+  /// Read EEDR, and EEAR, which does not change during a write.
   uint8_t data() const { return data_; }
   void set_data(uint8_t value) { data_ = value; }
   uint16_t address() const { return address_; }
   void set_address(uint16_t value);
 
-  /// Reads a byte, writes one, and begins a write that takes as long, without waiting for the one before.
+  /// Reads a byte, writes one, and begins a write of the same duration, without waiting for the previous one.
   uint8_t read(uint16_t address) const;
   void write(uint16_t address, uint8_t value, SimTime takes);
-  /// When the last write has ended.
+  /// Returns the end of the last write.
   SimTime ready() const { return ready_; }
 
   bool may_interrupt() const { return control_ & kEerie; }

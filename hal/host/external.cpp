@@ -17,7 +17,7 @@ namespace {
 
 ROBOSIM_CLOCKWORK bool heard_level[kPins];  // of pins in `heard`
 
-/// Whether an edge to this level is one that `sense` asks for.
+/// Returns whether an edge to this level matches `sense`.
 bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
 
 bool is_counted(Pin pin) {
@@ -53,7 +53,7 @@ Pin take_line() {
 void refresh_external() {
   for (Pin pin = 0; pin < kPins; ++pin) {
     const Place& place = places[pin];
-    // Flags are set, enabled or not (13.2.3, 13.2.5).
+    // Flags are set regardless of the enable bits (13.2.3, 13.2.5).
     const bool by_change =
         place.change_group >= 0 && external.change_mask[place.change_group] & place.change_mask;
     const bool by_itself =

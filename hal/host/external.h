@@ -18,7 +18,7 @@ struct ExternalRegisters {
   uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
   uint8_t change_flags = 0;    ///< PCIFR
   uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
-  uint8_t low = 0;  ///< no register: those of INTn whose low level interrupts, and lasts
+  uint8_t low = 0;  ///< not a register: the INTn whose low level interrupts, and lasts
 };
 extern ExternalRegisters external;
 
@@ -39,7 +39,7 @@ struct PinSet {
   }
   void add(Pin pin) { words[pin / 32] |= 1u << pin % 32; }
   void remove(Pin pin) { words[pin / 32] &= ~(1u << pin % 32); }
-  /// The lowest pin of both; kNoPin if there is none.
+  /// Returns the lowest pin in both; kNoPin if there is none.
   Pin first_common(const PinSet& other) const {
     int number = 0;
     for (const uint32_t& word : words) {

@@ -49,47 +49,48 @@ struct BadAccess {
   size_t bytes = 0;
   bool write = false;
   uintptr_t first = 0;  ///< the first address in there that must not be accessed
-  uint8_t mark = 0;     ///< what its shadow holds; 0: it belongs to nothing of the sketch
-  uintptr_t block = 0;  ///< the block of the heap that the address is in or behind; 0 = none
+  uint8_t mark = 0;     ///< the value of its shadow; 0: it belongs to no object of the sketch
+  uintptr_t block = 0;  ///< the block of the heap that holds or precedes the address; 0 = none
   size_t block_bytes = 0;
 };
 
 /// The services of the executor. All calls come from the fiber.
 class Host {
  public:
-  /// Firmware has reached its limit; returns when it may go on, with a later limit.
+  /// Called when firmware has reached its limit; returns when it may continue, with a later limit.
   virtual void yield() = 0;
-  /// While FirmwareState::watched: a basic block begins. All that its function and its callers keep lies on
-  /// the stack from `stack` on, and in the image's variables.
+  /// During FirmwareState::watched: called when a basic block begins. All state of its function and its
+  /// callers is on the stack from `stack` on, and in the image's variables.
   virtual void block_begins(const uint8_t* stack) = 0;
-  /// Keeps variables, heap, and the stack as in block_begins(); and whether they are as they were then.
+  /// Stores variables, heap, and the stack as in block_begins(); and whether they were equal then.
   virtual void take_state(const uint8_t* stack) = 0;
   virtual bool has_state(const uint8_t* stack) = 0;
-  /// Until when, exclusive, reads of `pin` surely give what they give now; `now` = nobody knows.
+  /// Returns until when, exclusive, reads of `pin` surely equal the present one; `now` = unknown.
   virtual SimTime same_until(Pin pin, SimTime now) = 0;
-  /// The earliest input at or before `until`; false if there is none. Updates FirmwareState::next_input.
+  /// Takes the earliest input at or before `until`; returns false if there is none. Updates
+  /// FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
-  /// Edges on `pin` shall arrive as input from `now` on, where its level is what this returns; or no longer.
+  /// Starts or stops to deliver edges on `pin` as input, from `now` on. Returns its present level.
   virtual bool want_edges(Pin pin, bool wanted, SimTime now) = 0;
-  /// The UART's receiver listens, and a byte takes `byte_time`; 0 = it does not listen, bytes are lost.
+  /// Turns on the UART's receiver, with `byte_time` for each byte; 0 turns it off, and bytes are lost.
   virtual void listen(SimTime byte_time, SimTime now) = 0;
-  /// Firmware can run no further; does not return. `file` may be null, then `where`, a code address, tells
-  /// the place.
+  /// Reports that firmware cannot continue; does not return. `file` may be null; then `where`, a code
+  /// address, is the place.
   virtual void crash(const char* reason, const char* file, uint32_t line, const void* where) = 0;
-  /// The watchdog resets the chip; does not return.
+  /// Resets the chip by the watchdog; does not return.
   virtual void bite() = 0;
-  /// A check of gcc's UndefinedBehaviorSanitizer has failed; does not return. `check` is its handler's name
-  /// without "__ubsan_handle_"; `data` and the values are what gcc hands to that.
+  /// Reports a failed check of gcc's UndefinedBehaviorSanitizer; does not return. `check` is its handler's
+  /// name without "__ubsan_handle_"; `data` and the values are the handler's arguments from gcc.
   virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,
                          const void* where) = 0;
-  /// Firmware is about to divide by zero, and goes on as on the chip. `data` as above.
+  /// Reports that firmware is about to divide by zero, and continues as on the chip. `data` as above.
   virtual void divides_by_zero(const void* data, const void* where) = 0;
-  /// Firmware uses something of the chip that the image lacks; what it does then is not what the chip does.
-  /// `what` is a literal, as a sketch names it: "CLKPR".
+  /// Reports that firmware uses a feature of the chip that the image lacks; its behaviour then differs from
+  /// the chip's. `what` is a literal with the sketch's name for it: "CLKPR".
   virtual void lacks(const char* what, const void* where) = 0;
-  /// Of an image with address checks: `count` records of gcc's AddressSanitizer on global variables.
+  /// For an image with address checks: passes `count` records of gcc's AddressSanitizer on global variables.
   virtual void globals(const GlobalRecord* records, size_t count) = 0;
-  /// Of such an image: an access to memory that is not the sketch's to access; does not return.
+  /// For such an image: reports an access to memory that the sketch may not access; does not return.
   virtual void bad_access(const BadAccess& access, const void* where) = 0;
 
  protected:
@@ -100,7 +101,7 @@ class Host {
 struct ApiCall {
   const char* name = "";  ///< "digitalRead", or a register's name: "PORTB"
   int32_t argument[2] = {0, 0};
-  int8_t arguments = 0;  ///< how many of them count; -1: not a function, written without parentheses
+  int8_t arguments = 0;  ///< the number of stored ones; -1: not a function, written without parentheses
   Pin pin = kNoPin;
 };
 
@@ -122,30 +123,30 @@ struct FirmwareState {
   size_t stack_bytes = 0;
   const Lateness* lateness = nullptr;  ///< the next; the last one is at kNever
   SimTime late_from = kNever;          ///< its beginning
-  bool watched = false;                ///< Host::block_begins() is wanted
-  bool may_skip = true;                ///< rounds in which it only waits may be left out (polling.h)
-  bool called_up = false;              ///< it shall come to `limit`, though it only waits
+  bool watched = false;                ///< Host::block_begins() must be called
+  bool may_skip = true;                ///< rounds that only wait may be skipped (polling.h)
+  bool called_up = false;              ///< it must run to `limit`, although it only waits
   // The firmware's:
   SimTime now = 0;                   ///< its clock
-  SimTime wake = 0;                  ///< at a yield: when firmware next does something by itself
-  const void* place = nullptr;       ///< return address in the basic block, or of the API call, that ran last
-  SimTime last_call = 0;             ///< when the API was last called outside interrupt handlers
+  SimTime wake = 0;                  ///< at a yield: time of the firmware's next own action
+  const void* place = nullptr;       ///< return address in the last basic block, or of the last API call
+  SimTime last_call = 0;             ///< last call of the API outside interrupt handlers
   ApiCall call;                      ///< that call
   Pin read_pin = kNoPin;             ///< of the last digital read outside interrupt handlers
   SimTime read_at = 0;               ///< when that was
   bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
-  bool polls = false;                ///< at a yield: it goes rounds that change nothing until `wake`,
-  bool polls_by_calls = false;       ///< in which it calls the API
-  size_t heap_used = 0;              ///< bytes of the arena that malloc has ever given, with all before them
-  bool touched = true;               ///< more has been done than to ask, since the executor cleared this
+  bool polls = false;                ///< at a yield: it repeats rounds without changes until `wake`,
+  bool polls_by_calls = false;       ///< which call the API
+  size_t heap_used = 0;              ///< bytes of the arena up to the highest that malloc has returned so far
+  bool touched = true;               ///< more than queries has happened since the executor cleared this
   bool endless = false;              ///< in a loop without any block
-  const char* stopped_by = nullptr;  ///< "exit(0)" once firmware gave up by itself
+  const char* stopped_by = nullptr;  ///< "exit(0)" once firmware has stopped itself
 };
 
 /// Receives the counters of a sketch that was built for coverage.
 class CounterSink {
  public:
-  /// From here on it is about this file (.gcda, as gcov reads it).
+  /// Begins a file (.gcda, as gcov reads it).
   virtual void begin(const char* file) = 0;
   virtual void add(const void* bytes, size_t count) = 0;
 
@@ -156,26 +157,27 @@ class CounterSink {
 struct Image {
   uint32_t version;  ///< kImageVersion
   FirmwareState* state;
-  /// Constructors, init(), setup(), then loop() for ever. Starts at `now`. Never returns.
+  /// Runs constructors, init(), setup(), then loop() for ever. Starts at `now`. Never returns.
   void (*run)(FirmwarePort& board, Host& host, SimTime now);
-  /// Address checks: the byte at `address` / 8 + shadow says of 8 bytes how many may be accessed. 0 = the
-  /// image has none; else its executor maps the shadow of [begin, end), heap and stack.
+  /// Address checks: the byte at `address` / 8 + shadow defines which of 8 bytes are accessible
+  /// (addresses.h). The value 0 means no checks; else its executor maps the shadow of [begin, end), heap and
+  /// stack.
   uintptr_t shadow;
   const void* begin;
   const void* end;
-  /// Variables of the core that go on by themselves, and that sketches see through calls alone; or that never
+  /// Variables of the core that change by themselves, and that sketches see only through calls; or that never
   /// change.
   const char* clockwork_begin;
   const char* clockwork_end;
-  /// Variables of the core that stay as they are unless FirmwareState::touched.
+  /// Variables of the core that do not change unless FirmwareState::touched.
   const char* settings_begin;
   const char* settings_end;
-  /// Whether an interrupt is enabled, other than those of the core's clock and its Serial, that may come
-  /// though firmware calls nothing; or would be, were the I flag set, with `held_back`. It is clear in
-  /// handlers and where firmware reads what handlers write. To be called outside the fiber, as is the next.
+  /// Returns whether an interrupt is enabled, other than those of the core's clock and its Serial, that may
+  /// occur even if firmware calls nothing. `held_back` includes those that a clear I flag blocks. It is clear
+  /// in handlers and where firmware reads what handlers write. Call it outside the fiber, as the next one.
   bool (*may_interrupt)(bool held_back);
-  /// Gives what has been counted since the start; may be called at any time outside the fiber. Null: the
-  /// image was not built for coverage.
+  /// Passes the counts since the start; may be called at any time outside the fiber. Null: the image was not
+  /// built for coverage.
   void (*counters)(CounterSink& sink);
 };
 

@@ -15,7 +15,7 @@
 #include "hal/host/watchdog.h"
 #include "hal/host/waves.h"
 
-// What ISR(…) in a sketch defines. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
+// Defined by ISR(…) in a sketch. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
 #define ROBOSIM_VECTOR(number) __attribute__((weak, visibility("hidden"))) void __vector_##number();
 extern "C" {
 ROBOSIM_VECTOR(1)
@@ -56,7 +56,7 @@ int handler_depth;
 
 namespace {
 
-// What the handlers are called goes by number, as what they say.
+// The handlers' names contain numbers, and so do their declarations.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
                   kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 &&
                   kEepromReady == 22 && kCompared == 23 && kTwoWire == 24 && kWatchdog == 6,
@@ -233,7 +233,7 @@ void sync_peripherals() {
 
 uint32_t pending_interrupts() {
   uint32_t pending = pending_external() | uart.pending();
-  // Most of the time nothing is raised.
+  // Usually no flag is raised.
   if (timer0.pending() | timer1.pending() | timer2.pending())
     pending |=
         pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) | pending_timer(timer2, kTimer2);

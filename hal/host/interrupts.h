@@ -11,8 +11,8 @@ namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
 enum Vector : uint8_t {
-  kExternal0 = kChip.external_vector,  // the others follow
-  kPinChange0 = kChip.change_vector,   // the other groups follow
+  kExternal0 = kChip.external_vector,  // followed by the others
+  kPinChange0 = kChip.change_vector,   // followed by the other groups
   kWatchdog = kChip.watchdog_vector,
   kTimer2 = kChip.timers[2].vector,  // compare A; +1 compare B; +2 overflow
   kTimer1 = kChip.timers[1].vector,
@@ -27,7 +27,7 @@ enum Vector : uint8_t {
   kCompared = kChip.comparator.vector,
   kSpi = kChip.spi.vector,
   kTwoWire = kChip.twi.vector,
-  kLines = kChip.vectors,  // no vector of the chip: external.h
+  kLines = kChip.vectors,  // not a vector of the chip: external.h
   kVectors = kLines + 1,
 };
 static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");

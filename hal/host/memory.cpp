@@ -1,5 +1,5 @@
-// malloc and free on an arena of the image's own: a sketch that overruns its heap meets the arena's guard
-// pages. First fit over blocks in address order, neighbours joined when freed, as avr-libc does it.
+// malloc and free on an arena in the image: a sketch that overruns its heap hits the arena's guard pages.
+// First fit over blocks in address order, neighbours joined when freed, like avr-libc.
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,14 +10,14 @@ namespace host = robosim::host;
 
 namespace {
 
-/// Stands before every block; blocks follow each other without gaps.
+/// Precedes every block; blocks follow each other without gaps.
 struct Block {
   uint32_t bytes;  ///< of the payload
   uint32_t use;
-  uint32_t asked;  ///< what malloc was asked for
+  uint32_t asked;  ///< the size requested from malloc
 };
 
-/// With address checks a freed block rests until there is no other room, so that who still uses it is met.
+/// With address checks a freed block rests until there is no other room, so that later uses are detected.
 enum Use : uint32_t { kFree, kUsed, kResting };
 
 constexpr size_t kAlign = 16;
@@ -36,7 +36,7 @@ __attribute__((noreturn)) void fail(const char* reason) {
   __builtin_unreachable();
 }
 
-/// A header that no longer makes sense has been overwritten: the sketch wrote past the end of a block.
+/// An inconsistent header has been overwritten: the sketch wrote past the end of a block.
 void check(uint8_t* block) {
   const Block* head = header(block);
   const auto room = static_cast<size_t>(arena_end() - payload(block));
@@ -61,7 +61,7 @@ uint8_t* block_of(void* memory) {
   return address - kAlign;
 }
 
-/// Makes `size` bytes of the block the sketch's.
+/// Gives `size` bytes of the block to the sketch.
 void give(uint8_t* block, size_t size) {
   const auto end = static_cast<size_t>(next(block) - arena());
   if (end > host::state.heap_used) host::state.heap_used = end;
@@ -90,7 +90,7 @@ void* take(size_t size) {
   return nullptr;
 }
 
-/// Makes all resting blocks free; false if there are none.
+/// Frees all resting blocks; returns false if there are none.
 bool wake_resting() {
   bool any = false;
   for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kPatience = 6;
 constexpr int kMostBlocks = 300, kMostVisits = 70;  // of a look, and of its place
 constexpr int kFarAway = 32;                        // blocks after which it must be another loop
-constexpr int kLongestWait = 64;                    // deadlines, of which there are some two in a millisecond
+constexpr int kLongestWait = 64;                    // deadlines; there are about two per millisecond
 
 SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
 
@@ -33,7 +33,7 @@ void find_nothing() {
   polling.left = polling.wait;
 }
 
-/// Something is due, or something is called that does more than to ask.
+/// Interrupts a look: something is due, or a call does more than query.
 void break_off() {
   if (polling.patience == 0) return find_nothing();
   --polling.patience;
@@ -62,10 +62,10 @@ void begin_round() {
   polling.points = polling.reads = 0;
 }
 
-/// Rounds go on through Timer 0's overflow where they see nothing of it: it is served at the first of their
-/// points behind it, and makes what follows so much later. False, and nothing is done, unless that happens in
-/// the round that begins now, and nothing else until it has ended; `next` is when that does. Else `shift` is
-/// by how much more than its end the round's last call is late.
+/// Rounds continue through Timer 0's overflow if they do not see its effects. It is served at the first of
+/// their points after it, and delays what follows. `next` is the time of the next other event. Returns false,
+/// without effect, unless it happens in the round that begins now, and nothing else before its end. Otherwise
+/// `shift` is by how much more than its end the round's last call is delayed.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
@@ -82,10 +82,10 @@ bool pass_overflow(SimTime next, SimTime& shift) {
   return true;
 }
 
-/// Whether what Timer 0's interrupt counts is no longer what the round has read.
+/// Returns whether the counts of Timer 0's interrupt differ from what the round has read.
 bool reads_anew() { return polling.clock && timer0_count.millis != polling.millis; }
 
-/// Leaves out rounds; false if there is no time for one.
+/// Skips rounds; returns false if there is no time for one.
 bool skip() {
   leave();
   const SimTime began = state.now, next = polling.pins || !interrupts_enabled() ? 0 : next_alone();
@@ -97,7 +97,7 @@ bool skip() {
     // The world may change with each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
-    // The board knows when it was last looked at.
+    // The board records the time of the last read.
     if (polling.pins && rounds > 0) --rounds;
     const SimTime last = state.now + rounds * polling.length;
     if (last < state.limit) {
@@ -122,13 +122,13 @@ bool skip() {
   return true;
 }
 
-/// It is at `place` in the same state again.
+/// Handles a return to `place` in the same state.
 bool come_round() {
   if (reads_anew()) {
     begin_round();
     return true;
   }
-  if (polling.pins && !polling.going) {  // which may have changed with the tick
+  if (polling.pins && !polling.going) {  // they may have changed with the tick
     polling.going = true;
     polling.promised = kNever;
     return true;
@@ -152,7 +152,7 @@ bool come_round() {
 
 void begin_look() {
   if (!state.may_skip || polling.on || state.watched || unsettled || in_handler()) return;
-  if (adc.converts() && adc.next() == kNever) return;  // the next conversion begins when it is looked at
+  if (adc.converts() && adc.next() == kNever) return;  // the next conversion begins at the next read
   if (state.now >= deadline) return;
   if (polling.left > 0 && --polling.left > 0) return;
   polling.going = false;
@@ -172,7 +172,7 @@ bool look_at_block() {
   note_point();
   if (state.place != polling.place) {
     if (polling.blocks == kFarAway) polling.known = polling.sure = false;
-    // Until a place has been met again, a later one is tried after 1, 2, 4, … blocks.
+    // Until a place has repeated, a later one is tried after 1, 2, 4, … blocks.
     if (!polling.known && polling.blocks >= polling.next_place) {
       polling.place = state.place;
       polling.next_place *= 2;
@@ -187,7 +187,7 @@ bool look_at_block() {
   }
   if (!polling.same) {
     polling.once = false;
-    // A state is given up for a later one after 1, 2, 4, … visits.
+    // A state is replaced by a later one after 1, 2, 4, … visits.
     if (++polling.visits < polling.next_take) return true;
     polling.next_take *= 2;
     polling.known = false;

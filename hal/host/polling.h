@@ -21,30 +21,30 @@ namespace host ROBOSIM_WITHIN {
 struct Polling {
   static constexpr int kMostPoints = 6;
 
-  bool on = false;     ///< a look goes on; `deadline` is always over then, and the true one is `until`
+  bool on = false;     ///< a look is in progress; `deadline` is then always over, the true one is `until`
   bool known = false;  ///< the executor has the state at `place`
   bool going = false;  ///< a round has begun at `since`
-  bool take = false;   ///< the state shall be taken, not compared
-  bool same = false;   ///< what comparing gave
+  bool take = false;   ///< the state must be taken, not compared
+  bool same = false;   ///< the result of the comparison
   bool clock = false;  ///< the round reads what Timer 0's interrupt counts,
   bool pins = false;   ///< or pins,
   bool once = false;   ///< the round comes to `place` once
   bool calls = false;  ///< or calls something at all
-  bool again = false;  ///< broken off: the next block looks again, whatever is due
-  bool sure = false;   ///< the state is on the round of `length`: since it was there it got the same answers
-  int patience = 0;    ///< calls that may still break a look off before looks become rarer
+  bool again = false;  ///< interrupted: the next block starts a look again, even if something is due
+  bool sure = false;   ///< the state is on the round of `length`: all answers have been equal since then
+  int patience = 0;    ///< remaining calls that may interrupt a look before looks become rarer
   int wait = 0,
-      left = 0;  ///< deadlines from a look that has found nothing to the next, and those that are left
+      left = 0;  ///< deadlines between a failed look and the next, and the remaining ones
   int blocks = 0, visits = 0, next_place = 0, next_take = 0;
   const void* place = nullptr;
   SimTime until = 0;
   SimTime since = 0, length = 0;
   SimTime call_ago = 0, read_ago = 0;  ///< at `place`: since the last call and the last read
-  // Where the round may be interrupted: so long after it has begun, and how often; below 0: more often than
-  // that. Up to the first of them behind `reads` it may see what Timer 0's interrupt counts.
+  // The points at which the round may be interrupted: their offset from its beginning, and their number.
+  // Below 0: too many. Up to the first of them after `reads` it may see what Timer 0's interrupt counts.
   SimTime at[kMostPoints] = {};
   int points = 0, reads = 0;
-  SimTime promised = kNever;  ///< until when pins are sure to give what they have given
+  SimTime promised = kNever;  ///< until when pins surely keep their values
   uint64_t millis = 0;        ///< of the round of `length`,
   PinSet high, low;           ///< and its pins
 };

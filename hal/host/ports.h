@@ -26,7 +26,7 @@ struct TimerPin {
 
 /// The place of a pin on the chip.
 struct Place {
-  bool digital = false;  ///< the board has it, and not as an analog input only, as A6 and A7 of a Nano are
+  bool digital = false;  ///< the board has it, and not as an analog input only, like A6 and A7 of a Nano
   Port port = 0;
   uint8_t mask = 0;
   TimerPin timer;
@@ -35,12 +35,12 @@ struct Place {
   uint8_t change_mask = 0;   ///< the bit of PCMSKn
   int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
   int8_t captured_by = -1;   ///< the timer that captures its edges; -1 = none
-  bool no_channel = false;   ///< an analog pin that the chip's channels from A0 on do not reach: the Blue
+  bool no_channel = false;   ///< an analog pin beyond the chip's channels from A0 on: the Blue
                              ///< Pill's 11 and 12, a Mega's A8 to A15
   Pin wired = 0;             ///< first_number() of it
   uint16_t off_bits = 0;     ///< of inputs_off
 };
-constexpr int kNumbers = 256;  ///< that a sketch may take for a pin's
+constexpr int kNumbers = 256;  ///< that a sketch may use as a pin
 extern Place places[kNumbers];
 
 inline Port port_of(Pin pin) { return places[pin].port; }

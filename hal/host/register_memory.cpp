@@ -12,7 +12,7 @@ namespace host {
 
 namespace {
 
-// The write that is not settled yet.
+// The pending write.
 robosim_register written;
 int written_bytes;
 SimTime written_at;
@@ -59,14 +59,14 @@ void will_write(robosim_register address, int bytes, const void* place) {
 }  // namespace host
 }  // namespace robosim
 
-// What gcc's ThreadSanitizer calls. A register is one byte or two; what is larger is none.
+// Called by gcc's ThreadSanitizer. A register is one byte or two; anything larger is not a register.
 #define ROBOSIM_WATCH(name, what, bytes)                                \
   void name(uintptr_t at) {                                             \
     robosim_register address;                                           \
     if (__builtin_expect(robosim::host::is_register(at, address), 0))   \
       robosim::host::what(address, bytes, __builtin_return_address(0)); \
   }
-// Of 16 bits at an address that gcc cannot tell to be even.
+// For 16 bits at an address that may be odd.
 #define ROBOSIM_WATCH_RANGE(name, what)                             \
   void name(uintptr_t at, uintptr_t bytes) {                        \
     robosim_register address;                                       \

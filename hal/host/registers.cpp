@@ -17,7 +17,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-// Of ports, timers and UARTs the chip says where they are.
+// The chip defines the addresses of ports, timers and UARTs.
 namespace reg {
 
 using namespace avr::reg;
@@ -307,7 +307,7 @@ void write(uint8_t address, uint8_t value) {
 
 }  // namespace
 
-// `place` first: what is due may end the run.
+// Sets `place` first: due work may end the run.
 void begin_access(robosim_register address, int bytes, const void* place) {
   settle_registers();
   if (address != reg::kSreg) note_call(name_of(address), kNoPin, -1);
@@ -369,7 +369,7 @@ void robosim_enable_interrupts() {
   host::settle_registers();
   host::status_register |= 0x80;
   host::state.now += host::cycles(1);
-  host::refresh_deadline();  // what is pending is served after the next block, as after the chip's next
+  host::refresh_deadline();  // pending interrupts are served after the next block, like after the chip's next
                              // instruction
 }
 

@@ -1,4 +1,4 @@
-// How firmware ends: abort, exit, a failed assert.
+// The ways in which firmware ends: abort, exit, a failed assert.
 #include <stdlib.h>
 #include <string.h>
 

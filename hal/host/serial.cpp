@@ -28,14 +28,14 @@ struct Ring {
 
 constexpr int kRingBytes = SERIAL_TX_BUFFER_SIZE - 1;
 
-/// Bytes in the transmit buffer: neither in the UART's data register nor in its shift register.
+/// Returns the number of bytes in the transmit buffer: neither in the UART's data register nor in its shift
+/// register.
 int64_t buffered() {
   const int64_t sending = host::uart.sending();
   return sending > 2 ? sending - 2 : 0;
 }
 
-/// The core formats numbers, which costs the more the more digits there are, and then hands over a run of
-/// digits.
+/// Detects a number: the core formats it, at a cost per digit, and then passes on all its digits.
 bool is_number(const uint8_t* text, size_t size) {
   for (size_t i = 0; i < size; ++i)
     if (text[i] < '0' || text[i] > '9') return false;
@@ -44,7 +44,7 @@ bool is_number(const uint8_t* text, size_t size) {
 
 void transmit(uint8_t byte) {
   host::spend(cost::kSerialWrite);
-  if (host::uart.sending() > 1) {  // goes through the buffer: its handler will run once more
+  if (host::uart.sending() > 1) {  // it passes through the buffer: its handler will run once more
     if (buffered() >= kRingBytes) host::wait_until(host::uart.until_sending(kRingBytes + 1));
     host::spend(cost::kSerialTransmitHandler);
   }

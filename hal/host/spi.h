@@ -14,7 +14,7 @@ class Spi {
  public:
   uint8_t control() const { return control_; }
   void set_control(uint8_t value);
-  /// SPSR; what it shows is cleared by the next touch of the data.
+  /// Reads SPSR; the shown flags are cleared by the next access to the data.
   uint8_t status();
   void set_status(uint8_t value) { status_ = static_cast<uint8_t>((status_ & ~1) | (value & 1)); }
   uint8_t take();

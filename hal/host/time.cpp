@@ -16,10 +16,10 @@ namespace {
 
 constexpr unsigned long kCyclesPerMicro = host::kClockHz / 1000000;
 constexpr unsigned long kMicrosPerTick = 64 / kCyclesPerMicro;
-constexpr unsigned long kCyclesPerLoop = 16;  // of pulseIn, as the core counts them
-// What a call of delayMicroseconds takes that has nothing to wait for.
+constexpr unsigned long kCyclesPerLoop = 16;  // of pulseIn, as the core assumes
+// The shortest duration of a delayMicroseconds() call.
 constexpr unsigned int kShortestDelay_us = host::kClockHz < 16000000 ? 2 : 1;
-bool own_yield = true;  // until the core's empty yield() has been seen
+bool own_yield = true;  // until the core's empty yield() is detected
 
 unsigned long read_micros() {
   host::spend(cost::kMicros);
@@ -30,7 +30,7 @@ unsigned long read_micros() {
   return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
 }
 
-/// Whether micros() will go on for longer than a poll or two: with interrupts off it stops.
+/// Returns whether micros() will advance for longer than a poll or two: with interrupts off it stops.
 bool micros_goes_on() {
   return host::interrupts_enabled() && host::timer0.enabled() & host::Timer::overflow &&
          host::timer0.counts_bytes();
@@ -86,7 +86,7 @@ void delay(unsigned long ms) {
 
 void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
-  // An AVR's core counts turns of four cycles in 16 bits: at 16 MHz, what is longer than 16383 us wraps.
+  // An AVR's core counts rounds of four cycles in 16 bits: at 16 MHz, more than 16383 us wraps.
   constexpr unsigned kTurns = kCyclesPerMicro / 4;
   if (strcmp(host::board_spec->chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
   host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);

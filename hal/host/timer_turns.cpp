@@ -1,10 +1,10 @@
-// What a timer has that is not so in each of its periods (datasheet, 15.7, 16.9): values of PWM that wait to
-// be taken over, a count above TOP, TOP that changes. A counter goes on evenly until its turn, and there
-// begins anew by what its registers hold then:
+// Deviations of a timer from its regular period (datasheet, 15.7, 16.9). They are PWM values that take effect
+// later, a count above TOP, and a change of TOP. A counter runs regularly until its turn. There it restarts
+// by the registers at that time:
 //
-//   OCRnA waits, which is TOP            as before                              when it is taken over
+//   OCRnA is pending, and is TOP         unchanged                              when it takes effect
 //   above TOP, counting up               to MAX, then 0                         at 0
-//   above TOP, counting down             down, as if TOP were where it begins   at BOTTOM
+//   above TOP, counting down             down, as if TOP were its start         at BOTTOM
 #include "hal/host/clock.h"
 #include "hal/host/external.h"
 #include "hal/host/ports.h"
@@ -27,7 +27,7 @@ Timer::Phase Timer::leave_registers() {
   return {count(), counts_down(now), now < hidden_, prescaler_, prescaler_ == 0 ? state.now : time_of(now)};
 }
 
-/// At `base_`. What is held stays so, if there is PWM. `hidden`: TCNTn has been written (15.5.3).
+/// Begins at `base_`. Buffered values stay, if there is PWM. `hidden`: TCNTn has been written (15.5.3).
 void Timer::begin(uint16_t count, bool down, bool hidden) {
   const bool pwm = counting_.kind == avr::Counting::Kind::pwm;
   dual_slope_ = counting_.dual_slope;
@@ -36,7 +36,7 @@ void Timer::begin(uint16_t count, bool down, bool hidden) {
     if (time >= 0) time = pwm ? base_ : -1;
   const uint16_t compare_a = replaced_at_[0] >= 0 ? held_[0] : compare_[0];
   const int64_t top = pin_top_ = avr::top_of(counting_, compare_a, capture_);
-  // TOP is not seen where it is compared with, nor on the way down; there BOTTOM is not, either.
+  // TOP is not detected where it is compared, nor on the way down; there BOTTOM is not, either.
   const bool passes_bottom = hidden && down && count == 0;
   if (count == 0 && top == 0 && down && !hidden) {
     strays_ = true;
@@ -72,7 +72,7 @@ void Timer::turn() {
   refresh_due(base_tick_);
 }
 
-/// Until now; pins are told of these turns, and of values that have been taken over.
+/// Handles turns until now; reports them to pins, and values that have taken effect.
 void Timer::take_turns() {
   sync_waves();
   while (state.now >= turns_at_) turn();
@@ -84,7 +84,7 @@ void Timer::take_turns() {
   refresh_waves();
 }
 
-// Also when a pin has to be told: of a value that is taken over, of a match.
+// Includes times at which a pin must be reported: a value takes effect, a match.
 void Timer::refresh_turn() {
   turns_at_ = turn_ == kNoTick || prescaler_ == 0 ? kNever : time_of(turn_);
   turn_due_ = pins_stale_ ? 0 : turns_at_;
@@ -103,8 +103,8 @@ void Timer::refresh_turn() {
   }
 }
 
-/// Whether the board is told of each level of a pin, and not of PWM or a tone: without PWM, too slow to be
-/// heard, or without a clock.
+/// Returns whether the board gets each level of a pin, instead of PWM or a tone. It does without PWM, without
+/// a clock, or below audible frequencies.
 bool Timer::steps(int channel) const {
   constexpr int64_t kLowestTone_hz = 20;
   if (prescaler_ == 0) return true;
@@ -112,14 +112,14 @@ bool Timer::steps(int channel) const {
   return 2 * kLowestTone_hz * prescaler_ * avr::period_of(counting_, pin_top_) > kClockHz;
 }
 
-/// Before something changes that tells when a match makes the channel's pin.
+/// Stores the level before a change that affects when a match sets the channel's pin.
 void Timer::keep_level(int channel, int64_t tick) {
   if (connection(channel) == 1 || counting_.kind != avr::Counting::Kind::pwm)
     toggled_[channel] = level_at(channel, tick);
   toggled_at_[channel] = tick;
 }
 
-/// The tick by which the value that was written is taken over.
+/// Returns the tick at which the written value takes effect.
 int64_t Timer::held_until(int channel) const {
   if (replaced_at_[channel] < 0) return kLongAgo;
   const int64_t from = tick_at(replaced_at_[channel]) + 1;

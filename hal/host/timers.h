@@ -34,84 +34,85 @@ class Timer {
         top_(counting_.fixed_top),
         period_(top_ + 1) {}
 
-  /// Whether it has 16 bits.
+  /// Returns whether it has 16 bits.
   bool is_wide() const { return max_ > 0xFF; }
   uint8_t control_a() const { return control_a_; }
   uint8_t control_b() const { return control_b_; }
   uint16_t compare(int channel) const { return compare_[channel]; }
   uint16_t capture() const { return capture_; }
   uint8_t enabled() const { return enabled_; }
-  /// TIFRn.
+  /// Reads TIFRn.
   uint8_t flags();
   uint16_t count() const;
 
   ROBOSIM_RARE void set_control_a(uint8_t value);
   ROBOSIM_RARE void set_control_b(uint8_t value);
-  /// The caller refreshes the pin, unless the value is the counter's TOP. The pin's duty is told at once,
-  /// even if the value is taken over later.
+  /// Sets a compare value. The caller refreshes the pin, unless the value is the counter's TOP. The pin's
+  /// duty cycle is reported at once, even if the value takes effect later.
   void set_compare(int channel, uint16_t value);
-  /// The same, but for that: told when it is taken over.
+  /// Like set_compare(), but reports the duty cycle when it takes effect.
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
   ROBOSIM_RARE void set_capture(uint16_t value);
   ROBOSIM_RARE void set_count(uint16_t value);
   ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
-  /// In init(), which has it counted by 8 for a moment before PWM (CS11, then CS10, then WGM10): it most
-  /// likely comes to 1 there, which raises its matches, but no overflow before the next BOTTOM.
+  /// Simulates init(), which lets it count by 8 for a moment before PWM (CS11, then CS10, then WGM10). It
+  /// most likely reaches 1 there, which raises its matches, but no overflow before the next BOTTOM.
   ROBOSIM_RARE void leave_bottom();
 
   /// Raises the enabled flags that are due.
   void sync() {
     if (state.now >= due_) raise_due();
   }
-  /// When the next enabled flag will be raised.
+  /// Returns when the next enabled flag will be raised.
   SimTime due() const { return due_; }
-  /// Of timer 0: the same without the overflow.
+  /// For timer 0: returns that time without the overflow.
   SimTime due_to_match() const { return due_to_match_; }
-  /// Whether its overflow is due, and no match. take_overflows() then lets its handler start at once.
+  /// Returns whether its overflow is due, and no match. take_overflows() then lets its handler start at once.
   bool overflows_next() const { return state.now >= due_of_[0] && state.now < due_to_match_; }
-  /// Flags that are raised and enabled.
+  /// Returns flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
-  /// The handler of `flag` starts.
+  /// Clears `flag` as its handler starts.
   void acknowledge(uint8_t flag) { flags_ &= static_cast<uint8_t>(~flag); }
 
-  /// The COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
+  /// Returns the COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
   uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
   /// Sets them; the caller refreshes the pin.
   ROBOSIM_RARE void set_connection(int channel, uint8_t bits);
-  /// Whether a channel drives its pin, if that is an output.
+  /// Returns whether a channel drives its pin, if that is an output.
   bool drives(int channel) const;
-  /// How it does so.
+  /// Returns how it drives the pin.
   PinDrive drive(int channel) const;
-  /// Of a channel whose drive is PWM: the level at a moment since the registers were last written, and when
-  /// behind that it changes next; kNever if it does not.
+  /// For a channel with PWM: return the level at a moment since the last write to the registers, and its next
+  /// change. kNever = there is none.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
-  /// Until when that holds: then it turns.
+  /// Returns until when that is valid: then the counter turns.
   SimTime turns_at() const { return turns_at_; }
   ROBOSIM_RARE void turn();
 
-  /// Whether it counts edges of a pin; the pin has got that level.
+  /// Returns whether it counts edges of a pin; count_edge() handles the pin's new level.
   bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
   ROBOSIM_RARE void count_edge(bool level);
 
-  /// Whether it captures edges of a pin; the pin has got that level at that moment.
+  /// Returns whether it captures edges of a pin; capture_edge() handles the pin's new level at that moment.
   bool captures_edges() const { return listens_ && !of_comparator_ && captures(); }
   ROBOSIM_RARE void capture_edge(bool level, SimTime at);
-  /// It captures the comparator's edges instead (ACIC), or no longer; and that output has changed.
+  /// Starts or stops capturing the comparator's edges (ACIC); comparator_changed() handles a change of that
+  /// output.
   void capture_comparator(bool is, bool level);
   void comparator_changed(bool level);
 
-  /// Whether the counter runs as init() sets Timer 0: 0..255, one slope.
+  /// Returns whether the counter runs like Timer 0 after init(): 0..255, one slope.
   bool counts_bytes() const { return !dual_slope_ && top_ == 255 && prescaler_ != 0 && turn_ == kNoTick; }
-  /// The moment `ticks` timer ticks after the present count began.
+  /// Returns the moment `ticks` timer ticks after the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
   /// Counts overflows until now, without raising the flag for them.
   int64_t take_overflows();
 
  private:
-  /// Where the counter is when a register changes that tells how it counts.
+  /// The counter's position when a register changes that affects its counting.
   struct Phase {
     uint16_t count;
     bool down, hidden;
@@ -137,7 +138,7 @@ class Timer {
   }
   ROBOSIM_RARE void take_turns();
   ROBOSIM_RARE bool steps(int channel) const;
-  /// Whether a channel may.
+  /// Returns whether any channel may.
   bool steps() const {
     return control_a_ & (counting_.kind == avr::Counting::Kind::pwm ? kToggles : kConnections);
   }
@@ -146,7 +147,7 @@ class Timer {
   int64_t tick_at(SimTime at) const;
   int64_t ticks() const { return tick_at(state.now); }
   uint16_t count_at(int64_t tick) const;
-  /// At BOTTOM, too, if it has come from above.
+  /// Includes BOTTOM if it has come from above.
   bool counts_down(int64_t tick) const {
     const int64_t at = tick % period_;
     return dual_slope_ && (strays_ || (top_ > 0 && (at > top_ || (at == 0 && tick > 0))));
@@ -168,18 +169,18 @@ class Timer {
     const bool clears = counting_.kind == avr::Counting::Kind::clear_on_match;
     return counting_.dual_slope || (strays_ ? clears : !clears || top_ == max_);
   }
-  /// The position at which the flag of an overflow is raised: a tick behind BOTTOM where there are two
-  /// slopes, so that a counter that begins there raises it at once.
+  /// Returns the position at which the overflow flag is raised. With two slopes it is a tick after BOTTOM, so
+  /// that a counter that begins there raises it at once.
   int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
-  /// Positions at which a match with `value` is seen; returns how many there are, 0..2.
+  /// Returns the number of positions at which a match with `value` is detected, 0..2.
   ROBOSIM_RARE int matches(int64_t value, int64_t (&at)[2]) const;
-  /// Those at which the counter raises flag 0..3, which are overflow, match A, match B, and ICFn at TOP. Of
-  /// matches: by what has been written last.
+  /// Returns those at which the counter raises flag 0..3: overflow, match A, match B, and ICFn at TOP.
+  /// Matches use the last written value.
   int raises(int flag, int64_t (&at)[2]) const;
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
-  /// From now on edges of ICPn are heard: a sketch has shown interest in them.
+  /// Receives edges of ICPn from now on, since a sketch uses captures.
   void listen_to_captures();
-  /// The noise canceler begins at the pin's level.
+  /// Starts the noise canceler at the pin's level.
   void begin_canceler();
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return flag_count_ > 3; }
@@ -193,37 +194,36 @@ class Timer {
   uint8_t control_a_ = 0, control_b_ = 0, enabled_ = 0, flags_ = 0;
   uint16_t compare_[2] = {0, 0};
   uint16_t capture_ = 0;
-  // What the registers mean:
+  // The decoded registers:
   avr::Counting counting_;
   int32_t prescaler_ = 0;  ///< 0 = stopped
-  // How it counts until it turns:
+  // The counting until the next turn:
   static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
   bool dual_slope_ = false, strays_ = false;  ///< it is beyond the TOP of its registers
   int64_t top_, period_;
   int64_t pin_top_ = 0xFF;                         ///< TOP of its registers, for duties
-  SimTime lasts_ = 0;                              ///< no period takes longer
-  int64_t turn_ = kNoTick;                         ///< the tick by which it begins anew
-  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< also when pins have to be told
-  int64_t hidden_ = kLongAgo;                      ///< by this tick a write to TCNTn hides a match
-  uint16_t set_to_ = 0;                            ///< what was written then
+  SimTime lasts_ = 0;                              ///< no period is longer
+  int64_t turn_ = kNoTick;                         ///< the tick at which it restarts
+  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< also when pins must be reported
+  int64_t hidden_ = kLongAgo;                      ///< a write to TCNTn hides a match at this tick
+  uint16_t set_to_ = 0;                            ///< the value of that write
   // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
   int64_t overflows_seen_ = 0;  ///< the tick up to which take_overflows() has counted
-  int64_t disabled_seen_ =
-      0;  ///< the tick up to which flags that are not enabled are known: they are not timed
-  SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< of flags 0..3; kNever where not enabled
+  int64_t disabled_seen_ = 0;   ///< the tick up to which disabled flags are known: they are not scheduled
+  SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< of flags 0..3; kNever if not enabled
   SimTime due_ = kNever, due_to_match_ = kNever;
-  // Levels of its pins: what a match has made of one without PWM, as it was left at a tick; of PWM the value
-  // that was replaced, and when.
+  // Levels of its pins. Without PWM: the level after the last match, at a tick. With PWM: the replaced value,
+  // and its time.
   bool toggled_[2] = {false, false};
   int64_t toggled_at_[2] = {0, 0};
   uint16_t held_[2] = {0, 0};
-  SimTime replaced_at_[2] = {-1, -1};  ///< since it began; else -1
-  uint8_t late_ = 0;                   ///< channels whose pins are told when values are taken over
+  SimTime replaced_at_[2] = {-1, -1};  ///< since the last turn; else -1
+  uint8_t late_ = 0;                   ///< channels whose pins are reported when values take effect
   bool pins_stale_ = false;
-  // Captures: whether any are wanted, what the noise canceler has let through and what it has got since when,
-  // and, should it take the last edge back, what was there before that.
+  // Captures: whether any are used, the level after the noise canceler, its input and the time of that. Also
+  // the previous state, in case the canceler takes the last edge back.
   bool listens_ = false, of_comparator_ = false, comparator_ = false;
   bool passed_ = false, level_ = false, may_take_back_ = false, had_flag_ = false;
   SimTime changed_at_ = 0;
@@ -237,9 +237,9 @@ inline Timer& timer(int number) { return number == 0 ? timer0 : number == 1 ? ti
 void timer0_catch_up();
 /// The counts of Timer 0's overflow handler.
 struct Timer0Count {
-  uint64_t millis;     ///< what millis() returns
+  uint64_t millis;     ///< the result of millis()
   uint64_t fraction;   ///< of the next one, in 125ths
-  uint64_t overflows;  ///< what micros() counts
+  uint64_t overflows;  ///< the count of micros()
 };
 extern Timer0Count timer0_count;
 constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);

@@ -17,7 +17,7 @@ using robosim::SimTime;
 namespace {
 
 Pin sounding = kNoPin;
-// The pin is toggled every so many cycles from then on, when it had a level.
+// From then on, at a known level, the pin toggles with this period in cycles.
 int64_t half_period = 1;
 SimTime began = 0;
 bool level_then = false;
@@ -25,7 +25,7 @@ bool level_then = false;
 constexpr int64_t kPrescalers[7] = {1, 8, 32, 64, 128, 256, 1024};
 
 void stop() {
-  // disableTimer(2) of the core: 8-bit phase correct PWM again, as init() sets it.
+  // Like disableTimer(2) of the core: 8-bit phase correct PWM again, as init() sets it.
   host::timer2.set_control_a(1);
   host::timer2.set_control_b(4);
   host::timer2.set_compare(0, 0);

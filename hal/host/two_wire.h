@@ -14,7 +14,7 @@ class TwoWire {
  public:
   uint8_t rate() const { return rate_; }
   void set_rate(uint8_t value) { rate_ = value; }
-  /// TWSR.
+  /// Reads TWSR.
   uint8_t status() const { return static_cast<uint8_t>(master_.status() | prescaler_); }
   void set_status(uint8_t value) { prescaler_ = value & avr::kTwpsMask; }
   uint8_t address() const { return address_; }

@@ -85,7 +85,7 @@ uint8_t Uart::take() {
 }
 
 uint32_t Uart::pending_to_send() const {
-  const uint8_t raised = status() & control_;  // the enable bits stand where the flags do
+  const uint8_t raised = status() & control_;  // the enable bits have the positions of the flags
   return static_cast<uint32_t>((raised & kRxc) != 0) << kUartReceived |
          static_cast<uint32_t>((raised & kUdre) != 0) << kUartEmpty |
          static_cast<uint32_t>((raised & kTxc) != 0) << kUartSent;

@@ -25,29 +25,29 @@ class Uart {
   uint16_t divider() const { return divider_; }
   void set_divider(uint16_t value);
 
-  /// How long a byte takes on the line: start, data, parity and stop bits.
+  /// Returns the duration of a byte on the line: start, data, parity and stop bits.
   SimTime byte_time() const { return byte_time_; }
-  /// Bytes handed over that have not left completely.
+  /// Returns the number of accepted bytes that have not left completely.
   int64_t sending() const;
-  /// When at most `count` of them will be left.
+  /// Returns when at most `count` of them will be left.
   SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
-  /// Hands a byte over, however many are waiting: for the chip's limits, ask sending() first.
+  /// Accepts a byte, regardless of the number of waiting ones: for the chip's limits, check sending() first.
   void send(uint8_t byte);
 
-  /// A byte has arrived.
+  /// Handles an incoming byte.
   void receive(uint8_t byte);
   /// Takes the oldest byte from the receiver (UDR0); the last one again if there is none.
   uint8_t take();
   bool has_byte() const { return waiting_ > 0; }
 
-  /// Vectors 18..20 that are raised and enabled, one bit each.
+  /// Returns vectors 18..20 that are raised and enabled, one bit each.
   uint32_t pending() const {
     if (control_ & (kTxcie | kUdrie)) return pending_to_send();
     return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
   }
   bool sends_by_interrupt() const { return control_ & (kTxcie | kUdrie); }
   SimTime next() const { return control_ & (kTxcie | kUdrie) ? next_to_send() : kNever; }
-  /// Whether there may be one whose handler is not Serial's.
+  /// Returns whether there may be one whose handler is not Serial's.
   bool may_interrupt() const;
   void acknowledge_sent() { sent_seen_ = true; }
 
@@ -61,7 +61,7 @@ class Uart {
   bool sent_seen_ = true;  ///< TXC has been cleared since the last byte left
   uint16_t divider_ = 0;
   SimTime byte_time_ = 0;
-  SimTime sent_ = 0;  ///< when the last byte has left
+  SimTime sent_ = 0;  ///< end of the last byte
   uint8_t received_[3] = {0, 0, 0};
   uint8_t taken_ = 0;
   int waiting_ = 0;

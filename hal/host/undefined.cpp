@@ -1,6 +1,6 @@
-// The handlers of gcc's UndefinedBehaviorSanitizer: of a division by zero, and of a place that is never
-// reached, in every image, of all the others in one that was built with checks (sim/build/target.cpp lists
-// the checks). Without checks a division by zero is noted only: what it gives is the chip's
+// The handlers of gcc's UndefinedBehaviorSanitizer. Every image has those for a division by zero, and for
+// unreachable code. An image that was built with checks has all others, too (sim/build/target.cpp lists the
+// checks). Without checks a division by zero is only recorded: its result is the chip's
 // (sim/build/division.h).
 #include "hal/host/clock.h"
 
@@ -14,7 +14,7 @@ __attribute__((noreturn)) void fail(const char* check, const void* data, uintptr
 
 }  // namespace
 
-// Not every check has two values; who is told its name knows which count.
+// Not every check has two values; the receiver distinguishes them by the check's name.
 #define ROBOSIM_HANDLER(check)                                                                 \
   extern "C" void __ubsan_handle_##check(const void* data, uintptr_t value, uintptr_t other) { \
     fail(#check, data, value, other, __builtin_return_address(0));                             \

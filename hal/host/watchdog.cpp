@@ -13,7 +13,8 @@ namespace {
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x07;
 constexpr SimTime kShortest = 16 * kMillisecond;
 constexpr int kLongestWdp = 9;
-// WDCE holds for 4 cycles, which no two statements on the host are apart by intention: what comes next.
+// WDCE holds for 4 cycles; two consecutive statements on the host cannot be that close. This is enough for
+// the next one.
 constexpr int kWindowCycles = 64;
 
 }  // namespace

@@ -13,21 +13,21 @@ namespace host ROBOSIM_WITHIN {
 
 class Watchdog {
  public:
-  /// WDTCSR.
+  /// Reads WDTCSR.
   uint8_t control() const;
   void set_control(uint8_t value);
-  /// The instruction WDR.
+  /// Executes the instruction WDR.
   void restart();
 
-  /// Brings it up to the present moment; does not return if it bites.
+  /// Brings it up to the present moment; does not return if it resets the chip.
   void sync() {
     if (due_ <= state.now) sync_due();
   }
   bool pending() const { return (control_ & kRaised) == kRaised; }
   void acknowledge();
-  /// When its time is over; kNever if it stands.
+  /// Returns the end of its period; kNever if it is off.
   SimTime due() const { return due_; }
-  /// Whether it may bite, if firmware does nothing any more.
+  /// Returns whether it may reset the chip if firmware does nothing any more.
   bool may_bite() const;
   bool may_interrupt() const;
 

@@ -45,7 +45,7 @@ namespace {
 void tell_until(SimTime limit) {
   for_each_followed([limit](Pin pin) {
     SimTime& next = next_edges[pin];
-    // Flags tell no more than two edges: of those behind them only the last one counts, but to a timer.
+    // Flags record at most two edges: of later ones only the last counts, except for a timer.
     const bool timed = places[pin].counted_by >= 0 || places[pin].captured_by >= 0;
     for (int told = 0; (timed || told < 2) && next <= limit; ++told) {
       hear_level(pin, level_at(pin, next), next);
