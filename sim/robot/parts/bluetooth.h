@@ -43,9 +43,9 @@ class BluetoothPart final : public Part, public Receiver, public Teller, public 
   void take(std::uint8_t byte, SimTime t);
 
   struct State {
-    std::string heard;               // of the line that is coming in
-    SimTime heard_at = 0;            // the last byte
-    std::vector<std::string> lines;  // to be told
+    std::string heard;               // of the incoming line
+    SimTime heard_at = 0;            // time of the last byte
+    std::vector<std::string> lines;  // to be reported
     bool dead = false;
   };
 

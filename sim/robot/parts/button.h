@@ -53,11 +53,11 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
  private:
   enum class Stuck { no, pressed, released };
 
-  /// Whether the contact is closed at `t`.
+  /// Returns whether the contact is closed at `t`.
   bool closed(SimTime t) const;
-  /// Whether something drives the pin at `t`: the contact, or a fault.
+  /// Returns whether something drives the pin at `t`: the contact, or a fault.
   bool pulls(SimTime t) const;
-  /// Whether nothing does, no resistor either.
+  /// Returns whether nothing does, including a resistor.
   bool floats(SimTime t) const;
 
   struct State {
@@ -65,7 +65,7 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
     bool down = false;
     bool was_closed = false;     // before the first of flips
     std::vector<SimTime> flips;  // when the contact changes, after the last hold
-    std::size_t announced = 0;   // so many of flips have been scheduled
+    std::size_t announced = 0;   // number of flips that have been scheduled
     Stuck stuck = Stuck::no;
   };
 

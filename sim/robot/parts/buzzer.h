@@ -28,7 +28,7 @@ class BuzzerPart final : public Part, public PinWatcher {
 
   void join(Roster&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Passive: Hz, 0 while it is silent. Active: 1 while it sounds.
+  /// Passive: Hz, 0 if silent. Active: 1 while it sounds.
   void read(std::vector<Reading>&) const override;
 
  private:

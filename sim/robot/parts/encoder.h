@@ -18,7 +18,7 @@ std::shared_ptr<const PartSpec> read_encoder(PartReader&);
 class EncoderSpec final : public PartSpec {
  public:
   Side wheel = world::left;
-  double periods = 0.0;  ///< of one channel, for each turn of the wheel
+  double periods = 0.0;  ///< of one channel, per turn of the wheel
   Pin a = kNoPin;
   Pin b = kNoPin;  ///< kNoPin = a single channel
   bool reversed = false;
@@ -51,19 +51,20 @@ class EncoderPart final : public Part, public Breakable {
     const int shift_;
   };
 
-  /// floor(q) at `t`, a time inside the current tick.
+  /// Returns floor(q) at `t`, a time inside the current tick.
   std::int64_t quarter(SimTime t) const;
-  /// The first nanosecond of the tick at which quarter() is at or beyond `edge`, in the direction of travel.
+  /// Returns the first nanosecond of the tick at which quarter() is at or beyond `edge`, in the direction of
+  /// travel.
   SimTime time_of(std::int64_t edge, bool forward) const;
   void announce(std::int64_t from, std::int64_t to);
 
   struct State {
-    // q at the start of the tick looked_at, and its slope; brought up to date when it is read.
+    // q at the start of the tick looked_at, and its slope; updated when it is read.
     double at = 1.5;
     double per_ns = 0.0;
     SimTime looked_at = -1;
     std::int64_t last = 1;  // quarter() up to which edges have been scheduled
-    bool followed = false;  // edges were wanted in the last tick
+    bool followed = false;  // edges had a listener in the last tick
     bool dead = false;
   };
 

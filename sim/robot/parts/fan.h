@@ -22,7 +22,7 @@ std::shared_ptr<const PartSpec> read_fan(PartReader&);
 class FanSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Number downforce;  ///< kg whose weight it presses with at full speed
+  Number downforce;  ///< kg, the weight of its downforce at full speed
   Number spin_up;    ///< s
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -37,20 +37,20 @@ class FanPart final : public Part {
   void begin_tick(SimTime) override;
   void power(bool on, SimTime) override { state_.powered = on; }
   void read(std::vector<Reading>&) const override;
-  /// Called once: what it presses down.
+  /// Sets the body that it presses down. Called once.
   void press_on(world::Body& body) { body_ = &body; }
 
  private:
   struct State {
     double speed = 0.0;
-    double newtons = 0.0;  // with which it presses
+    double newtons = 0.0;  // its downforce
     bool powered = true;
   };
 
   const FanSpec& spec_;
   PartContext& context_;
   const double most_;   // N
-  const double share_;  // of the way to its speed in a tick
+  const double share_;  // of the difference to the target speed, per tick
   world::Body* body_ = nullptr;
   State state_;
 };

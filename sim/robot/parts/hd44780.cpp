@@ -30,7 +30,7 @@ void Hd44780::write(bool is_data, std::uint8_t lines, SimTime t) {
     instruct(byte);
 }
 
-// By the highest bit that is set: table 6 of the data sheet.
+// Decodes by the highest set bit: table 6 of the data sheet.
 void Hd44780::instruct(std::uint8_t code) {
   if (code & 0x80) {  // address
     in_pictures_ = false;
@@ -77,7 +77,7 @@ std::string Hd44780::text(int columns, int rows) const {
   if (!on_) return "";
   std::string all;
   for (int row = 0; row < rows; ++row) {
-    // Rows 2 and 3 of a display with four go on where 0 and 1 end.
+    // On a display with four rows, rows 2 and 3 continue rows 0 and 1.
     const int line = row % 2 * kLine, first = row / 2 * columns;
     std::string text;
     for (int column = 0; column < columns; ++column) {

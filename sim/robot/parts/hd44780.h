@@ -22,15 +22,16 @@ namespace robosim::robot {
 /// A display controller, as a copyable value.
 class Hd44780 {
  public:
-  /// E has fallen at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring has the upper four.
+  /// Handles the falling edge of E at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring has the upper
+  /// four.
   void write(bool is_data, std::uint8_t lines, SimTime t);
 
-  /// What a display of so many columns and rows shows, its lines joined by "|", without spaces at their ends;
-  /// "" while it is off.
+  /// Returns the visible text of a display of that size, its lines joined by "|", without trailing spaces; ""
+  /// while it is off.
   std::string text(int columns, int rows) const;
-  /// Counts the changes of what text() may give, and when the last was.
+  /// Returns when text() last may have changed.
   SimTime changed_at() const { return changed_at_; }
-  /// Writes that came while it was busy.
+  /// Returns the number of writes that came while it was busy.
   int lost() const { return lost_; }
 
  private:
@@ -41,15 +42,15 @@ class Hd44780 {
   static constexpr int kLine = 40;
 
   std::array<std::uint8_t, 2 * kLine> memory_ = blank();
-  int address_ = 0;    // place in memory_
+  int address_ = 0;    // index in memory_
   int shift_ = 0;      // of the display, in columns
-  bool wide_ = true;   // 8 bits; so it is at power-on
-  bool half_ = false;  // the high half of a 4-bit transfer is in
+  bool wide_ = true;   // 8 bits, as at power-on
+  bool half_ = false;  // the high half of a 4-bit transfer has arrived
   std::uint8_t high_ = 0;
   bool two_lines_ = false;
   bool on_ = false;
   bool increments_ = true, shifts_ = false;
-  bool in_pictures_ = false;  // data goes to the character generator
+  bool in_pictures_ = false;  // data is for the character generator
   SimTime busy_until_ = 0;
   SimTime changed_at_ = 0;
   int lost_ = 0;

@@ -7,7 +7,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr std::size_t kMostLeads = 8;  // to a side
+constexpr std::size_t kMostLeads = 8;  // per side
 
 std::vector<std::string> usual_keys(std::size_t rows, std::size_t columns) {
   const std::vector<std::string> keys{"123A", "456B", "789C", "*0#D"};
@@ -74,7 +74,7 @@ void KeypadPart::hold(std::size_t key, bool down, SimTime t) {
 }
 
 bool KeypadPart::level(std::size_t lead) const {
-  // All that the pressed keys join to it, a bit for each lead.
+  // All leads that the pressed keys connect to it, one bit each.
   std::uint32_t joined = 1u << lead;
   const std::size_t columns = spec_.columns.size();
   for (std::uint32_t before = 0; joined != before;) {

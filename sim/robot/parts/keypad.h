@@ -19,7 +19,7 @@ std::shared_ptr<const PartSpec> read_keypad(PartReader&);
 class KeypadSpec final : public PartSpec {
  public:
   std::vector<Pin> rows, columns;
-  std::vector<std::string> keys;  ///< "123A", one a row, a character a column
+  std::vector<std::string> keys;  ///< "123A", one per row, one character per column
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -32,7 +32,7 @@ class KeypadPart final : public Part {
   void read(std::vector<Reading>&) const override;
 
  private:
-  /// One key, as scripts name it: "keypad.5".
+  /// One key, with its name in scripts: "keypad.5".
   class Key final : public Pressable {
    public:
     Key(KeypadPart& keypad, std::string name, std::size_t number)
@@ -61,7 +61,7 @@ class KeypadPart final : public Part {
   bool level(std::size_t lead) const;
 
   struct State {
-    std::uint64_t down = 0;  // a bit for each key
+    std::uint64_t down = 0;  // one bit per key
   };
 
   const KeypadSpec& spec_;

@@ -35,7 +35,7 @@ class LcdPart final : public Part, public PinWatcher, public Teller {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
   std::string tell(SimTime) override;
-  /// 1 while it shows something.
+  /// 1 while it shows text.
   void read(std::vector<Reading>&) const override;
 
  private:
@@ -44,7 +44,7 @@ class LcdPart final : public Part, public PinWatcher, public Teller {
   struct State {
     Hd44780 controller;
     bool enabled = false;
-    SimTime since = 0;  // enabled
+    SimTime since = 0;  // rise of E
     SettledText text;
   };
 

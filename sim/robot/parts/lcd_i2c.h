@@ -35,7 +35,7 @@ class LcdI2cPart final : public Part, public TwoWireDevice, public Teller {
   std::uint8_t read(SimTime) override { return state_.pins; }
   const std::string& name() const override { return spec_.name; }
   std::string tell(SimTime) override;
-  /// 1 while it shows something.
+  /// 1 while it shows text.
   void read(std::vector<Reading>&) const override;
 
  private:

@@ -33,12 +33,12 @@ class MotorPart final : public WheelMotor, public PinWatcher {
 
  private:
   void take(Pin, const PinDrive&);
-  /// What the pins say.
+  /// Returns the command by the present pins.
   world::WheelCommand told() const;
-  /// s, of their PWM, as bridge_command() wants it.
+  /// Returns the period of their PWM in s, as bridge_command() takes it.
   double period() const;
 
-  /// Shares of time for which they are high. A pin that is not wired stays as it is here.
+  /// Shares of time at high level. A pin that is not wired keeps its initial value.
   struct State {
     double awake = 1.0, en = 1.0, in1 = 0.0, in2 = 0.0;
   };
@@ -47,7 +47,7 @@ class MotorPart final : public WheelMotor, public PinWatcher {
   PartContext& context_;
   const DriverChip& chip_;
   const Pin standby_;
-  const bool has_inductance_;  ///< else nobody minds the period
+  const bool has_inductance_;  ///< otherwise the period has no effect
   State state_;
 };
 

@@ -25,7 +25,7 @@ struct BridgeInputs {
   double in1 = 0.0;
   double in2 = 0.0;
   bool phase = false;     ///< PHASE/ENABLE wiring: in1 is PHASE (high = forward), in2 is its complement
-  double period_s = 0.0;  ///< of their PWM; 0 = none, or not known
+  double period_s = 0.0;  ///< of their PWM; 0 = none, or unknown
 };
 
 /// Returns the motor command for these inputs. Their PWM is assumed to be in phase: every input is high from

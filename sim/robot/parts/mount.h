@@ -15,7 +15,7 @@ struct MountSpec {
   Vec2 at;              ///< m
   double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise
   std::string servo;    ///< its name; "" = fixed to the body
-  Place servo_place;    ///< where the file says so
+  Place servo_place;    ///< in the file
 };
 
 MountSpec read_mount(PartReader&);
@@ -23,12 +23,12 @@ MountSpec read_mount(PartReader&);
 class Mount {
  public:
   Mount(const MountSpec& spec, const View& view);
-  /// Finds its servo.
+  /// Looks up its servo.
   void meet(const Roster&);
 
-  /// m from the axle's centre, at most.
+  /// Returns the maximum distance from the axle's centre, m.
   double arm() const;
-  /// In the world, at `t`, a time inside the current tick.
+  /// Returns its pose in the world, at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const;
 
  private:

@@ -22,7 +22,7 @@ constexpr double kCodeAt25 = (25.0 - 36.53) * 340.0;
 constexpr Number kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};
 constexpr Number kScale{1.0, 0.0, Spread{1.0, 0.03}}, kAccelBias{0.0, 0.0, Spread{0.0, 0.05}};
 
-// Full scale, bits 3 and 4 of the configuration.
+// Returns the full scale, by bits 3 and 4 of the configuration.
 double scale(double finest, std::uint8_t config) { return finest / (1 << (config >> 3 & 3)); }
 
 }  // namespace
@@ -86,7 +86,7 @@ void Mpu6050Part::put(std::uint8_t number, double value) {
   at(static_cast<std::uint8_t>(number + 1)) = static_cast<std::uint8_t>(code);
 }
 
-// The newest sample, if there is one since the last transfer.
+// Takes the newest sample, if there is one since the last transfer.
 void Mpu6050Part::hold(SimTime t) {
   if (asleep()) return;
   const bool filters = (at(kConfig) & 7) != 0 && (at(kConfig) & 7) != 7;
@@ -101,7 +101,7 @@ void Mpu6050Part::hold(SimTime t) {
   const auto own = [this](Vec2 v) { return Vec2{dot(v, axis_), dot(v, left_of(axis_))}; };
   const Vec2 pull = own(
       {state_.acceleration / kGravity - lean.low.x, body.speed() * body.turn_rate() / kGravity - lean.low.y});
-  const Vec2 tip = own(left_of(lean.rate));  // leaning ahead is a turn about the axis to the left
+  const Vec2 tip = own(left_of(lean.rate));  // tilting ahead is a rotation about the axis to the left
   const double g[3] = {pull.x, pull.y, lean.level};
   const double turn[3] = {tip.x, tip.y, body.turn_rate()};
   const double of_gyro = scale(kGyroScale, at(kGyroConfig)) / kDegree;

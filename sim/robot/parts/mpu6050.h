@@ -31,7 +31,7 @@ class Mpu6050Spec final : public PartSpec {
   std::uint8_t address = 0;
   double facing = 0.0;  ///< rad: where its x axis points to, from ahead, counter-clockwise
   Number bias;          ///< rad/s
-  Number scale;         ///< what the gyroscope tells for each rad/s
+  Number scale;         ///< gyroscope reading per rad/s
   Number accel_bias;    ///< g
   Number gyro_noise;    ///< rad/s, standard deviation of a sample
 
@@ -45,7 +45,7 @@ class Mpu6050Part final : public Part, public RegisterDevice {
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
-  /// The turn rate that it measures, without noise.
+  /// Returns the measured turn rate, without noise.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
 

@@ -34,7 +34,7 @@ class Pca9685Part final : public Part, public RegisterDevice, public Teller {
   void join(Roster&) override;
   const std::string& name() const override { return spec_.name; }
   std::string tell(SimTime) override;
-  /// How many channels are not off.
+  /// Returns the number of channels that are not off.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
   void stop(SimTime) override;
@@ -43,9 +43,9 @@ class Pca9685Part final : public Part, public RegisterDevice, public Teller {
   void set(std::uint8_t number, std::uint8_t value, SimTime t) override;
   std::uint8_t get(std::uint8_t number, SimTime) override { return state_.registers[number]; }
   std::uint8_t behind(std::uint8_t number) const override;
-  /// How channel `n` is driven.
+  /// Returns the drive of channel `n`.
   PinDrive channel(int n) const;
-  /// "" while it is off.
+  /// Returns the text for a channel; "" while it is off.
   std::string pulse(int n) const;
 
   struct State {

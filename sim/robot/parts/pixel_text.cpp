@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kColumns = 5, kRows = 8, kAdvance = 6, kLargest = 4, kMostSpaces = 2;
 
-/// Five columns from the left, the first on top of the number, in each the lowest bit on top.
+/// Five columns from the left, the first in the highest digits; the lowest bit of each is on top.
 struct Glyph {
   char letter;
   std::uint64_t columns;
 };
 
-// Where there are two of a letter: of Adafruit's GFX, and of older tables.
+// For letters with two shapes: that of Adafruit's GFX, and that of older tables.
 constexpr Glyph kGlyphs[] = {
     {'!', 0x00005F0000}, {'"', 0x0007000700}, {'#', 0x147F147F14},  {'$', 0x242A7F2A12},  {'%', 0x2313086462},
     {'&', 0x3649562050}, {'&', 0x3649552250}, {'\'', 0x0008070300}, {'\'', 0x0005030000}, {'(', 0x001C224100},
@@ -86,7 +86,7 @@ class Reader {
     return bits;
   }
 
-  /// Each pixel of the letter is a square of so many.
+  /// Returns whether each pixel of the letter is a square of that size.
   bool is_even(int x, int y, int scale) const {
     for (int dy = 0; dy < kRows * scale; ++dy)
       for (int dx = 0; dx < kAdvance * scale; ++dx)
@@ -95,7 +95,7 @@ class Reader {
     return true;
   }
 
-  /// ' ' where the place is empty; nothing where something else is.
+  /// Returns ' ' for an empty place; nothing for an unknown pattern.
   std::optional<char> letter_at(int x, int y, int scale) const {
     std::uint64_t columns = 0;
     for (int i = 0; i < kColumns; ++i) columns = columns << 8 | column(x + i * scale, y, scale);
@@ -135,7 +135,7 @@ class Reader {
     return line;
   }
 
-  // What has been read is not read again as smaller letters.
+  // Clears recognised text, so that it is not read again as smaller letters.
   void wipe(const Line& line, int scale) {
     const int right = std::min(line.x + kAdvance * scale * static_cast<int>(line.text.size()), pixels_.width);
     for (int y = line.y; y < std::min(line.y + kRows * scale, pixels_.height); ++y)

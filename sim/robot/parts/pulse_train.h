@@ -14,18 +14,18 @@ class PulseTrain {
  public:
   explicit PulseTrain(bool idle) : before_(idle) {}
 
-  /// The level changes at `at`, not before the last change.
+  /// Adds a change of the level at `at`, not before the last change.
   void flip(SimTime at) { flips_.push_back(at); }
-  /// When the last change is; 0 if there is none.
+  /// Returns the time of the last change; 0 if there is none.
   SimTime end() const { return empty() ? 0 : flips_.back(); }
   bool level(SimTime t) const { return before_ != (((passed(t) - first_) & 1) != 0); }
-  /// Until when, exclusive, the level is what it is at `t`.
+  /// Returns until when, exclusive, the level stays as at `t`.
   SimTime same_until(SimTime t) const {
     const std::size_t next = passed(t);
     return next < flips_.size() ? flips_[next] : kNever;
   }
   bool empty() const { return first_ == flips_.size(); }
-  /// Schedules the edges of the tick that begins at `t` on `pin`, and forgets those before.
+  /// Schedules the edges of the tick that begins at `t` on `pin`, and drops those before.
   void begin_tick(RobotPort& board, Pin pin, SimTime t) {
     before_ = level(t - 1);
     first_ = passed(t - 1);
@@ -41,7 +41,7 @@ class PulseTrain {
   }
 
  private:
-  /// How many of flips_ are at `t` or before; those before first_ are.
+  /// Returns the number of flips_ at or before `t`; those before first_ are.
   std::size_t passed(SimTime t) const {
     const auto first = flips_.begin() + static_cast<std::ptrdiff_t>(first_);
     return static_cast<std::size_t>(std::upper_bound(first, flips_.end(), t) - flips_.begin());

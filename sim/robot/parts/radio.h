@@ -26,7 +26,7 @@ class RadioSpec final : public PartSpec {
   Pin data = kNoPin;
   Pin clock = kNoPin;
   Pin enable = kNoPin;
-  Number bit;  ///< s, the time of a bit
+  Number bit;  ///< s, duration of a bit
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -35,7 +35,7 @@ class RadioPart final : public Part, public Receiver, public Breakable {
  public:
   RadioPart(const RadioSpec&, PartContext&);
 
-  /// "3" is a byte, most significant bit first; "0b101" is these bits, at most 64.
+  /// Accepts "3" as a byte, most significant bit first; "0b101" as these bits, at most 64.
   void check(const Message&) const override;
   void send(const Message&, SimTime) override;
 
@@ -49,7 +49,7 @@ class RadioPart final : public Part, public Receiver, public Breakable {
 
  private:
   enum Line { data, clock, enable };
-  /// A line takes a level.
+  /// A level change of a line.
   struct Change {
     SimTime at;
     Line line;
@@ -71,11 +71,11 @@ class RadioPart final : public Part, public Receiver, public Breakable {
 
   struct State {
     std::uint64_t bits_sent = 0;
-    std::vector<Change> changes;  // by time, of what is on the air
-    std::size_t announced = 0;    // so many of changes have been scheduled
-    SimTime free_at = 0;          // the air
+    std::vector<Change> changes;  // by time, of the transmitted messages
+    std::size_t announced = 0;    // number of changes that have been scheduled
+    SimTime free_at = 0;          // end of the last transmission
     bool dead = false;
-    double turned = 0.0;  // share of bits that arrive wrong
+    double turned = 0.0;  // share of bits that arrive inverted
   };
 
   const RadioSpec& spec_;

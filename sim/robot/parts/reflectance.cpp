@@ -16,8 +16,8 @@ using Read = ReflectanceSpec::Read;
 constexpr double kLowest = 0.0005, kHighest = 0.06;  // m, on hills
 constexpr double kBestHeight = 0.003;                // m: Pololu, QTR-8A and QTR-8RC user's guide
 
-// Light that comes back from white, against height: reflectance.h. Beyond 15 mm its exponent of 5 to 12 mm
-// goes on, -1.24.
+// Returned light from white, by height: reflectance.h. Beyond 15 mm the exponent of 5 to 12 mm continues,
+// -1.24.
 struct Light {
   double height;  // m
   double share;
@@ -30,7 +30,7 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
 // measured say 0.3 and 0.97: docs/explanation/fidelity.md.
 constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
-constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau against the time from 10 to 90 %
+constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau relative to the time from 10 to 90 %
 constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
@@ -64,7 +64,7 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
 }
 
-// What each element gives over white and over black, once their number is known.
+// Reads the levels of each element over white and over black, once their number is known.
 void read_levels(PartReader& reader, ReflectanceSpec& spec) {
   const std::size_t count = spec.elements.size();
   std::vector<Number> white(count), black(count);
@@ -152,7 +152,7 @@ double footprint_of(const ReflectanceSpec& spec, const Individual& individual, c
   return individual.draw(spec.footprint, each ? element : spec.name, "footprint");
 }
 
-// e^-x within 1e-4, for x from 0 on.
+// Returns e^-x within 1e-4, for x >= 0.
 double decay(double x) {
   const double part = x / 16.0;
   const double once = 1.0 / (1.0 + part * (1.0 + part / 2.0 * (1.0 + part / 3.0)));
@@ -320,7 +320,7 @@ Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
 
-// Each sensor is in one exchange at most; the one before ends, for both.
+// Each sensor is in at most one exchange; an earlier one ends, for both.
 void Sensor::swap_with(Sensor* other) {
   for (Sensor* sensor : {this, other}) {
     if (!sensor || !sensor->state_.other) continue;

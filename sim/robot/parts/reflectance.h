@@ -55,7 +55,7 @@ class ReflectanceSpec final : public PartSpec {
     std::string name;
     Vec2 at;  ///< m
     Pin pin;
-    Number white, black;  ///< what it gives: volts (analog), s (rc)
+    Number white, black;  ///< its output: volts (analog), s (rc)
   };
 
   Read read = Read::analog;
@@ -80,10 +80,10 @@ struct ElementFigures {
   ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Individual&);
 
   double height, footprint;  ///< m
-  double light;              ///< that comes back from white
+  double light;              ///< share of light that returns from white
   double shift;              ///< of blackness
   double noise;              ///< of blackness, standard deviation
-  double dark_noise;         ///< what of it is left over black
+  double dark_noise;         ///< the part of it that remains over black
   NoiseStream stream;        ///< of its readings
 };
 
@@ -97,13 +97,13 @@ class Emitter final : public PinWatcher {
   /// `lag_s`: tau of the phototransistors.
   Emitter(Kept& kept, double lag_s) : lag_(lag_s * 1e9) { kept.add(state_); }
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// As the phototransistors have it at `t`.
+  /// Returns the brightness at `t` as the phototransistors see it.
   double brightness(SimTime t) const {
     return lag_ == 0.0 || state_.from == state_.brightness ? state_.brightness : lagging(t);
   }
-  /// What it goes to.
+  /// Returns the brightness that it approaches.
   double brightness() const { return state_.brightness; }
-  /// tau, ns.
+  /// Returns tau, ns.
   double lag() const { return lag_; }
 
  private:
@@ -112,7 +112,7 @@ class Emitter final : public PinWatcher {
   const double lag_;  // ns
   struct State {
     double brightness = 1.0;
-    double from = 1.0;  // what it seemed at `since`
+    double from = 1.0;  // the apparent brightness at `since`
     SimTime since = 0;
   };
   State state_;
@@ -125,11 +125,11 @@ class Sensor : public Breakable {
   virtual ~Sensor() = default;
 
   const std::string& name() const override { return name_; }
-  /// The name of the part it belongs to.
+  /// Returns the name of its part.
   const std::string& part() const { return part_; }
   Vec2 at() const { return state_.at; }
   void cover(bool covered) { state_.covered = covered; }
-  /// The share of the footprint on the line at the start of the tick.
+  /// Returns the share of the footprint on the line at the start of the tick.
   double coverage() {
     if (context_.view.body->lifted()) return 0.0;
     const Vec2 p = context_.view.body->pose().to_world(state_.at);
@@ -137,13 +137,13 @@ class Sensor : public Breakable {
       state_.coverage = context_.view.floor->on_line(p, footprint_, state_.near);
     return state_.coverage;
   }
-  /// The share of it that is dark.
+  /// Returns the dark share of the footprint.
   double darkness() const {
     if (dark()) return 1.0;
     const Pose& pose = context_.view.body->pose();
     return context_.view.floor->darkness(pose.to_world(state_.at), optics(pose).footprint);
   }
-  /// What people are shown: 0 white .. 1 black.
+  /// Returns the value for display: 0 white .. 1 black.
   double shown() const;
   virtual void join(PartContext&, Pin) = 0;
   virtual void begin_tick(SimTime) {}
@@ -152,12 +152,12 @@ class Sensor : public Breakable {
   void fail(const Fault&) override;
 
  protected:
-  /// Takes a sample of noise.
+  /// Returns the blackness. Takes a sample of noise.
   double blackness(SimTime t);
   bool stuck() const { return state_.stuck >= 0.0; }
-  /// The number after `fault NAME stuck`.
+  /// Returns the number after `fault NAME stuck`.
   double stuck_at() const { return state_.stuck; }
-  /// The blackness of which `stuck_at` is the output; for people.
+  /// Returns the blackness for which `stuck_at` is the output; for display.
   virtual double stuck_blackness() const = 0;
 
   const PartContext& context_;
@@ -165,19 +165,19 @@ class Sensor : public Breakable {
  private:
   Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ElementFigures&, const PartContext&,
          const Emitter&);
-  /// Whether no light comes back: a finger is on it, or it is held up in the air.
+  /// Returns whether no light returns: a finger covers it, or it is held up in the air.
   bool dark() const { return state_.covered || context_.view.body->lifted(); }
   double brightness(const Pose& pose) const {
     return context_.view.floor->brightness(pose.to_world(state_.at));
   }
-  /// Of the floor there; asked once where the robot stands still.
+  /// Returns the darkness of the floor there; computed once while the robot stands still.
   double darkness_at(Vec2 p, double footprint) {
     if (!is_new(p, state_.looked_at)) return state_.darkness;
     const world::Floor& floor = *context_.view.floor;
     return state_.darkness =
                hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
   }
-  /// A place on the floor, as it was after so many changes of the floor.
+  /// A place on the floor, with the number of changes of the floor at that time.
   struct Glance {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     int changes = 0;
@@ -190,17 +190,17 @@ class Sensor : public Breakable {
     last = {p, context_.view.floor->patches().changes()};
     return true;
   }
-  /// Whether all that is dark there is the line, and that was sought just before, as in most samples.
+  /// Returns whether only the line is dark there, and its position is cached, as for most samples.
   bool knows_line(Vec2 p) const {
     return context_.view.floor->has_lines_only() && is_as_before(p, state_.line_sought);
   }
-  /// `white`: the share of the footprint that sends light back, times how bright it is.
+  /// `white`: the share of the footprint that reflects light, times its brightness.
   double shown_of(double light, double white) const {
     return 1.0 - light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
   }
-  /// The same as shown(), anywhere; most of the time shown() has less to ask.
+  /// Computes shown() anywhere; shown() usually has a shorter way.
   double shown_elsewhere() const;
-  /// What its height does: as it is mounted, or on hills as it is there.
+  /// The effects of its height: as mounted, or on hills the local one.
   struct Optics {
     double light, footprint, exposure;
   };
@@ -208,7 +208,7 @@ class Sensor : public Breakable {
     return hilly_ ? optics_on_hills(pose) : Optics{state_.now.light, footprint_, exposure_};
   }
   Optics optics_on_hills(const Pose&) const;
-  /// By how much the light of the room makes it look whiter.
+  /// Returns by how much room light makes it look whiter.
   double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
 
@@ -216,26 +216,26 @@ class Sensor : public Breakable {
     double light, shift, noise, dark_noise;  // of ElementFigures
   };
   struct State {
-    Vec2 at;                  // where what its wire says comes from
-    Sensor* other = nullptr;  // whose wire is exchanged with its own
+    Vec2 at;                  // the place of the reading on its wire
+    Sensor* other = nullptr;  // the sensor with which its wire is exchanged
     Figures now;
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
-    Glance looked_at;  ///< of its darkness
+    Glance looked_at;  ///< for its darkness
     double darkness = 0.0;
-    Glance line_sought;  ///< of its footprint's share on the line
+    Glance line_sought;  ///< for its footprint's share on the line
     double coverage = 0.0;
-    world::NearStripe near;  ///< of its footprint, as it is on a plane floor
+    world::NearStripe near;  ///< of its footprint, for a plane floor
   };
 
   const std::string& name_;
   const std::string& part_;
   const Emitter& emitter_;
-  const Vec2 home_;  // where it sits
+  const Vec2 home_;  // its mounting place
   const double height_, footprint_, exposure_;
   const SimTime lag_;
-  const bool hilly_, widens_;  // its footprint follows its height
+  const bool hilly_, widens_;  // its footprint depends on its height
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;

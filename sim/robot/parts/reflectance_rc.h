@@ -29,7 +29,7 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
   double stuck_blackness() const override;
 
   struct State {
-    // The capacitor's charge, 0..1, at `since`, and its slope from there on, in 1/ns.
+    // The capacitor's charge, 0..1, at `since`, and its slope from then on, in 1/ns.
     double charge = 0.0;
     double slope = 0.0;
     SimTime since = 0;

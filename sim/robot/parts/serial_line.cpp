@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kFrameBits = 10;  // start, 8, stop
 
-/// Whether the two pins are those of the board's Serial.
+/// Returns whether the two pins are those of the board's Serial.
 bool is_serial(const BoardSpec& board, Pin rx, Pin tx) {
   const ChipSpec& chip = *board.chip;
   if (board.serial_line >= chip.uart_count) return false;
@@ -55,7 +55,7 @@ void SerialLine::send(std::uint8_t byte, SimTime t) {
     context_.board.receive_byte(byte, t);
     return;
   }
-  // Of the last byte only the end of its low bits is in the train: its stop bit may follow.
+  // The train holds the last byte only up to its last low bit: its stop bit may follow.
   const SimTime begin = std::max(t, state_.free_at);
   const std::uint32_t frame = byte << 1 | 1u << 9;
   bool level = true;

@@ -26,17 +26,17 @@ SerialWiring read_serial_wiring(PartReader& reader);
 
 class SerialLine final : public PinSource, public PinWatcher, public SerialWatcher {
  public:
-  /// `heard` is told each byte of the sketch's; `sound`: its stop bit was high.
+  /// `heard` is called for each byte of the sketch; `sound`: its stop bit was high.
   using Heard = std::function<void(std::uint8_t byte, bool sound, SimTime t)>;
 
   SerialLine(const SerialWiring& wiring, PartContext& context, Heard heard);
 
-  /// Joins for `owner`, which hands on begin_tick().
+  /// Joins for `owner`, which must call begin_tick().
   void join(Part& owner, Roster& roster);
   void begin_tick(SimTime t);
-  /// To the sketch, behind what is on the way.
+  /// Sends a byte to the sketch, after the pending ones.
   void send(std::uint8_t byte, SimTime t);
-  /// Whether nothing is on the way to the sketch.
+  /// Returns whether nothing is pending for the sketch.
   bool idle() const { return state_.line.empty(); }
 
   void pin_changed(Pin, const PinDrive&, SimTime) override;
@@ -46,15 +46,15 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
   SimTime same_until(SimTime t) override { return state_.line.same_until(t); }
 
  private:
-  /// Takes in the bits whose middle is before `t`.
+  /// Reads the bits whose middle is before `t`.
   void listen(SimTime t);
 
   struct State {
     PulseTrain line{true};   // to the sketch
-    SimTime free_at = 0;     // when the last byte to the sketch has ended
-    bool high = true;        // what the sketch sends
+    SimTime free_at = 0;     // end of the last byte to the sketch
+    bool high = true;        // the level from the sketch
     SimTime began = kNever;  // a start bit
-    int bits = 0;            // so many of the frame have been looked at, the start bit too
+    int bits = 0;            // number of the frame's bits so far, including the start bit
     std::uint32_t frame = 0;
   };
 

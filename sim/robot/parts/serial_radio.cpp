@@ -31,7 +31,7 @@ SerialRadioPart::SerialRadioPart(const SerialRadioSpec& spec, PartContext& conte
     : spec_(spec),
       air_(*context.view.air),
       number_(air_.join(spec.channel)),
-      // A tick at least: else what is heard would depend on whose firmware runs first in a tick.
+      // At least one tick: else reception would depend on the order of firmwares in a tick.
       delay_(std::max(kTick,
                       static_cast<SimTime>(context.individual.draw(spec.delay, spec.name, "delay") * 1e9))),
       loss_(context.individual.draw(spec.loss, spec.name, "loss")),

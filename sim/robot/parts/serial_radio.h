@@ -42,13 +42,13 @@ class SerialRadioPart final : public Part, public Receiver, public Breakable {
 
  private:
   struct State {
-    std::uint64_t arrived = 0;  // bytes, lost ones too
+    std::uint64_t arrived = 0;  // number of bytes, including lost ones
     bool dead = false;
   };
 
   const SerialRadioSpec& spec_;
   world::Air& air_;
-  const std::size_t number_;  ///< in the air
+  const std::size_t number_;  ///< among the senders
   const SimTime delay_;
   const double loss_;
   const NoiseStream losses_;

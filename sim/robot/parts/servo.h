@@ -37,19 +37,20 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
  public:
   ServoPart(const ServoSpec&, PartContext&);
 
-  /// Where its axis is, and where its horn points to at `t`, in the body's frame.
+  /// Returns the place of its axis, and the direction of its horn at `t`, in the body's frame.
   Pose horn(SimTime t) const;
 
-  /// m from the axle's centre to its axis.
+  /// Returns the distance from the axle's centre to its axis, m.
   double arm() const { return length(spec_.at); }
 
-  /// Called once: it turns the body's wheels, `ratio` times as far as itself, and at most by `most`, rad.
+  /// Connects it to the body's wheels: they turn by `ratio` times its angle, at most by `most`, rad. Called
+  /// once.
   void turn_wheels(world::Body& body, double ratio, double most);
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// In degrees, as Servo.write() has them.
+  /// In degrees, as in Servo.write().
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }
@@ -57,9 +58,9 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   void fail(const Fault&) override;
 
  private:
-  /// rad from its right (or, reversed, left) stop.
+  /// Returns its angle in rad from its right (or, reversed, left) stop.
   double angle(SimTime t) const;
-  /// rad to the left of its middle.
+  /// Returns its angle in rad to the left of its middle.
   double turned(SimTime t) const;
 
   struct State {
@@ -67,7 +68,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
     double from = 0.0;  // rad, its angle at `since`
     SimTime since = 0;
     double target = 0.0;  // rad
-    SimTime pulse = 0;    // the one that it turns by
+    SimTime pulse = 0;    // the last effective one
     bool stuck = false;
   };
 

@@ -15,8 +15,8 @@ namespace robosim::robot {
 /// The state of the wire, as a copyable value.
 class ServoSignal {
  public:
-  /// The wire is driven otherwise from `t` on: the length of the pulse that ends with that, or of those that
-  /// come from now on.
+  /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with it, or of those
+  /// from now on.
   std::optional<SimTime> change(const PinDrive& drive, SimTime t) {
     const bool output = drive.mode == PinMode::output && !drive.tone_hz;
     const bool high = output && !drive.pwm && drive.level;
@@ -30,7 +30,7 @@ class ServoSignal {
     if (!is_pulse) return std::nullopt;
     return width;
   }
-  /// Whether pulses like the last one come until the next change.
+  /// Returns whether pulses like the last one continue until the next change.
   bool repeats() const { return repeats_; }
 
  private:

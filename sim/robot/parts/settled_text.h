@@ -10,9 +10,9 @@ namespace robosim::robot {
 /// Reports a text once it has stayed for 50 ms. A copyable value.
 class SettledText {
  public:
-  /// Whether at `t` a text that changed last at `changed` is to be told, if it is another.
+  /// Returns whether at `t` a text that last changed at `changed` must be reported, if it differs.
   bool is_due(SimTime changed, SimTime t) const { return changed != told_at_ && t - changed >= kSettles; }
-  /// What to tell of it then; "" = nothing. An empty text is told as a space.
+  /// Returns the text to report; "" = none. An empty text is reported as a space.
   std::string tell(SimTime changed, const std::string& text) {
     told_at_ = changed;
     if (text == told_) return {};

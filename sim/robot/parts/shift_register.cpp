@@ -9,7 +9,7 @@
 namespace robosim::robot {
 namespace {
 
-// A register behind another one: the first of its chain does its work.
+// A register after another one: the first of its chain does its work.
 class ChainedRegister final : public Part {
  public:
   void join(Roster&) override {}

@@ -34,7 +34,7 @@ class ShiftRegisterSpec final : public PartSpec {
   Pin clock = kNoPin;
   Pin latch = kNoPin;
   Pin enable = kNoPin;  ///< kNoPin = tied low
-  std::string after;    ///< the register before it; empty = the chain begins here, and has the pins
+  std::string after;    ///< the previous register; empty = first of the chain, connected to pins
   Place after_place;
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -55,8 +55,8 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
 
   struct State {
     std::uint64_t shifted = 0;    // bit 8 r + q is Qq of register chain_[r]
-    std::uint64_t latched = 0;    // the same, as the outputs show it
-    std::uint64_t power_ons = 0;  // so many samples of noise taken
+    std::uint64_t latched = 0;    // likewise, as output
+    std::uint64_t power_ons = 0;  // number of noise samples taken
     bool clock = false;
     bool latch = false;
     bool on = true;

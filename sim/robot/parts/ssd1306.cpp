@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kUsualOledAddress = 0x3C;
 
-// How many arguments a command has: table 9-1.
+// Returns the number of a command's arguments: table 9-1.
 int arguments_of(std::uint8_t command) {
   switch (command) {
     case 0x20:

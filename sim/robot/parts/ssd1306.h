@@ -40,11 +40,11 @@ class Ssd1306Part final : public Part, public TwoWireDevice, public Teller {
   void join(Roster&) override;
   bool address(std::uint8_t address, bool, SimTime) override;
   bool write(std::uint8_t byte, SimTime t) override;
-  /// Bit 6: it is off.
+  /// Returns the status; bit 6: it is off.
   std::uint8_t read(SimTime) override { return state_.on ? 0x00 : 0x40; }
   const std::string& name() const override { return spec_.name; }
   std::string tell(SimTime) override;
-  /// How many pixels are lit.
+  /// Returns the number of lit pixels.
   void read(std::vector<Reading>&) const override;
   bool lit(int x, int y) const;
 

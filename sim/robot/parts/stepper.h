@@ -27,7 +27,7 @@ std::shared_ptr<const PartSpec> read_stepper(PartReader&);
 class StepperSpec final : public PartSpec {
  public:
   std::vector<Pin> coils;  ///< IN1 to IN4
-  Number steps;            ///< half steps for a turn of the shaft
+  Number steps;            ///< half steps per turn of the shaft
   Number speed;            ///< rad/s of the shaft
   bool reversed = false;
 
@@ -41,7 +41,7 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
 
   void join(Roster&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// In degrees from where it began; positive where IN1, IN2, IN3, IN4 follow each other.
+  /// In degrees from its start; positive for the order IN1, IN2, IN3, IN4.
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }
@@ -51,7 +51,7 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
  private:
   static constexpr int kNoField = -1;
   int field() const;
-  /// Where the rotor is, in half steps.
+  /// Returns the rotor's position in half steps.
   double rotor(SimTime t) const;
 
   struct State {
@@ -63,8 +63,8 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
 
   const StepperSpec& spec_;
   PartContext& context_;
-  const double steps_;  // for a turn
-  const double rate_;   // half steps for a ns, at most
+  const double steps_;  // per turn
+  const double rate_;   // half steps per ns, at most
   State state_;
 };
 

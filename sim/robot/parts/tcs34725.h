@@ -22,7 +22,7 @@ class Tcs34725Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
   Vec2 at;                 ///< m, forward and left of the axle's centre
-  double footprint = 0.0;  ///< m, the diameter that it sees
+  double footprint = 0.0;  ///< m, diameter of its field of view
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "counts"}}; }
@@ -34,7 +34,7 @@ class Tcs34725Part final : public Part, public RegisterDevice {
 
   void join(Roster&) override;
   void begin_tick(SimTime) override;
-  /// The counts of clear.
+  /// Returns the counts of clear.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
 

@@ -22,10 +22,10 @@ std::uint8_t read_two_wire(PartReader&, int usual_address);
 /// and the following ones. Reading continues from the same number.
 class RegisterDevice : public TwoWireDevice {
  public:
-  /// What all of them add to the state that a part keeps.
+  /// State that all of them add to the part's.
   struct Cursor {
     std::uint8_t number = 0;
-    bool numbered = false;  ///< the number has come since the device was addressed
+    bool numbered = false;  ///< a register number has been received since the device was addressed
   };
 
   bool address(std::uint8_t address, bool reads, SimTime) final;
@@ -38,11 +38,11 @@ class RegisterDevice : public TwoWireDevice {
 
   virtual void set(std::uint8_t number, std::uint8_t value, SimTime t) = 0;
   virtual std::uint8_t get(std::uint8_t number, SimTime t) = 0;
-  /// The register that a first byte means.
+  /// Returns the register for a first byte.
   virtual std::uint8_t numbered(std::uint8_t byte) const { return byte; }
-  /// That which follows another.
+  /// Returns the register after another one.
   virtual std::uint8_t behind(std::uint8_t number) const { return static_cast<std::uint8_t>(number + 1); }
-  /// Before a transfer: what is measured is held for it, so that its bytes belong together.
+  /// Called before a transfer: freezes the measurement, so that its bytes are consistent.
   virtual void hold(SimTime) {}
 
  private:

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kSound = 343.0;                      // m/s
 constexpr double kNearest = 0.02;                     // m
-constexpr SimTime kTrigger = 9500;                    // ns: 10 us, less what a delay may be short
+constexpr SimTime kTrigger = 9500;                    // ns: 10 us, less the possible error of a delay
 constexpr SimTime kBurst = 450 * kMicrosecond;        // from the trigger's end to the echo's beginning
-constexpr SimTime kNothingHeard = 38 * kMillisecond;  // then it gives up
+constexpr SimTime kNothingHeard = 38 * kMillisecond;  // timeout of the echo
 
 constexpr FaultKind kUltrasonicFaults[] = {
     {Failure::ok, "works again"},

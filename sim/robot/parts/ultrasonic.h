@@ -27,9 +27,9 @@ std::shared_ptr<const PartSpec> read_ultrasonic(PartReader&);
 class UltrasonicSpec final : public PartSpec {
  public:
   Pin trig = kNoPin;
-  Pin echo = kNoPin;  ///< with one wire, the same
+  Pin echo = kNoPin;  ///< equal to trig with one wire
   MountSpec mount;
-  double beam = 0.0;  ///< rad, all of it
+  double beam = 0.0;  ///< rad, full angle
   Number reach;       ///< m
   Number noise;       ///< m, standard deviation
 
@@ -45,7 +45,7 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
   void join(Roster&) override;
   void meet(const Roster& roster) override { mount_.meet(roster); }
   void begin_tick(SimTime) override;
-  /// What it told last, in cm; 0 before, and where nothing was near.
+  /// Returns its last result in cm; 0 before, and if nothing was near.
   void read(std::vector<Reading>&) const override;
 
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
@@ -67,7 +67,7 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
     bool triggered = false;  // the trigger is high
     SimTime since = 0;
     SimTime rises = 0, falls = 0;  // the echo
-    int announced = 2;             // so many of the two edges have been scheduled
+    int announced = 2;             // number of the two edges that have been scheduled
     std::uint64_t pings = 0;
     double shown = 0.0;  // cm
     bool dead = false;

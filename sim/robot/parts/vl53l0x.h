@@ -39,7 +39,7 @@ class Vl53l0xPart final : public Part, public RegisterDevice {
   void join(Roster&) override;
   void meet(const Roster& roster) override { mount_.meet(roster); }
   void begin_tick(SimTime) override;
-  /// What it measured last, mm.
+  /// Returns its last measurement, mm.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
 

@@ -16,7 +16,7 @@ world::WheelCommand over_a_tick(const world::WheelCommand& command);
 /// Averages the commands of set() over a tick.
 class WheelMotor : public Part, public Breakable {
  public:
-  /// The command of the tick that ends at `t`.
+  /// Returns the command for the tick that ends at `t`.
   world::WheelCommand take(SimTime tick_start, SimTime t) {
     world::WheelCommand command = state_.now;
     state_.steady = !state_.changed;
@@ -25,10 +25,10 @@ class WheelMotor : public Part, public Breakable {
     return command;
   }
 
-  /// Whether take() would give what it gave last.
+  /// Returns whether take() would repeat its last result.
   bool steady() const { return state_.steady; }
 
-  /// Whether something blocks its wheel.
+  /// Returns whether its wheel is blocked.
   bool blocked() const { return state_.blocked; }
 
   const std::string& name() const override { return name_; }
@@ -38,9 +38,9 @@ class WheelMotor : public Part, public Breakable {
  protected:
   WheelMotor(const PartSpec& spec, PartContext& context);
 
-  /// Its command before the first tick.
+  /// Sets its command before the first tick.
   void begin(const world::WheelCommand& command) { state_.now = command; }
-  /// Its command from `t` on.
+  /// Sets its command from `t` on.
   void set(const world::WheelCommand& command, SimTime t);
   const world::WheelCommand& now() const { return state_.now; }
 
@@ -50,10 +50,10 @@ class WheelMotor : public Part, public Breakable {
   void spoil(world::WheelCommand&) const;
 
   struct State {
-    world::WheelCommand now;  // since `since`
+    world::WheelCommand now;  // from `since` on
     world::WheelCommand sum;  // times nanoseconds, before
     SimTime since = 0;
-    bool steady = false;   // nothing has happened since the last take()
+    bool steady = false;   // no change since the last take()
     bool changed = false;  // since the tick began
     bool broken = false;
     double strength = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed

@@ -6,7 +6,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr SimTime kHolds = 50 * kMillisecond;  // after the last pulse: two and a half of the usual period
+constexpr SimTime kHolds = 50 * kMillisecond;  // after the last pulse: two and a half usual periods
 
 }  // namespace
 

@@ -26,8 +26,8 @@ class WheelServoSpec final : public PartSpec {
   Pin pin = kNoPin;
   Side wheel = world::left;
   bool reversed = false;
-  Number stop;       ///< s, the pulse for standing still
-  Number full;       ///< s longer or shorter for full speed
+  Number stop;       ///< s, the pulse for standstill
+  Number full;       ///< s, difference from stop for full speed
   Number dead_band;  ///< s to each side of stop
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -45,7 +45,7 @@ class WheelServoPart final : public WheelMotor, public PinWatcher {
  private:
   struct State {
     ServoSignal signal;
-    SimTime last_pulse = kNever;  // kNever = it has rolled out
+    SimTime last_pulse = kNever;  // kNever = it coasts
   };
 
   const WheelServoSpec& spec_;

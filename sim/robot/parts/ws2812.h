@@ -36,7 +36,7 @@ class Ws2812Part final : public Part, public PinWatcher, public Teller {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
   std::string tell(SimTime) override;
-  /// How many LEDs are lit.
+  /// Returns the number of lit LEDs.
   void read(std::vector<Reading>&) const override;
 
  private:
@@ -44,11 +44,11 @@ class Ws2812Part final : public Part, public PinWatcher, public Teller {
 
   struct State {
     bool high = false;
-    SimTime since = 0;                  // `high` is what it is
+    SimTime since = 0;                  // beginning of `high`
     std::vector<std::uint32_t> coming;  // GRB
-    int bits = 0;                       // of the last of `coming`
+    int bits = 0;                       // in the last of `coming`
     std::vector<std::uint32_t> shown;
-    SimTime changed_at = kNever;  // kNever = it has been told
+    SimTime changed_at = kNever;  // kNever = it has been reported
   };
 
   const Ws2812Spec& spec_;
