@@ -21,7 +21,7 @@ class NodeHeap {
     heap_[size_++] = node;
     rise(node);
   }
-  /// To be called when its distance has decreased.
+  /// Call it after its distance has decreased.
   void rise(Id node) {
     Id at = position_[node];
     while (at > 0) {
@@ -126,7 +126,7 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
 template <uint8_t kJunctions>
 class DijkstraNext {
  public:
-  /// `here` itself if it is there; kNone if there is no such node, no way, or more junctions than memory.
+  /// Returns `here` itself if it is there; kNone for an unknown node, no path, or more junctions than memory.
   template <class Network>
   typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
     typedef typename Network::Id Id;

@@ -29,10 +29,10 @@ namespace nav {
 
 enum class ScanState : uint8_t {
   running,
-  complete,  ///< every line that can be reached is known; the robot stands at the root
-  full,      ///< the network's storage ended; what is known is right, but there is more
-  cut_off,   ///< an obstacle came to stand on the way back; what is known is right
-  lost       ///< the walker is lost, or met something that cannot be there
+  complete,  ///< every reachable line is known; the robot stands at the root
+  full,      ///< the network's storage is full; its content is right, but incomplete
+  cut_off,   ///< a new obstacle blocks the way back; the network's content is right
+  lost       ///< the walker is lost, or met something impossible
 };
 
 template <class Walker, class Network>
@@ -44,8 +44,8 @@ class Explorer : public Pilot<Walker, Network> {
 
   Explorer(Walker& walker, Network& network) : Base(walker, network) {}
 
-  /// Goes on to the next node (the first call: looks round and clears the network). False once the scan has
-  /// ended, see state().
+  /// Moves to the next node (the first call looks round and clears the network). Returns false once the scan
+  /// has ended, see state().
   bool step() {
     if (state_ != ScanState::running) return false;
     if (!begun_) {
@@ -58,7 +58,7 @@ class Explorer : public Pilot<Walker, Network> {
     return state_ == ScanState::running;
   }
 
-  /// The next step() begins a new scan.
+  /// Makes the next step() begin a new scan.
   void restart() {
     state_ = ScanState::running;
     begun_ = blocked_behind_ = false;
@@ -98,7 +98,7 @@ class Explorer : public Pilot<Walker, Network> {
     lose();
   }
 
-  // Begun on a junction. Slot 0, explored last, is what comes last of right, straight, left, back.
+  // Begins on a junction. Slot 0, explored last, is the last of right, straight, left, back.
   void addRoot(const Landmark& at) {
     Heading last = opposite(heading_);
     while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
@@ -106,7 +106,7 @@ class Explorer : public Pilot<Walker, Network> {
     if (here_ == Network::kNone) state_ = ScanState::full;
   }
 
-  // Begun in the middle of a line: the first node on it is the root.
+  // Begins in the middle of a line: the first node on it is the root.
   void findRoot() {
     const Landmark met = walker_.follow();
     heading_ = met.heading;
@@ -117,7 +117,7 @@ class Explorer : public Pilot<Walker, Network> {
       here_ = network_.addStation(Network::kNone, 0, armBehind(heading_), heading_, 0);
       turnBack();
     } else if (met.kind == LandmarkKind::blocked) {
-      if (blocked_behind_) state_ = ScanState::complete;  // a piece of line between two obstacles
+      if (blocked_behind_) state_ = ScanState::complete;  // a line between two obstacles
       blocked_behind_ = true;
       turnBack();
       return;
@@ -182,7 +182,7 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  // The line has led to a junction met before.
+  // Handles a line that has led to a known junction.
   void close(const Landmark& met, Id from, uint8_t slot, Id known) {
     const uint8_t arms = network_.arms(known);
     if (!hasArm(arms, opposite(heading_))) return lose();
@@ -200,8 +200,8 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  /// Back along the line behind the arm in `slot` of `from`. If an obstacle has come to stand there, to the
-  /// node ahead again, if one is known.
+  /// Goes back along the line of the arm in `slot` of `from`. If it meets a new obstacle there, it returns to
+  /// the node ahead, if one is known.
   void retreat(Id from, uint8_t slot) {
     const Id ahead = network_.link(from, slot);
     turnBack();

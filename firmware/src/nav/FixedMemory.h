@@ -51,7 +51,7 @@ class MapMemory {
 
   void clear() { places_ = lines_ = joined_ = 0; }
   uint8_t lines() const { return lines_; }
-  /// Lines joined beyond those of the tree.
+  /// Returns the number of lines in addition to the tree's.
   uint8_t joined() const { return joined_; }
 
   bool addPlace(const Place& at) {
@@ -61,7 +61,7 @@ class MapMemory {
     return true;
   }
   Place place(uint8_t i) const { return {cells_[i].place.x, cells_[i].place.y}; }
-  /// The nearest place within the tolerance, or the number of places.
+  /// Returns the nearest place within the tolerance, or the number of places.
   uint8_t find(const Place& at) const {
     uint8_t best = places_;
     uint32_t nearest = kTolerance;
@@ -75,14 +75,14 @@ class MapMemory {
     return best;
   }
 
-  /// Of the line to the parent, by the junction's row.
+  /// Sets the cost of the line to the parent, by the junction's row.
   void setCost(uint8_t row, uint32_t cost) {
     if (row < kCosts) costs_[row] = packCost(cost);
   }
   uint16_t cost(uint8_t row) const { return row < kCosts ? unpackCost(costs_[row]) : 1; }
   static uint16_t cost(const SideLine& line) { return unpackCost(line.cost); }
 
-  /// The other end of the side line behind an arm. False if there is none.
+  /// Finds the other end of the side line at an arm. Returns false if there is none.
   bool sideLine(uint8_t node, uint8_t slot, SideLine& other) const {
     for (uint8_t i = 0; i < lines_; ++i) {
       const Line& line = this->line(i);
@@ -107,7 +107,7 @@ class MapMemory {
     ++joined_;
     return true;
   }
-  /// An arm behind which nothing is known, or a side line.
+  /// Blocks an arm with nothing known beyond it, or with a side line.
   bool block(uint8_t node, uint8_t slot) {
     for (uint8_t i = 0; i < lines_; ++i) {
       Line& line = this->line(i);
@@ -154,7 +154,7 @@ class MapMemory {
     }
     return true;
   }
-  /// Side line `i`, for a check of what was loaded.
+  /// Returns the ends of side line `i`, to check loaded data.
   void ends(uint8_t i, uint8_t& a, uint8_t& slot_a, uint8_t& b, uint8_t& slot_b) const {
     a = line(i).a;
     b = line(i).b;
@@ -203,7 +203,7 @@ class MapMemory {
     ++lines_;
     return true;
   }
-  // An obstacle that stood before this arm stands there no more.
+  // Removes an obstacle at this arm.
   void drop(uint8_t node, uint8_t slot) {
     for (uint8_t i = 0; i < lines_; ++i) {
       if (line(i).a != node || (line(i).slots & 3) != slot || line(i).b != kBlockedArm) continue;

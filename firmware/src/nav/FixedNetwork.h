@@ -24,7 +24,7 @@ namespace nav {
 template <uint16_t kTolerance, uint8_t kNodes = kTreeNodes, uint8_t kCells = kNodes / 2 + 30>
 using FixedNetwork = FixedNodes<MapMemory<kCyclicJunctions, kCells, kTolerance>, kNodes>;
 
-// Two bytes for a node, and four for every second, which may be a junction.
+// Two bytes per node, and four for every second one, which may be a junction.
 LINEKIT_LIMIT_GROWS(nodes_of_a_tree, 4, 253);
 static_assert(sizeof(FixedNetwork<1, 202>) - sizeof(FixedNetwork<1, 200>) == 2 * 4, "4 bytes each");
 

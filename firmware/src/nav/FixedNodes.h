@@ -29,7 +29,7 @@ class FixedNodes {
   /// The longest record: version, size, junctions, one bit for each step up and down the tree, shapes,
   /// memory, checksum.
   static constexpr uint16_t kRecordBytes = 3 + (2 * kNodes + 7) / 8 + kNodes + Memory::kRecordBytes + 2;
-  static constexpr bool kPreorder = true;  ///< explorers number so, and load() takes nothing else
+  static constexpr bool kPreorder = true;  ///< the numbering of explorers; load() accepts no other
   static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");
 
   Id size() const { return size_; }
@@ -67,9 +67,9 @@ class FixedNodes {
   }
   bool isAt(Id junction, const Place& at) const { return find(at) == junction; }
   bool isTree() const { return memory_.joined() == 0; }
-  /// No line of the depth-first tree is blocked.
+  /// Returns whether no line of the depth-first tree is blocked.
   bool allOpen() const { return cuts_ == 0; }
-  /// The number of junctions before this one: an index for tables of junctions.
+  /// Returns the number of junctions before this one: an index for tables of junctions.
   uint8_t row(Id node) const {
     uint8_t before = 0;
     for (Id other = 0; other < node; ++other)
@@ -84,7 +84,7 @@ class FixedNodes {
   Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t) {
     return size_ < kNodes ? add(from, shapeOf(arms, entry)) : Id(kNone);
   }
-  /// Refuses a place beyond ±32767, too.
+  /// Also refuses a place beyond ±32767.
   Id addJunction(Id from, uint8_t, uint8_t arms, Heading entry, const Place& at, uint32_t cost) {
     if (size_ >= kNodes || (!isTree() && junctions_ >= kCyclicJunctions) || !memory_.addPlace(at))
       return kNone;
@@ -113,7 +113,7 @@ class FixedNodes {
     record.put(Memory::kVersion);
     record.put(size_);
     record.put(junctions_);
-    for (Id node = 1; node < size_; ++node) {  // how many nodes up from the one before is the parent
+    for (Id node = 1; node < size_; ++node) {  // the number of steps up from the previous node to the parent
       for (Id at = node - 1; at != parent_[node]; at = parent_[at]) record.putBit(false);
       record.putBit(true);
     }
@@ -146,7 +146,7 @@ class FixedNodes {
     cuts_ = 1;
   }
 
-  // Every way to a station takes the one line there is: any cost will do.
+  // Every path to a station takes its only line: any cost is suitable.
   uint32_t costToParent(Id node) const { return isStation(node) ? 1 : memory_.cost(row(node)); }
 
   Id add(Id from, uint8_t shape) {
@@ -155,7 +155,7 @@ class FixedNodes {
     return size_++;
   }
 
-  // Slots that may lead to children are numbered 1, 2, 3, and of the root `count` stands for 0.
+  // Slots that may lead to children are numbered 1, 2, 3; `count` replaces 0 for the root.
   Id childBehind(Id node, uint8_t slot) const {
     SideLine other;
     const uint8_t last = slot == 0 ? slotCount(arms(node)) : slot;
@@ -201,7 +201,7 @@ class FixedNodes {
     return true;
   }
 
-  // Whether no function above can go astray on what was loaded, and everything has a place of its own.
+  // Returns whether loaded data is safe for all functions above, and all places are distinct.
   bool isSound() const {
     if (row(size_) != junctions_ || (!isTree() && junctions_ > kCyclicJunctions)) return false;
     for (Id node = 0; node < size_; ++node) {

@@ -18,14 +18,14 @@ class LinkTable {
   static constexpr Id kBlocked = kBlockedArm;
   static_assert(kNodes < kBlocked && kSlots >= 1 && kSlots <= 4, "1 to 253 nodes with 1 to 4 links");
 
-  /// So many nodes, without any link.
+  /// Sets the number of nodes, without links.
   void clear(Id size) {
     size_ = size < kNodes ? size : kNodes;
     ends_ = 0;
     for (Id node = 0; node < size_; ++node)
       for (uint8_t slot = 0; slot < kSlots; ++slot) links_[node][slot] = kNone;
   }
-  /// One direction of a line; once for each slot.
+  /// Sets one direction of a line, once for each slot.
   void setLink(Id node, uint8_t slot, Id to) {
     links_[node][slot] = to;
     ++ends_;
@@ -60,7 +60,8 @@ class ParentTable {
   static constexpr bool kPreorder = true;
 
   void clear() { size_ = 0; }
-  /// The next node; of the first, kNone. False if the parent is none before it, or the table is full.
+  /// Adds the next node; the parent of the first is kNone. Returns false if the parent is not an earlier
+  /// node, or the table is full.
   bool add(Id parent) {
     if (size_ >= kNodes || (size_ == 0 ? parent != kNone : parent >= size_)) return false;
     parent_[size_++] = parent;

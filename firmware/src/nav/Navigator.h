@@ -33,11 +33,11 @@ namespace nav {
 
 enum class NavState : uint8_t {
   idle,     ///< no destination yet
-  driving,  ///< on the way; at each step() the robot stands at a node
+  driving,  ///< on the way; after each step() the robot stands at a node
   arrived,
-  no_way,   ///< obstacles leave none; it stands at a node, here()
-  trapped,  ///< obstacles before it and behind it: it stands between two nodes, the last of them here()
-  lost      ///< the walker is lost, or met something that cannot be there
+  no_way,   ///< obstacles block every path; it stands at a node, here()
+  trapped,  ///< obstacles in front and behind: it stands between two nodes, the last of them here()
+  lost      ///< the walker is lost, or met something impossible
 };
 
 template <class Walker, class Network, class Planner>
@@ -51,7 +51,7 @@ class Navigator : public Pilot<Walker, Network> {
   Navigator(Walker& walker, Network& network, const Planner& planner)
       : Base(walker, network), planner_(planner) {}
 
-  /// The robot stands at this node and faces so, as an explorer on the same walker left it.
+  /// Sets the robot's node and heading, as an explorer on the same walker left it.
   void start(Id here, Heading heading) {
     here_ = to_ = here;
     heading_ = heading;
@@ -61,8 +61,8 @@ class Navigator : public Pilot<Walker, Network> {
     planner_.forget();
   }
 
-  /// The robot was left at this node, facing so, and its walker has just been started. False, and lost, if it
-  /// sees something else.
+  /// Sets the robot's node and heading after its walker has just been started. Returns false, and is lost, if
+  /// the surroundings differ.
   bool restore(Id here, Heading heading) {
     start(here, heading);
     state_ = NavState::lost;
@@ -79,7 +79,8 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Where to. False, and nothing changes, if there is no such node or the robot does not know where it is.
+  /// Sets the destination. Returns false, without effect, if there is no such node or the robot's place is
+  /// unknown.
   bool goTo(Id to) {
     if (to >= network_.size() || here_ >= network_.size()) return false;
     if (state_ == NavState::trapped || state_ == NavState::lost) return false;
@@ -89,7 +90,7 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Goes on to the next node. False once it has ended, see state().
+  /// Moves to the next node. Returns false once it has ended, see state().
   bool step() {
     if (state_ != NavState::driving) return false;
     const Id next = planner_.next(network_, here_, to_);

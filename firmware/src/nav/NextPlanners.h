@@ -70,7 +70,7 @@ class PathPlanner {
   }
   void forget() { planned_ = false; }
 
-  /// What the last plan came to: why there is no way.
+  /// Returns the result of the last plan, with the reason for a missing path.
   Plan result() const { return result_; }
   const Path& path() const { return path_; }
 

@@ -11,28 +11,28 @@ class Pilot {
  public:
   typedef typename Network::Id Id;
 
-  /// The node at which the robot stands, or kNone while it has met none.
+  /// Returns the robot's node, or kNone before the first one.
   Id here() const { return here_; }
-  /// How the robot faces. At a station: along the line.
+  /// Returns the robot's heading. At a station: along the line.
   Heading heading() const { return heading_; }
 
  protected:
   Pilot(Walker& walker, Network& network) : walker_(walker), network_(network) {}
 
-  /// Turns to an arm of the node at which the robot stands. At a station it faces the line already.
+  /// Turns to an arm of the robot's node. At a station it faces the line already.
   void take(uint8_t slot) {
     const Heading out = headingOf(network_, here_, slot);
     if (!network_.isStation(here_)) walker_.leave(turnBetween(heading_, out));
     heading_ = out;
   }
 
-  /// After `end` and `blocked`.
+  /// Turns back after `end` and `blocked`.
   void turnBack() {
     walker_.leave(Turn::back);
     heading_ = opposite(heading_);
   }
 
-  /// The walker has come to `node` by the arm in `slot`, or so it should be. False if that cannot be.
+  /// Handles the walker's arrival at `node` by the arm in `slot`. Returns false if that is impossible.
   bool arrive(const Landmark& met, Id node, uint8_t slot) {
     const bool station = network_.isStation(node);
     if (met.kind != (station ? LandmarkKind::end : LandmarkKind::junction)) return false;
@@ -49,7 +49,7 @@ class Pilot {
     return true;
   }
 
-  /// "You are on this junction."
+  /// Sets the junction on which the robot stands.
   void placeOn(Id node) {
     walker_.relocate(rotated(network_.place(node), static_cast<uint8_t>(4 - frame_)));
     placed_ = true;
@@ -59,8 +59,8 @@ class Pilot {
   Network& network_;
   Id here_ = Network::kNone;
   Heading heading_ = 0;
-  // The walker counts headings and places from how it stood when it began. After a power cycle that is
-  // another way than when it scanned.
+  // The walker counts headings and places from its pose at the beginning. After a power cycle that differs
+  // from its pose at the scan.
   Heading frame_ = 0;   ///< of the walker, in the network's headings
   bool placed_ = true;  ///< whether the walker's places are the network's, turned by frame_
 };

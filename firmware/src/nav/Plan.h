@@ -38,10 +38,10 @@ namespace nav {
 
 enum class Plan : uint8_t {
   found,
-  no_way,        ///< both nodes exist; the path is left empty, as below
-  unknown_node,  ///< one of the two is no node of the network
+  no_way,        ///< both nodes exist; the path stays empty, likewise below
+  unknown_node,  ///< one of the two is not a node of the network
   no_room,       ///< the path or the work memory is too small for the network
-  not_a_tree,    ///< the planner can do trees only
+  not_a_tree,    ///< the planner requires a tree
   not_preorder   ///< the planner needs ids in preorder, and these are not
 };
 

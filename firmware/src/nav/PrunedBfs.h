@@ -28,7 +28,7 @@ struct Frontier {
     for (; i > 0 && id[i - 1] > node; --i) id[i] = id[i - 1];
     id[i] = node;
   }
-  /// Keeps the two between which `to` lies.
+  /// Retains the two between which `to` lies.
   void prune(Id to) {
     if (size < 3) return;
     uint8_t above = 0;

@@ -70,7 +70,7 @@ class RecordReader {
     bits_ = static_cast<uint8_t>(bits_ >> 1);
     return bit;
   }
-  /// Whether the checksum that follows is right.
+  /// Returns whether the following checksum is right.
   bool finish() {
     getRaw();
     getRaw();

@@ -8,7 +8,7 @@ namespace nav {
 
 namespace detail {
 
-// A network that knows that no line to a parent is blocked says so by allOpen(): planners are faster then.
+// A network that can tell that no line to a parent is blocked has allOpen(): planners are faster then.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();
@@ -18,7 +18,7 @@ bool allOpen(const Network&, long) {
   return false;
 }
 
-// A network that cannot have a parent with a larger id than its child says so by a constant kPreorder.
+// A network whose parents always have smaller ids than their children has a constant kPreorder.
 template <class Network>
 constexpr auto surelyPreorder(int) -> decltype(Network::kPreorder) {
   return Network::kPreorder;
