@@ -109,7 +109,7 @@ std::string from_base64(std::string_view text) {
     *to++ = static_cast<char>(group >> 16);
     if (left == 3) *to++ = static_cast<char>(group >> 8);
   }
-  if (bad & kBad) throw InputError("its data are damaged");
+  if (bad & kBad) throw InputError("the data are damaged");
   return bytes;
 }
 

@@ -19,11 +19,11 @@ std::vector<BundledFile> unpack(std::string_view bundle) {
     const std::string_view line = bundle.substr(0, bundle.find('\n'));
     const std::size_t space = line.rfind(' ');
     std::size_t size = 0;
-    if (space == line.npos || line.size() == bundle.size()) throw InputError("this is no bundle of files");
+    if (space == line.npos || line.size() == bundle.size()) throw InputError("this is not a bundle of files");
     const auto [end, error] = std::from_chars(line.data() + space + 1, line.data() + line.size(), size);
     bundle.remove_prefix(line.size() + 1);
     if (error != std::errc() || end != line.data() + line.size() || size > bundle.size())
-      throw InputError("a bundle of files is cut short");
+      throw InputError("the bundle of files is truncated");
     files.push_back({std::string(line.substr(0, space)), std::string(bundle.substr(0, size))});
     bundle.remove_prefix(size);
   }

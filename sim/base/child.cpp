@@ -84,7 +84,7 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 
 Pipe::Pipe() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) fail("no pipe");
+  if (::pipe2(ends, O_CLOEXEC) != 0) fail("cannot create a pipe");
   read = Descriptor(ends[0]);
   write = Descriptor(ends[1]);
 }

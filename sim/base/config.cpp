@@ -52,8 +52,9 @@ ConfigValue convert_table(const toml::table& table, const Origin& origin) {
   ConfigValue value;
   value.kind = ConfigValue::Kind::table;
   if (table.size() > kMostKeys)
-    throw InputError(origin.at(table.source().begin),
-                     fmt::format("a table has {} keys; at most {} are allowed", table.size(), kMostKeys));
+    throw InputError(
+        origin.at(table.source().begin),
+        fmt::format("the table has too many keys: expected at most {}, got {}", kMostKeys, table.size()));
   struct Member {
     toml::source_position position;
     std::string key;
@@ -91,15 +92,30 @@ ConfigValue convert(const toml::node& node, const Origin& origin) {
     value.kind = ConfigValue::Kind::boolean;
     value.boolean = boolean->get();
   } else {
-    throw InputError(place,
-                     "dates and times have no meaning here; allowed are strings, numbers, true and false");
+    throw InputError(place, "dates and times are not used here: expected a string, a number, true or false");
   }
   value.place = place;
   return value;
 }
 
+/// Returns a value as messages quote it.
+std::string written(const ConfigValue& value) {
+  switch (value.kind) {
+    case ConfigValue::Kind::boolean:
+      return value.boolean ? "true" : "false";
+    case ConfigValue::Kind::integer:
+      return fmt::format("{}", value.integer);
+    case ConfigValue::Kind::number:
+      return fmt::format("{:g}", value.number);
+    case ConfigValue::Kind::string:
+      return fmt::format("\"{}\"", value.string);
+    default:
+      return to_string(value.kind);
+  }
+}
+
 [[noreturn]] void wrong_kind(const ConfigValue& value, const char* key, const std::string& wanted) {
-  throw InputError(value.place, fmt::format("{} is {}; it must be {}", key, to_string(value.kind), wanted));
+  throw InputError(value.place, fmt::format("{}: expected {}, got {}", key, wanted, written(value)));
 }
 
 // In the unit in which it was written; what would be large then, in that of the SI.
@@ -108,16 +124,16 @@ std::string bounds(double least, double most, Dimension dimension, const Written
   const std::string name = unit.name.empty() ? "" : " " + unit.name;
   if (most >= kEndless) return fmt::format("{:g}{} or more", least / unit.si, name);
   if (most / unit.si >= kLarge && unit.si < 1.0 && dimension != Dimension::ratio)
-    return fmt::format("from {:g}{} to {:g} {}", least / unit.si, name, most, si_unit(dimension));
-  return fmt::format("from {:g} to {:g}{}", least / unit.si, most / unit.si, name);
+    return fmt::format("{:g}{} to {:g} {}", least / unit.si, name, most, si_unit(dimension));
+  return fmt::format("{:g} to {:g}{}", least / unit.si, most / unit.si, name);
 }
 
 std::string out_of_bounds(const ConfigValue& value, const char* key, Dimension dimension, double least,
                           double most) {
-  const std::string written =
+  const std::string got =
       value.kind == ConfigValue::Kind::string ? value.string : fmt::format("{:g}", value.number);
-  return fmt::format("{} is {}; it must be {}", key, written,
-                     bounds(least, most, dimension, unit_of(value, dimension)));
+  return fmt::format("{}: expected {}, got {}", key,
+                     bounds(least, most, dimension, unit_of(value, dimension)), got);
 }
 
 struct Fault {
@@ -132,9 +148,10 @@ class Nesting {
   std::string take(char c) {
     if (c == '[' || c == '{') ++depth_;
     if ((c == ']' || c == '}') && depth_ > 0) --depth_;
-    if (depth_ > kMostDepth) return fmt::format("brackets are nested more than {} deep", kMostDepth);
+    if (depth_ > kMostDepth)
+      return fmt::format("the brackets are nested too deeply: expected at most {} levels", kMostDepth);
     if (c == '.' && ++dots_ >= kMostKeyParts)
-      return fmt::format("a key has more than {} parts", kMostKeyParts);
+      return fmt::format("the key has too many parts: expected at most {}", kMostKeyParts);
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;
     return "";
   }
@@ -142,6 +159,12 @@ class Nesting {
  private:
   int depth_ = 0, dots_ = 0;
 };
+
+bool is_typographic_quote(std::string_view text) {
+  for (const char* quote : {"“", "”", "„", "‘", "’", "«", "»"})
+    if (text.starts_with(quote)) return true;
+  return false;
+}
 
 // The first thing that toml++ would answer with a sentence that few understand (a character beyond ASCII
 // outside strings and comments is no TOML), or with more stack than there is.
@@ -151,7 +174,9 @@ std::optional<Fault> find_fault(std::string_view text) {
   while (i < text.size()) {
     const char c = text[i];
     if (static_cast<unsigned char>(c) >= 0x80)
-      return Fault{i, "not valid TOML: outside quotes and comments only ASCII characters are allowed"};
+      return Fault{
+          i, fmt::format("not valid TOML: expected only ASCII characters outside quotes and comments{}",
+                         is_typographic_quote(text.substr(i)) ? "; replace typographic quotes by \"" : "")};
     if (c == '#') {
       i = std::min(text.find('\n', i), text.size());
     } else if (c == '"' || c == '\'') {
@@ -171,10 +196,61 @@ std::optional<Fault> find_fault(std::string_view text) {
   return std::nullopt;
 }
 
+/// The n-th line, from 1.
+std::string_view line_of(std::string_view text, int n) {
+  for (; n > 1; --n) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+bool is_bare_value(std::string_view word) {
+  for (const char* value : {"true", "false", "inf", "nan", "+inf", "-inf", "+nan", "-nan"})
+    if (word == value) return true;
+  const bool has_letter = std::any_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%' || c == '/';
+  });
+  // Numbers such as 0x1F and 1e6.
+  return !has_letter || (word[0] >= '0' && word[0] <= '9' && word.find(' ') == word.npos &&
+                         word.find_first_not_of("0123456789abcdefABCDEFxo_+-.") == word.npos);
+}
+
+/// Returns the first value of a line `key = value` that is text, but has no quotes; else nothing.
+std::string unquoted_word(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == line.npos || line.substr(0, equals).find_first_of("#\"'[{") != line.npos) return {};
+  std::string word;
+  const auto is_text = [&] {
+    while (!word.empty() && (word.back() == ' ' || word.back() == '\t' || word.back() == '\r'))
+      word.pop_back();
+    return !word.empty() && !is_bare_value(word);
+  };
+  for (std::size_t i = equals + 1; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' || c == '\'') {
+      if (!word.empty()) return {};
+      const std::size_t end = line.find(c, i + 1);
+      if (end == line.npos) return {};
+      i = end;
+    } else if (c == '#' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}') {
+      if (is_text()) return word;
+      word.clear();
+      if (c == '#') return {};
+    } else if (c == '=') {
+      word.clear();  // a key of an inline table
+    } else if (!word.empty() || (c != ' ' && c != '\t' && c != '\r')) {
+      word += c;
+    }
+  }
+  return is_text() ? word : std::string();
+}
+
 void refuse_faults(std::string_view text, const std::string& file, int first_line) {
   if (text.size() > kMostToml_bytes)
-    throw InputError({file},
-                     fmt::format("is too large: at most {} KiB of TOML are read", kMostToml_bytes >> 10));
+    throw InputError(
+        {file}, fmt::format("the file is too large: expected at most {} KiB of TOML", kMostToml_bytes >> 10));
   const std::optional<Fault> fault = find_fault(text);
   if (!fault) return;
   const std::string_view before = text.substr(0, fault->at);
@@ -216,7 +292,10 @@ ConfigValue parse_toml(std::string_view text, const std::string& file, int first
   const toml::parse_result result = toml::parse(text, file);
   if (!result) {
     const toml::parse_error& error = result.error();
-    throw InputError(origin.at(error.source().begin), "not valid TOML: " + std::string(error.description()));
+    const Place place = origin.at(error.source().begin);
+    if (const std::string word = unquoted_word(line_of(text, place.line - origin.line_offset)); !word.empty())
+      throw InputError(place, fmt::format("text requires quotes: expected \"{}\", got {}", word, word));
+    throw InputError(place, fmt::format("not valid TOML: {}", error.description()));
   }
   ConfigValue value = convert_table(result.table(), origin);
   value.place = {file, first_line, 1};
@@ -235,11 +314,11 @@ bool as_boolean(const ConfigValue& value, const char* key) {
 
 std::int64_t as_integer(const ConfigValue& value, const char* key, std::int64_t least, std::int64_t most) {
   if (value.kind == ConfigValue::Kind::number)
-    throw InputError(value.place, fmt::format("{} is {:g}; it must be a whole number", key, value.number));
+    throw InputError(value.place, fmt::format("{}: expected a whole number, got {:g}", key, value.number));
   if (value.kind != ConfigValue::Kind::integer) wrong_kind(value, key, "a whole number");
   if (value.integer < least || value.integer > most)
-    throw InputError(value.place,
-                     fmt::format("{} is {}; it must be from {} to {}", key, value.integer, least, most));
+    throw InputError(value.place, fmt::format("{}: expected a whole number from {} to {}, got {}", key, least,
+                                              most, value.integer));
   return value.integer;
 }
 
@@ -257,17 +336,19 @@ double as_quantity(const ConfigValue& value, const char* key, Dimension dimensio
   const bool bare = value.kind == ConfigValue::Kind::integer || value.kind == ConfigValue::Kind::number;
   if (value.kind == ConfigValue::Kind::string) {
     const auto parsed = parse_quantity(value.string, dimension);
+    const std::string units = unit_names(dimension);
     if (!parsed)
-      throw InputError(value.place, fmt::format("{} is \"{}\"; it must be {}{}", key, value.string,
-                                                dimension == Dimension::ratio ? "" : "a number with a unit: ",
-                                                unit_names(dimension)));
+      throw InputError(
+          value.place,
+          fmt::format("{}: expected {}, got \"{}\"", key,
+                      dimension == Dimension::ratio ? units : fmt::format("a number with a unit ({})", units),
+                      value.string));
     si = *parsed;
   } else if (!bare) {
     wrong_kind(value, key, "a quantity such as \"20 mm\"");
   } else if (dimension != Dimension::ratio) {
-    throw InputError(value.place,
-                     fmt::format("{} is {:g} without a unit; write it as a string with one of {}", key, si,
-                                 unit_names(dimension)));
+    throw InputError(value.place, fmt::format("{}: expected a string with a unit ({}), got {:g}", key,
+                                              unit_names(dimension), si));
   }
   if (!(si >= least && si <= most))
     throw InputError(value.place, out_of_bounds(value, key, dimension, least, most));
@@ -320,7 +401,7 @@ std::string TableReader::choice(const char* key, std::string fallback,
   if (!value) return fallback;
   const std::string& chosen = as_string(*value, key);
   if (std::find(allowed.begin(), allowed.end(), chosen) == allowed.end())
-    throw InputError(value->place, fmt::format("{} is \"{}\"; allowed are {}", key, chosen, one_of(allowed)));
+    throw InputError(value->place, fmt::format("{}: {}", key, expected_one_of(chosen, allowed)));
   return chosen;
 }
 
@@ -336,10 +417,8 @@ void TableReader::refuse_misspelt() const {
 void TableReader::finish() const {
   for (const auto& [key, value] : table_.members) {
     if (knows(key)) continue;
-    const auto meant = nearest(key, known_);
-    throw InputError(value.place,
-                     fmt::format("unknown key {} in {}; {}known are {}", key, what_,
-                                 meant ? fmt::format("did you mean {}? ", *meant) : "", one_of(known_)));
+    throw InputError(value.place, fmt::format("unknown key {} in {}: expected {}{}", key, what_,
+                                              one_of(known_), did_you_mean(key, known_)));
   }
 }
 

@@ -24,7 +24,8 @@ Number as_figure(const ConfigValue& value, const char* key, Dimension dimension,
   if (const ConfigValue* newer = reader.find("typical@2")) {
     const Number now = as_figure(*newer, key, dimension, least, most);
     if (now.typical_2)
-      throw InputError(newer->place, fmt::format("{}: a \"typical@2\" within a \"typical@2\"", key));
+      throw InputError(newer->place,
+                       fmt::format("{}: \"typical@2\" cannot contain another \"typical@2\"", key));
     number.typical_2 = Spread{now.value, now.spread};
   }
   number.value = as_quantity(reader.require("value"), key, dimension, least, most);
@@ -33,10 +34,11 @@ Number as_figure(const ConfigValue& value, const char* key, Dimension dimension,
     const double from = number.value - number.spread, to = number.value + number.spread;
     if (from < least || to > most) {
       const WrittenUnit unit = unit_of(reader.require("value"), dimension);
-      throw InputError(spread->place,
-                       fmt::format("the spread of {} reaches from {:g} to {:g}{}{}; allowed is {:g} to {:g}",
-                                   key, from / unit.si, to / unit.si, unit.name.empty() ? "" : " ", unit.name,
-                                   least / unit.si, most / unit.si));
+      throw InputError(
+          spread->place,
+          fmt::format("the spread of {}: expected values from {:g} to {:g}{}{}, got {:g} to {:g}", key,
+                      least / unit.si, most / unit.si, unit.name.empty() ? "" : " ", unit.name,
+                      from / unit.si, to / unit.si));
     }
   }
   reader.finish();

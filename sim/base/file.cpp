@@ -54,7 +54,7 @@ void check_is_file(const Descriptor& file, const fs::path& path) {
   if (S_ISDIR(info.st_mode)) fail(path, "read", EISDIR);
   if (!S_ISREG(info.st_mode)) {
     const char* what = S_ISFIFO(info.st_mode) ? "a pipe" : "a device";
-    throw InputError({path.string()}, std::string("cannot be read: it is ") + what + ", and must be a file");
+    throw InputError({path.string()}, std::string("cannot be read: expected a file, got ") + what);
   }
 }
 
@@ -76,8 +76,8 @@ std::string read_file(const Descriptor& file, const fs::path& path, std::size_t 
     if (n == 0) break;
     got += static_cast<std::size_t>(n);
     if (got > most_bytes)
-      throw InputError({path.string()}, "is too large: at most " + std::to_string(most_bytes >> 10) +
-                                            " KiB of such a file are read");
+      throw InputError({path.string()}, "the file is too large: expected at most " +
+                                            std::to_string(most_bytes >> 10) + " KiB");
   }
   content.resize(got);
   return content;

@@ -17,14 +17,14 @@ std::string too_many_files() {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   return "too many files are open: at most " + std::to_string(limit.rlim_cur) +
-         " are allowed here; allow more (ulimit -n 256)";
+         " are allowed here; raise the limit with ulimit -n 256";
 }
 
 std::string too_large_files() {
   rlimit limit{};
   ::getrlimit(RLIMIT_FSIZE, &limit);
-  return "a file may have at most " + std::to_string(limit.rlim_cur) +
-         " bytes here; allow more (ulimit -f unlimited)";
+  return "the file is too large: at most " + std::to_string(limit.rlim_cur) +
+         " bytes are allowed here; raise the limit with ulimit -f unlimited";
 }
 
 /// Empty if there is one.
@@ -34,13 +34,13 @@ std::string no_dev_null() {
 
 std::string no_temporary_files() {
   const char* folder = std::getenv("TMPDIR");
-  return std::string("no temporary file can be made in ") + (folder ? folder : "/tmp") +
-         (folder ? "; set TMPDIR to a folder that is there, or unset it" : "");
+  return std::string("cannot create a temporary file in ") + (folder ? folder : "/tmp") +
+         (folder ? "; set TMPDIR to an existing folder, or unset it" : "");
 }
 
 constexpr const char* kNoMemory = "there is not enough memory";
 constexpr const char* kNoRoom = "there is no room left on the disk";
-constexpr const char* kNoProcesses = "no more processes can be started (ulimit -u)";
+constexpr const char* kNoProcesses = "cannot start more processes; raise the limit with ulimit -u";
 
 /// Of a line that says what the sketch is blamed for, or quotes it.
 bool is_of_sketch(std::string_view line) {

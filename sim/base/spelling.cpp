@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "sim/base/error.h"
+
 namespace robosim {
 namespace {
 
@@ -41,19 +43,52 @@ std::string all_of(const std::vector<std::string>& names) {
   return text;
 }
 
+namespace {
+
+/// What stands in a word for a form that has a parameter: of "laps:N" and "lap:3", "laps:3".
+std::string filled_in(const std::string& form, const std::string& word) {
+  const std::size_t colon = form.find(':'), given = word.find(':');
+  if (colon == form.npos || given == word.npos) return form;
+  return form.substr(0, colon) + word.substr(given);
+}
+
+/// How many letters two words have in common from their first on.
+std::size_t same_beginning(const std::string& a, const std::string& b) {
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+}
+
+std::string head_of(const std::string& form) { return form.substr(0, form.find(':')); }
+
+}  // namespace
+
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates) {
   constexpr std::size_t kBeginning = 4;
   std::optional<std::string> best;
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   for (const std::string& candidate : candidates) {
     const bool begins = word.size() >= kBeginning && candidate.starts_with(word);
-    const std::size_t d = begins ? 1 : distance(word, candidate);
-    if (d < least) {
+    const bool is_form = candidate.find(':') != candidate.npos;
+    const std::size_t d = begins    ? 1
+                          : is_form ? distance(head_of(word), head_of(candidate))
+                                    : distance(word, candidate);
+    if (d >= std::max(word.size(), candidate.size())) continue;
+    const bool is_nearer =
+        d < least || (best && d == least && same_beginning(word, candidate) > same_beginning(word, *best));
+    if (is_nearer) {
       least = d;
-      best = candidate;
+      best = filled_in(candidate, word);
     }
   }
-  return best;
+  return best == word ? std::nullopt : best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const auto guess = nearest(word, candidates);
+  return guess ? fmt::format("; did you mean {}?", *guess) : "";
+}
+
+std::string expected_one_of(const std::string& word, const std::vector<std::string>& allowed) {
+  return fmt::format("expected {}, got “{}”{}", one_of(allowed), word, did_you_mean(word, allowed));
 }
 
 std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates) {

@@ -11,8 +11,14 @@ namespace robosim {
 std::string all_of(const std::vector<std::string>& names);
 
 /// Returns the candidate that differs least from `word`, if so few letters differ that it may be a slip, or
-/// one that begins with it.
+/// one that begins with it. A candidate such as "laps:N" stands for laps with any parameter: "lap:3" gives
+/// "laps:3".
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
+
+/// Returns "; did you mean oval?", or nothing if no candidate is close.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
+/// Returns "expected oval or tight, got “ovla”; did you mean oval?".
+std::string expected_one_of(const std::string& word, const std::vector<std::string>& allowed);
 
 /// Returns "did you mean oval? There are d, oval and tight".
 std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates);

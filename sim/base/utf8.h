@@ -7,6 +7,9 @@
 
 namespace robosim {
 
+/// The bytes that some editors put in front of a text to mark it as UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// The first character of a text.
 struct Utf8Character {
   char32_t code = 0;

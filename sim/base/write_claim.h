@@ -7,12 +7,16 @@
 
 namespace robosim {
 
+/// Throws InputError if the file plainly cannot be written later: its folder is missing, or is not writable.
+void check_can_be_written(const std::filesystem::path& file);
+
 /// Holds a claim, during which no other process on this machine can claim the file, under whatever name. The
 /// claim is a name of Linux's abstract sockets. So it ends with its process, however that ends, and leaves
 /// nothing behind. Devices and pipes, which may have several writers, are not claimed.
 class WriteClaim {
  public:
-  /// Claims a file, which need not exist yet. Throws InputError if another process is writing it.
+  /// Claims a file, which need not exist yet. Throws InputError if another process is writing it, and as
+  /// check_can_be_written() does.
   explicit WriteClaim(const std::filesystem::path& file);
 
  private:

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/spelling.h"
 #include "sim/build/project.h"
 
 namespace robosim::build {
@@ -193,7 +194,7 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   sketch.includes = {fs::is_regular_file(absolute) ? absolute.parent_path() : absolute};
   if (fs::is_regular_file(absolute)) {
     if (!is_ino(absolute) && !is_source(absolute))
-      throw InputError({path.string()}, "is no sketch: a folder, an .ino or a .cpp file is");
+      throw InputError({path.string()}, "expected a sketch: a folder, an .ino or a .cpp file");
     sketch.folder = absolute.parent_path();
     sketch.name = absolute.stem().string();
     const std::string own = absolute.filename().string();
@@ -216,11 +217,13 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   sketch.inos = inos_in(absolute);
   take_folder(sketch);
   if (sketch.inos.empty() && sketch.sources.empty())
-    throw InputError({path.string()}, "holds no sketch: it has no .ino file");
+    throw InputError({path.string()}, "expected a sketch, got a folder without an .ino file");
   if (!sketch.inos.empty() && !put_main_first(sketch.inos, sketch.name))
-    throw InputError({path.string()},
-                     fmt::format("holds several .ino files and none is called {}.ino; name one of {}",
-                                 sketch.name, one_of(sketch.inos)));
+    throw InputError(
+        {path.string()},
+        fmt::format("expected {}.ino, named like its folder, among the {} .ino files, got {}; rename "
+                    "the main file to that, or name one of them, as in {}",
+                    sketch.name, sketch.inos.size(), all_of(sketch.inos), (path / sketch.inos[0]).string()));
   if (!sketch.inos.empty()) sketch.name = fs::path(sketch.inos[0]).stem().string();
   return sketch;
 }

@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
 #include "sim/base/robot_name.h"
 #include "sim/calibrate/robot_text.h"
 #include "sim/calibrate/stopwatch.h"
@@ -84,7 +85,10 @@ Calibration calibrate(const Task& task) {
   result.robot = robot::load_description(task.robot);
   result.tape_m = task.tape_m;
   std::vector<Log> logs;
-  for (const std::string& file : task.logs) logs.push_back(parse_log(read_file(file, kMostLog_bytes), file));
+  for (const std::string& file : task.logs) {
+    const std::string text = read_file(file, kMostLog_bytes);
+    logs.push_back(read_as(FileKind::log, text, file, [&] { return parse_log(text, file); }));
+  }
   std::vector<Timed> timed;
   Found supply{task.supply_volts, kMeter * task.supply_volts};
   if (!task.stopwatch.empty()) {

@@ -9,6 +9,7 @@
 
 #include "sim/base/csv.h"
 #include "sim/base/error.h"
+#include "sim/base/utf8.h"
 
 namespace robosim::calibrate {
 namespace {
@@ -42,9 +43,13 @@ std::string shortened(std::string_view text) {
   return std::string(text.substr(0, 40)) + (text.size() > 40 ? " …" : "");
 }
 
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text) { log_.file = file; }
+  Reader(std::string_view text, const std::string& file) : text_(without_mark(text)) { log_.file = file; }
 
   Log read() {
     if (text_.find_first_not_of(" \t\r\n") == text_.npos)

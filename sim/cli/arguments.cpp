@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <charconv>
 
+#include "hal/board/board_spec.h"
 #include "sim/base/error.h"
 #include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/cli/calibrate/calibrate_command.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
+#include "sim/cli/completion.h"
 #include "sim/cli/files/print_arguments.h"
-#include "sim/cli/help_text.h"
+#include "sim/cli/help.h"
 #include "sim/cli/hunt/hunt_arguments.h"
 #include "sim/cli/mutate/mutate_arguments.h"
 #include "sim/cli/options.h"
@@ -28,15 +30,25 @@
 namespace robosim::cli {
 namespace {
 
-const std::vector<std::string> kCommands{
-    "run",  "why", "replay", "sweep", "report",    "compare", "play",   "classic", "build", "flash",
-    "wire", "map", "robot",  "serve", "calibrate", "test",    "mutate", "hunt",    "new"};
+const std::vector<std::string> kWarningLevels{"none", "default", "more", "all"};
+const std::vector<std::string> kFamilies{"tree", "cycles", "grid"};
+const std::vector<std::string> kPlanners{"bfs",   "dfs",      "iterative", "pruned",
+                                         "climb", "interval", "dijkstra"};
+const std::vector<std::string> kShells{"bash", "zsh", "fish"};
+
+std::vector<std::string> command_names();
+
+std::vector<std::string> board_names() {
+  std::vector<std::string> names;
+  for (int i = 0; const BoardSpec* board = board_at(i); ++i) names.push_back(board->name);
+  return names;
+}
 
 double view_speed(const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || value > 1e6) {
-    refuse_value("--speed", text, "a number such as 2 (twice real time); 0 is as fast as possible");
+    refuse_value("--speed", text, "a number from 0 (as fast as possible), such as 2 (twice real time)");
   }
   return value;
 }
@@ -46,127 +58,158 @@ using Words = std::vector<std::string>;
 Command parse_run(const Words& words) {
   RunArguments run;
   std::string speed, port;
-  Options options("run", "Runs a sketch on a robot on a map, and judges it.");
-  options.text("--map", run.map, "MAP", "file, or name of a sample map");
+  Options options("run", "run a sketch on a robot on a map and judge the run");
+  options.text("--map", run.map, "MAP", kMapHelp, PossibleValues::map());
   FleetOptions robots(options, run);
   RunOptions shared(options, run);
   shared.time();
   shared.seed();
   shared.common();
   options.texts("--record", run.record, "FILE",
-                "a page to replay the run (.html), samples (.csv), pins (.vcd) …; may be repeated");
-  options.texts("--plot", run.plot, "FILE", "a picture of where the robot drove, as .svg or .png");
+                "write a replay page (.html), samples (.csv), pins (.vcd) ...; may be repeated",
+                PossibleValues::file());
+  options.texts("--plot", run.plot, "FILE", "draw where the robot drove, as .svg or .png; may be repeated",
+                PossibleValues::file());
   options.text("--coverage", run.coverage, "DIR",
-               "which lines of the sketch ran, over all runs with this DIR");
-  options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer …");
-  options.text("--gdb", port, "PORT", "wait at this port for gdb, which then halts sketch and world (chip)");
-  options.flag("--untrusted", run.untrusted, kUntrusted);
+               "count which lines of the sketch ran, over all runs with this DIR", PossibleValues::folder());
+  options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer ...");
+  options.text("--gdb", port, "PORT",
+               "wait at this port for gdb, which then halts sketch and world (chip targets only)");
+  options.flag("--untrusted", run.untrusted, kUntrustedHelp);
   options.flag("--view", run.view, "watch the run in the terminal");
-  options.text("--speed", speed, "N", "of the view; default: 1, real time; 0: as fast as possible");
+  options.text("--speed", speed, "N",
+               "play --view at N times real time (default: 1; 0: as fast as possible)");
   options.flag("--live", run.live,
-               "for programs: play, pause, step, act, by JSON lines (docs/howto/serving.md)");
-  options.flag("--serial", run.serial, "print what the sketch sends, and the result to standard error");
+               "obey JSON lines on standard input: play, pause, step, act (docs/howto/serving.md)");
+  options.flag("--serial", run.serial, "print what the sketch sends; print the result to standard error");
   options.flag("--json", run.json, "print the result as JSON");
-  options.flag("--timing", run.timing, "also say how much wall time the run took");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  options.flag("--timing", run.timing, "also report the wall time of the run");
+  if (const auto help = options.parse(words)) return *help;
   shared.finish();
   if (!port.empty()) run.request.gdb_port = static_cast<int>(whole_number("--gdb", port, 1, 65535));
   if (!speed.empty()) run.speed = view_speed(speed);
   if (run.view + run.json + run.serial + run.live > 1)
-    throw InputError("--view, --live, --json and --serial want the standard output; give one of them");
+    throw InputError(
+        "--view, --live, --json and --serial each need the standard output; give only one of them");
   robots.finish();
-  if (!speed.empty() && !run.view) throw InputError("--speed is the speed of the view; give --view too");
+  if (!speed.empty() && !run.view) throw InputError("--speed requires --view");
   return run;
 }
 
 Command parse_replay(const Words& words) {
   ReplayArguments replay;
   std::string speed;
-  Options options("replay", "Plays a recorded run in the terminal.");
-  options.positional("FILE", replay.file, "what run --record has written: .html or .rec");
-  options.text("--speed", speed, "N", "default: 1, real time; 0: as fast as possible");
+  Options options("replay", "play a recorded run in the terminal, or compare it with another");
+  options.positional("FILE", replay.file, "play this file, which run --record wrote: .html or .rec",
+                     PossibleValues::file());
+  options.text("--speed", speed, "N", "play at N times real time (default: 1; 0: as fast as possible)");
   options.text("--over", replay.over, "OTHER",
-               "how far apart it is from another run: a recording, or a .csv log with time, x and y");
-  options.texts(
-      "--record", replay.record, "FILE",
-      "writes it anew: a page (.html; with --over it shows both), .rec, .perfetto.json; may be repeated");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+               "measure the distance to another run: a recording, or a .csv log with time, x and y",
+               PossibleValues::file());
+  options.texts("--record", replay.record, "FILE",
+                "write the run again as a page (.html; with --over of both runs), .rec or .perfetto.json; "
+                "may be repeated",
+                PossibleValues::file());
+  if (const auto help = options.parse(words)) return *help;
   if (replay.file.empty())
-    throw InputError("robosim replay needs a recording, as in robosim replay run.html");
+    throw InputError("robosim replay requires a recording, as in robosim replay run.html");
   if (!speed.empty()) replay.speed = view_speed(speed);
   return replay;
 }
 
 Command parse_build(const Words& words) {
   BuildArguments build;
-  Options options("build", "Compiles a sketch as Arduino would, and says its size.");
-  options.positional("SKETCH", build.sketch, "folder, .ino file or name; default: the current folder");
-  options.text("--robot", build.robot, "ROBOT", "file or name: its board is compiled for");
-  options.text("--target", build.target, "TARGET", "host, avr or stm32");
-  options.text("--out", build.out, "DIR", "put the compiled files there, under the sketch's name");
-  options.text("--env", build.environment, "NAME", kEnvironment);
-  options.texts("--libraries", build.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
-  options.text("--warnings", build.warnings, "LEVEL", "none, default, more or all");
-  options.flag("--sanitize", build.sanitize, "with the checks of run --sanitize");
-  if (const auto help = options.parse(words)) return PrintText{*help};
-  check_choice("--warnings", build.warnings, {"none", "default", "more", "all"});
+  Options options("build", "compile a sketch as the Arduino IDE would and print its size");
+  options.positional("[SKETCH]", build.sketch, kSketchHelp, PossibleValues::sketch());
+  options.text("--robot", build.robot, "ROBOT", "compile for the board of this robot: a file or a name",
+               PossibleValues::robot());
+  options.text("--target", build.target, "TARGET", "compile for host, avr or stm32 (default: host)",
+               targets());
+  options.text("--out", build.out, "DIR", "put the compiled files into this folder, named after the sketch",
+               PossibleValues::folder());
+  options.text("--env", build.environment, "NAME", kEnvironmentHelp);
+  options.texts("--libraries", build.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
+  options.text("--warnings", build.warnings, "LEVEL",
+               "print the compiler's warnings: none, default, more or all",
+               PossibleValues::of(kWarningLevels));
+  options.flag("--sanitize", build.sanitize, "compile with the checks of run --sanitize");
+  if (const auto help = options.parse(words)) return *help;
+  check_choice("--warnings", build.warnings, kWarningLevels);
   return build;
 }
 
 Command parse_flash(const Words& words) {
   FlashArguments flash;
   std::string baud;
-  Options options("flash", "Builds a sketch for the robot's chip, and writes it to the board by avrdude.");
-  options.positional("SKETCH", flash.sketch, "folder, .ino file or name; default: the current folder");
-  options.text("--port", flash.port, "PORT", "where the board is, as /dev/ttyACM0 or /dev/ttyUSB0");
-  options.text("--robot", flash.robot, "ROBOT", "file or name: its board is compiled for");
-  options.text("--baud", baud, "N", "of the boot loader; default: the board's; an old Nano's has 57600");
-  options.text("--env", flash.environment, "NAME", kEnvironment);
-  options.texts("--libraries", flash.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
-  options.flag("--dry-run", flash.dry_run, "print the command and the image's SHA-256, write nothing");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  Options options("flash", "build a sketch and write it to the board with avrdude");
+  options.positional("[SKETCH]", flash.sketch, kSketchHelp, PossibleValues::sketch());
+  options.text("--port", flash.port, "PORT",
+               "write to the board at this port (required), such as /dev/ttyACM0 or /dev/ttyUSB0",
+               PossibleValues::file());
+  options.text("--robot", flash.robot, "ROBOT", "compile for the board of this robot: a file or a name",
+               PossibleValues::robot());
+  options.text("--baud", baud, "N",
+               "talk to the boot loader at this rate (default: the board's; old Nanos need 57600)");
+  options.text("--env", flash.environment, "NAME", kEnvironmentHelp);
+  options.texts("--libraries", flash.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
+  options.flag("--dry-run", flash.dry_run,
+               "print the command and the image's SHA-256 without writing anything");
+  if (const auto help = options.parse(words)) return *help;
   if (!baud.empty()) flash.baud = whole_number("--baud", baud, 300, 2'000'000);
   if (flash.port.empty())
     throw InputError(
-        "robosim flash needs the board's port, as in --port /dev/ttyACM0 (most Unos) or /dev/ttyUSB0 (most "
-        "Nanos); “ls /dev/ttyACM* /dev/ttyUSB*” with and without the board plugged in shows which one it is");
+        "robosim flash requires the board's port, as in --port /dev/ttyACM0 (most Unos) or /dev/ttyUSB0 "
+        "(most "
+        "Nanos); “ls /dev/ttyACM* /dev/ttyUSB*” with and without the board plugged in shows which it is");
   return flash;
 }
 
-/// Returns the action that must come first; `usage` if help is requested instead.
+/// Takes the action, which has to come first. Returns nothing if the help was asked for instead.
 std::optional<std::string> take_action(const std::string& command, Words& words,
                                        const std::vector<std::string>& actions) {
-  if (words.empty()) throw InputError("robosim " + command + " needs to know what to do: " + one_of(actions));
+  if (words.empty())
+    throw InputError(fmt::format("robosim {} requires an action: {}", command, one_of(actions)));
   const std::string action = words[0];
   if (action == "--help" || action == "-h") return std::nullopt;
-  if (std::find(actions.begin(), actions.end(), action) == actions.end()) {
-    throw InputError(
-        fmt::format("robosim {} cannot “{}”; {}", command, action, guess_and_list(action, actions)));
-  }
+  if (std::find(actions.begin(), actions.end(), action) == actions.end())
+    throw InputError(fmt::format("{}: unknown action: {}", command, expected_one_of(action, actions)));
   words.erase(words.begin());
   return action;
+}
+
+/// Describes a command that does nothing without an action.
+PrintText help_of_actions(const std::string& command, const std::string& summary, Command (*parse)(Words),
+                          const std::vector<std::string>& actions) {
+  CommandHelp help{command, summary, "", {}, {}, {}};
+  for (const std::string& action : actions)
+    help.actions.push_back(std::get<PrintText>(parse({action, "--help"})).help);
+  return {help_text(help), help};
 }
 
 Command parse_generate(const Words& words) {
   GenerateArguments generate;
   std::string stations, count = "1", first_seed = "1";
-  Options options("map generate",
-                  "Generates random maps. The same family, number and seed give the same map.");
-  options.text("--family", generate.family, "tree|cycles|grid",
-               "junctions of three ways; with cycles; streets");
-  options.text("--stations", stations, "N", "how many dead ends, up to a million");
-  options.text("--count", count, "K", "how many maps, with seeds S, S+1, … (default 1)");
-  options.text("--seed", first_seed, "S", "of the first map (default 1)");
-  options.text("--out", generate.out, "DIR", "folder for FAMILY-N-SEED.map (default: the current one)");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  Options options("map generate", "generate random maps",
+                  "The same family, number of stations and seed always give the same map.");
+  options.text("--family", generate.family, "FAMILY",
+               "generate a tree (junctions of three ways), cycles (a tree with cycles) or a grid (streets)",
+               PossibleValues::of(kFamilies));
+  options.text("--stations", stations, "N", "give each map this many dead ends, 2 to a million");
+  options.text("--count", count, "K", "generate K maps, with seeds S, S+1, ... (default: 1)");
+  options.text("--seed", first_seed, "S", "generate the first map from this seed (default: 1)");
+  options.text("--out", generate.out, "DIR",
+               "write FAMILY-N-SEED.map into this folder (default: the current folder)",
+               PossibleValues::folder());
+  if (const auto help = options.parse(words)) return *help;
   for (const auto& [option, value] : {std::pair{"--family", &generate.family}, {"--stations", &stations}})
-    if (value->empty()) throw InputError(fmt::format("robosim map generate needs {}", option));
-  check_choice("--family", generate.family, {"tree", "cycles", "grid"});
+    if (value->empty()) throw InputError(fmt::format("robosim map generate requires {}", option));
+  check_choice("--family", generate.family, kFamilies);
   generate.stations =
       static_cast<int>(whole_number("--stations", stations, grid::kMinStations, grid::kMaxStations));
   generate.seed = seed_number(first_seed);
   generate.count = whole_number("--count", count, 1, 1'000'000);
-  if (generate.count - 1 > kMostSeed - generate.seed) refuse_value("--count", count, "less: the seeds end");
+  if (generate.count - 1 > kMostSeed - generate.seed)
+    refuse_value("--count", count, fmt::format("fewer maps, because the last seed is {}", kMostSeed));
   return generate;
 }
 
@@ -174,56 +217,65 @@ Command parse_import(const Words& words) {
   ImportArguments import;
   std::string pixel, pitch;
   bool walls = false;
-  Options options("map import",
-                  "Makes a map of another tool's course: robotrace_course_cad's and rcj-rescue-cms' JSON, "
-                  "lengths with curvatures, "
-                  "points, mazes of micromouse, a picture (docs/reference/courses.md).");
-  options.positional("FILE", import.file, "the course");
-  options.text("--out", import.out, "MAP", "the map's file (default: standard output)");
-  options.text("--pixel", pixel, "LENGTH", "of a picture: the side of a pixel, such as 0.5mm");
-  options.flag("--walls", walls, "a maze with its walls, in place of lines through its passages");
-  options.text("--pitch", pitch, "LENGTH", "of such a maze's cells (default: 180mm)");
-  if (const auto help = options.parse(words)) return PrintText{*help};
-  if (!pitch.empty() && !walls) throw InputError("--pitch is of a maze with walls: --walls");
+  Options options("map import", "make a map from another tool's course",
+                  "Reads the JSON of robotrace_course_cad and rcj-rescue-cms, lengths with curvatures, "
+                  "points, micromouse mazes, and pictures (docs/reference/courses.md).");
+  options.positional("FILE", import.file, "import this course", PossibleValues::file());
+  options.text("--out", import.out, "MAP", "write the map to this file (default: standard output)",
+               PossibleValues::file());
+  options.text("--pixel", pixel, "LENGTH", "set the side of a picture's pixels, such as 0.5mm");
+  options.flag("--walls", walls, "import a maze with its walls, instead of lines through its passages");
+  options.text("--pitch", pitch, "LENGTH",
+               "set the distance between the cells of a maze with --walls (default: 180mm)");
+  if (const auto help = options.parse(words)) return *help;
+  if (!pitch.empty() && !walls) throw InputError("--pitch requires --walls");
   if (walls) {
     const auto length = parse_quantity(pitch.empty() ? "180mm" : pitch, Dimension::length);
     if (!length || !(*length >= 0.05 && *length <= 2.0))
-      refuse_value("--pitch", pitch, "50 mm to 2 m, such as 180mm");
+      refuse_value("--pitch", pitch, "a length from 50 mm to 2 m, such as 180mm");
     import.walls_m = *length;
   }
   if (!pixel.empty()) {
     const auto length = parse_quantity(pixel, Dimension::length);
     if (!length || !(*length >= 1e-5 && *length <= 0.1))
-      refuse_value("--pixel", pixel, "0.01 to 100 mm, such as 0.5mm");
+      refuse_value("--pixel", pixel, "a length from 0.01 to 100 mm, such as 0.5mm");
     import.pixel_m = *length;
   }
-  if (import.file.empty()) throw InputError("robosim map import needs the course's file");
+  if (import.file.empty()) throw InputError("robosim map import requires the course's file");
   return import;
+}
+
+const Words kMapActions{"check", "show", "graph", "generate", "import", "print"};
+
+const char* summary_of_map(const std::string& action) {
+  if (action == "check") return "check a map file and report its line, stations and goal";
+  if (action == "show") return "draw a map with its stations and coordinates";
+  return "print a map's graph of stations and junctions";
 }
 
 Command parse_map(Words words) {
   MapArguments map;
-  const auto action = take_action("map", words, {"check", "show", "graph", "generate", "import", "print"});
+  const auto action = take_action("map", words, kMapActions);
+  if (!action)
+    return help_of_actions("map", "check, draw, generate, import or print maps", parse_map, kMapActions);
   if (action == "generate") return parse_generate(words);
   if (action == "import") return parse_import(words);
   if (action == "print") return parse_print(words);
-  Options options(
-      "map " + action.value_or("check|show|graph|generate|import|print"),
-      "Checks a map file, draws it with its stations, tells its graph, makes, imports or prints maps.");
-  options.positional("MAP", map.map, "file, or name of a sample map");
-  options.text("--start", map.start, "X,Y,DIR", "start: stations are numbered from there");
-  const bool is_graph = action.value_or("graph") == "graph";
-  if (is_graph || action == "check")
-    options.flag("--json", map.json, is_graph ? "the graph for programs" : "what was found, for programs");
-  if (is_graph) {
-    options.flag("--dot", map.dot, "the graph for Graphviz");
-  }
-  if (const auto help = options.parse(words)) return PrintText{*help};
   map.action = *action;
-  if (map.json && map.dot) throw InputError("robosim map graph prints either --json or --dot");
+  Options options("map " + map.action, summary_of_map(map.action));
+  options.positional("MAP", map.map, kMapHelp, PossibleValues::map());
+  options.text("--start", map.start, "X,Y,DIR", "number the stations from this cell and heading");
+  if (map.action == "graph") {
+    options.flag("--json", map.json, "print the graph as JSON");
+    options.flag("--dot", map.dot, "print the graph for Graphviz");
+  }
+  if (map.action == "check") options.flag("--json", map.json, "print the findings as JSON");
+  if (const auto help = options.parse(words)) return *help;
+  if (map.json && map.dot)
+    throw InputError("robosim map graph prints either --json or --dot; give only one of them");
   if (map.map.empty()) {
-    throw InputError("robosim map " + map.action + " needs a map: a file, or one of " +
-                     one_of(launch::names_in(launch::stock_map_folder(), ".map")));
+    throw InputError(fmt::format("robosim map {} requires a map: a file, or one of {}", map.action,
+                                 one_of(launch::names_in(launch::stock_map_folder(), ".map"))));
   }
   return map;
 }
@@ -232,7 +284,7 @@ double seconds_a_move(const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) || value > 1e6)
-    refuse_value("--speed", text, "the seconds that a move takes, a number from 0 to 1000000");
+    refuse_value("--speed", text, "the seconds of a move, a number from 0 to 1000000");
   return value;
 }
 
@@ -250,7 +302,7 @@ void read_noise(const std::string& text, ClassicArguments& classic) {
     const bool is_chance =
         error == std::errc() && end == number.data() + number.size() && value >= 0.0 && value <= 1.0;
     if (!is_chance || (name != "miss" && name != "slip"))
-      refuse_value("--noise", text, "miss=P, slip=P or both with a comma between them, P from 0 to 1");
+      refuse_value("--noise", text, "miss=P, slip=P or both separated by a comma, with P from 0 to 1");
     (name == "miss" ? classic.miss : classic.slip) = value;
   }
 }
@@ -258,26 +310,29 @@ void read_noise(const std::string& text, ClassicArguments& classic) {
 Command parse_classic(const Words& words) {
   ClassicArguments classic;
   std::string speed, steps, noise, seed_text;
-  Options options("classic", "The robot on cells: it walks, scans a floor into a graph, and finds its way.");
-  options.positional("MAP", classic.map, "file, or name of a sample map");
-  options.text("--start", classic.start, "X,Y,DIR", "start; default: the map's");
+  Options options("classic", "walk a robot over cells, scan a map into a graph and plan ways");
+  options.positional("MAP", classic.map, kMapHelp, PossibleValues::map());
+  options.text("--start", classic.start, "X,Y,DIR", "start in this cell and heading (default: the map's)");
   options.text("--algorithm", classic.algorithm, "WHICH",
-               "left, right, ai (default), or a C++ file of your own");
-  options.text("--speed", speed, "S", "seconds a move takes (default 1)");
-  options.text("--steps", steps, "N", "moves allowed");
+               "walk by the algorithm left, right or ai (default), or by a C++ file of your own",
+               PossibleValues::of({"left", "right", "ai"}));
+  options.text("--speed", speed, "S", "let a move take this many seconds (default: 1)");
+  options.text("--steps", steps, "N", "allow this many moves");
   options.texts("--to", classic.to, "STATION",
-                "after the scan: drive there; all = every ordered pair; may be repeated");
-  options.text(
-      "--planner", classic.planner, "WHICH",
-      "bfs, dfs, iterative, pruned, climb, interval or dijkstra (default: climb on trees, else dijkstra)");
-  options.text("--noise", noise, "miss=P,slip=P", "chances that a cell is not seen, that a move fails");
-  options.text("--seed", seed_text, "N", "of the noise (default 1)");
-  options.flag("--trace", classic.trace, "every move");
-  options.flag("--json", classic.json, "for programs");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+                "drive to this station after the scan; all drives every ordered pair; may be repeated");
+  options.text("--planner", classic.planner, "WHICH",
+               "plan ways by bfs, dfs, iterative, pruned, climb, interval or dijkstra (default: climb on "
+               "trees, else dijkstra)",
+               PossibleValues::of(kPlanners));
+  options.text("--noise", noise, "miss=P,slip=P",
+               "set the probabilities that a cell is not seen and that a move fails");
+  options.text("--seed", seed_text, "N", "seed the noise (default: 1)");
+  options.flag("--trace", classic.trace, "print every move");
+  options.flag("--json", classic.json, "print the result as JSON");
+  if (const auto help = options.parse(words)) return *help;
   if (classic.map.empty()) {
-    throw InputError("robosim classic needs a map: a file, or one of " +
-                     one_of(launch::names_in(launch::stock_map_folder(), ".map")));
+    throw InputError(fmt::format("robosim classic requires a map: a file, or one of {}",
+                                 one_of(launch::names_in(launch::stock_map_folder(), ".map"))));
   }
   if (classic.algorithm.empty()) classic.algorithm = "ai";
   if (!launch::is_path(classic.algorithm))
@@ -286,87 +341,174 @@ Command parse_classic(const Words& words) {
   if (!steps.empty()) classic.steps = whole_number("--steps", steps, 1, kMostSeed);
   if (!noise.empty()) read_noise(noise, classic);
   if (!seed_text.empty()) classic.seed = seed_number(seed_text);
-  if (!classic.planner.empty())
-    check_choice("--planner", classic.planner,
-                 {"bfs", "dfs", "iterative", "pruned", "climb", "interval", "dijkstra"});
+  if (!classic.planner.empty()) check_choice("--planner", classic.planner, kPlanners);
   if (classic.algorithm != "ai" && (!classic.to.empty() || !classic.planner.empty()))
-    throw InputError("--to and --planner go with --algorithm ai: the others know no stations");
+    throw InputError("--to and --planner require --algorithm ai; the other algorithms know no stations");
   return classic;
+}
+
+const Words kRobotActions{"list", "show", "check"};
+
+const char* summary_of_robot(const std::string& action) {
+  if (action == "list") return "list the stock robots";
+  return action == "show" ? "print the file of a robot" : "check a robot file";
 }
 
 Command parse_robot(Words words) {
   RobotArguments robot;
-  const auto action = take_action("robot", words, {"list", "show", "check"});
-  Options options("robot " + action.value_or("list|show|check"),
-                  "The robots there are, the text of one, a file checked.");
-  if (action != "list") options.positional("ROBOT", robot.robot, "file, or name of a stock robot");
-  if (action == "show")
-    options.flag("--full", robot.full, "with what it has from the robots that it is based on, as one file");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  const auto action = take_action("robot", words, kRobotActions);
+  if (!action) return help_of_actions("robot", "list, print or check robots", parse_robot, kRobotActions);
   robot.action = *action;
+  Options options("robot " + robot.action, summary_of_robot(robot.action));
+  if (robot.action != "list")
+    options.positional("ROBOT", robot.robot, "use this robot: a file, or the name of a stock robot",
+                       PossibleValues::robot());
+  if (robot.action == "show")
+    options.flag("--full", robot.full, "include what it inherits from its base robots, as one file");
+  if (const auto help = options.parse(words)) return *help;
   if (robot.action != "list" && robot.robot.empty()) {
-    throw InputError("robosim robot " + robot.action + " needs a robot: a file, or one of " +
-                     one_of(launch::names_in(launch::stock_robot_folder(), ".toml")));
+    throw InputError(fmt::format("robosim robot {} requires a robot: a file, or one of {}", robot.action,
+                                 one_of(launch::names_in(launch::stock_robot_folder(), ".toml"))));
   }
   return robot;
 }
 
 Command parse_wire(const Words& words) {
   WireArguments wire;
-  Options options("wire",
-                  "Drafts a robot file for a sketch, from its names and from what it does to its pins.");
-  options.positional("SKETCH", wire.sketch,
-                     "a folder, its .ino, or one of ours; without it, the current folder");
-  options.text("--board", wire.board, "BOARD", "that the robot carries; default: uno");
-  options.text("--map", wire.map, "MAP", "file or name: the draft is tried on it; default: oval");
-  options.text("--target", wire.target, "TARGET", "host, or the chip's: avr or stm32");
-  options.text("--env", wire.environment, "NAME", kEnvironment);
-  options.texts("--libraries", wire.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
-  options.text("--out", wire.out, "FILE", "is written; default: standard output");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  Options options("wire", "draft a robot file from a sketch's names and its use of the pins");
+  options.positional("[SKETCH]", wire.sketch, kSketchHelp, PossibleValues::sketch());
+  options.text("--board", wire.board, "BOARD", "draft a robot with this board (default: uno)",
+               PossibleValues::of(board_names()));
+  options.text("--map", wire.map, "MAP", "try the draft on this map: a file or a name (default: oval)",
+               PossibleValues::map());
+  options.text("--target", wire.target, "TARGET", "run the sketch on host, avr or stm32 (default: host)",
+               targets());
+  options.text("--env", wire.environment, "NAME", kEnvironmentHelp);
+  options.texts("--libraries", wire.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
+  options.text("--out", wire.out, "FILE", "write the draft to this file (default: standard output)",
+               PossibleValues::file());
+  if (const auto help = options.parse(words)) return *help;
   return wire;
 }
 
 Command parse_play(const Words& words) {
   PlayArguments play;
-  Options options("play", "A session in the terminal: place the robot, watch it scan, send it to stations.");
-  options.positional("MAP", play.map, "file, or name of a sample map; without it, a list to choose from");
-  options.text("--start", play.start, "X,Y,DIR", "where placing the robot begins; default: the map's start");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  Options options("play", "place a robot on a map, watch it scan, and send it to stations");
+  options.positional("[MAP]", play.map,
+                     "use this map: a file, or the name of a sample map (default: choose from a list)",
+                     PossibleValues::map());
+  options.text("--start", play.start, "X,Y,DIR",
+               "offer this cell and heading as the robot's place (default: the map's start)");
+  if (const auto help = options.parse(words)) return *help;
   if (play.map.empty() && !play.start.empty())
-    throw InputError("--start is a place on a map; name the map too, as in robosim play d --start 2,10,E");
+    throw InputError("--start requires a map, as in robosim play d --start 2,10,E");
   return play;
+}
+
+Command parse_help(const Words& words) {
+  std::vector<std::string> command;
+  Options options("help", "explain Robosim or one of its commands");
+  options.positionals("[COMMAND]", command, "explain this command, such as run or map check",
+                      PossibleValues::of(command_names()));
+  if (const auto help = options.parse(words)) return *help;
+  if (command.empty()) return PrintText{full_help(command_groups())};
+  command.push_back("--help");
+  return parse_arguments(command);
+}
+
+Command parse_completion(const Words& words) {
+  std::string shell;
+  Options options("completion", "print the code that completes robosim's words in a shell",
+                  "For bash: source <(robosim completion bash). For zsh: robosim completion zsh > "
+                  "DIR/_robosim, with DIR in $fpath. For fish: robosim completion fish | source. The Debian "
+                  "packages install all three.");
+  options.positional("SHELL", shell, "print the code for bash, zsh or fish", PossibleValues::of(kShells));
+  if (const auto help = options.parse(words)) return *help;
+  if (shell.empty()) throw InputError("robosim completion requires a shell: bash, zsh or fish");
+  check_choice("robosim completion", shell, kShells);
+  return PrintText{completion(shell, command_groups())};
+}
+
+Command parse_man(const Words& words) {
+  ManArguments man;
+  Options options("man", "print the manual page of Robosim or of one of its commands",
+                  "To read one: robosim man run | man -l -");
+  options.positional("[COMMAND]", man.command, "print the page of this command",
+                     PossibleValues::of(command_names()));
+  options.text("--out", man.out, "DIR", "write all pages into this folder instead", PossibleValues::folder());
+  if (const auto help = options.parse(words)) return *help;
+  if (!man.command.empty() && !man.out.empty())
+    throw InputError("--out writes the pages of all commands; it excludes naming one");
+  if (!man.command.empty()) parse_arguments({man.command, "--help"});  // refuses unknown commands
+  return man;
+}
+
+/// A command, and the task that it is for.
+struct Entry {
+  const char* group;
+  const char* name;
+  Command (*parse)(const Words&);
+};
+
+template <Command (*parse)(Words)>
+Command with_copy(const Words& words) {
+  return parse(words);
+}
+
+constexpr const char *kDrive = "Drive", *kLook = "Look", *kTest = "Test", *kFiles = "Robots and maps",
+                     *kStations = "Stations", *kTool = "This program";
+
+constexpr Entry kCommands[] = {{kDrive, "new", parse_new},
+                               {kDrive, "run", parse_run},
+                               {kDrive, "build", parse_build},
+                               {kDrive, "flash", parse_flash},
+                               {kLook, "serve", parse_serve},
+                               {kLook, "why", parse_why},
+                               {kLook, "replay", parse_replay},
+                               {kLook, "compare", parse_compare},
+                               {kTest, "test", parse_test},
+                               {kTest, "sweep", parse_sweep},
+                               {kTest, "hunt", parse_hunt},
+                               {kTest, "mutate", parse_mutate},
+                               {kTest, "report", parse_report},
+                               {kFiles, "robot", with_copy<parse_robot>},
+                               {kFiles, "wire", parse_wire},
+                               {kFiles, "calibrate", parse_calibrate},
+                               {kFiles, "map", with_copy<parse_map>},
+                               {kStations, "play", parse_play},
+                               {kStations, "classic", parse_classic},
+                               {kTool, "help", parse_help},
+                               {kTool, "completion", parse_completion},
+                               {kTool, "man", parse_man}};
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kCommands) names.push_back(entry.name);
+  return names;
 }
 
 }  // namespace
 
+std::vector<CommandGroup> command_groups() {
+  std::vector<CommandGroup> groups;
+  for (const Entry& entry : kCommands) {
+    if (groups.empty() || groups.back().title != entry.group) groups.push_back({entry.group, {}});
+    groups.back().commands.push_back(std::get<PrintText>(entry.parse({"--help"})).help);
+  }
+  return groups;
+}
+
 Command parse_arguments(const std::vector<std::string>& words) {
-  if (words.empty()) return PrintText{kExamples};
+  if (words.empty()) return PrintText{overview(command_groups())};
   const std::string& first = words[0];
-  if (first == "--help" || first == "-h" || first == "help") return PrintText{kHelp};
-  if (first == "--version") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
+  if (first == "--help" || first == "-h") return PrintText{full_help(command_groups())};
+  if (first == "--version" || first == "-V") return PrintText{"robosim " ROBOSIM_VERSION "\n"};
   const Words rest(words.begin() + 1, words.end());
-  if (first == "run") return parse_run(rest);
-  if (first == "why") return parse_why(rest);
-  if (first == "replay") return parse_replay(rest);
-  if (first == "sweep") return parse_sweep(rest);
-  if (first == "report") return parse_report(rest);
-  if (first == "compare") return parse_compare(rest);
-  if (first == "play") return parse_play(rest);
-  if (first == "classic") return parse_classic(rest);
-  if (first == "build") return parse_build(rest);
-  if (first == "flash") return parse_flash(rest);
-  if (first == "map") return parse_map(rest);
-  if (first == "wire") return parse_wire(rest);
-  if (first == "robot") return parse_robot(rest);
-  if (first == "calibrate") return parse_calibrate(rest);
-  if (first == "serve") return parse_serve(rest);
-  if (first == "test") return parse_test(rest);
-  if (first == "mutate") return parse_mutate(rest);
-  if (first == "hunt") return parse_hunt(rest);
-  if (first == "new") return parse_new(rest);
-  if (first.starts_with('-')) throw InputError(unknown_name("option", first, {"--help", "--version"}));
-  throw InputError(unknown_name("command", first, kCommands));
+  for (const Entry& entry : kCommands)
+    if (first == entry.name) return entry.parse(rest);
+  if (first.starts_with('-'))
+    throw InputError(fmt::format("unknown option: {}", expected_one_of(first, {"--help", "--version"})));
+  throw InputError(unknown_name("command", first, command_names()));
 }
 
 }  // namespace robosim::cli

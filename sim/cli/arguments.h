@@ -1,4 +1,4 @@
-// The parsed command line. `robosim --help` lists the commands (sim/cli/help_text.h).
+// The command line, read into values. `robosim --help` lists the commands (sim/cli/help.h).
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/cli/help.h"
 #include "sim/cli/shard.h"
 #include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
@@ -244,18 +245,23 @@ struct NewArguments {
   std::string name;
 };
 
-/// Only prints a text: --help, --version, or the examples of a bare `robosim`.
-struct PrintText {
-  std::string text;
+/// `robosim man`
+struct ManArguments {
+  std::string command;  ///< empty = the page of Robosim itself
+  std::string out;      ///< a folder for all pages; empty = standard output
 };
 
-using Command = std::variant<RunArguments, WhyArguments, ReplayArguments, SweepArguments, ReportArguments,
-                             CompareArguments, PlayArguments, ClassicArguments, BuildArguments,
-                             FlashArguments, WireArguments, MapArguments, GenerateArguments, ImportArguments,
-                             PrintArguments, RobotArguments, CalibrateArguments, ServeArguments,
-                             TestArguments, MutateArguments, HuntArguments, NewArguments, PrintText>;
+using Command =
+    std::variant<RunArguments, WhyArguments, ReplayArguments, SweepArguments, ReportArguments,
+                 CompareArguments, PlayArguments, ClassicArguments, BuildArguments, FlashArguments,
+                 WireArguments, MapArguments, GenerateArguments, ImportArguments, PrintArguments,
+                 RobotArguments, CalibrateArguments, ServeArguments, TestArguments, MutateArguments,
+                 HuntArguments, NewArguments, ManArguments, PrintText>;
 
-/// Parses `words`, without the program's name. Throws InputError.
+/// Describes all commands, by task.
+std::vector<CommandGroup> command_groups();
+
+/// Reads the words after the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

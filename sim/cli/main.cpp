@@ -13,6 +13,7 @@
 #include "sim/cli/compare/compare_command.h"
 #include "sim/cli/files/build_command.h"
 #include "sim/cli/files/flash_command.h"
+#include "sim/cli/files/man_command.h"
 #include "sim/cli/files/map_command.h"
 #include "sim/cli/files/map_import.h"
 #include "sim/cli/files/map_print.h"
@@ -58,6 +59,7 @@ struct Perform {
   int operator()(const MutateArguments& arguments) const { return mutate_command(arguments); }
   int operator()(const HuntArguments& arguments) const { return hunt_command(arguments); }
   int operator()(const NewArguments& arguments) const { return new_command(arguments); }
+  int operator()(const ManArguments& arguments) const { return man_command(arguments); }
   int operator()(const PrintText& text) const {
     print(text.text);
     return 0;

@@ -8,91 +8,129 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/goal_forms.h"
 #include "sim/base/profile.h"
 #include "sim/base/spelling.h"
 #include "sim/base/units.h"
 
 namespace robosim::cli {
 
-struct Options::App {
-  CLI::App cli;
-};
-
-Options::Options(const std::string& command, const std::string& what)
-    : command_(command), app_(new App{CLI::App(what, "robosim " + command)}) {
-  app_->cli.allow_extras();
-  app_->cli.get_formatter()->column_width(28);
-  app_->cli.failure_message([](const CLI::App*, const CLI::Error&) { return std::string(); });
+Options::Options(const std::string& command, const std::string& summary, const std::string& details) {
+  help_.name = command;
+  help_.summary = summary;
+  help_.details = details;
 }
 
-Options::~Options() = default;
-
-void Options::positional(const char* name, std::string& value, const char* what) {
-  app_->cli.add_option(name, value, what)->option_text(" ");
+void Options::add_positional(const std::string& name, Taker taker, const char* what, PossibleValues values) {
+  OptionHelp help{name, "", what, std::move(values), taker.several != nullptr, name[0] != '['};
+  if (!help.is_required) help.name = name.substr(1, name.size() - 2);
+  help_.arguments.push_back(std::move(help));
+  arguments_.push_back(taker);
 }
 
-void Options::positionals(const char* name, std::vector<std::string>& values, const char* what) {
-  app_->cli.add_option(name, values, what)->option_text(" ");
+void Options::add_option(OptionHelp help, Taker taker) {
+  help_.options.push_back(std::move(help));
+  options_.push_back(taker);
 }
 
-void Options::text(const char* name, std::string& value, const char* meta, const char* what) {
-  // parse() refuses a second value itself: CLI11's error for one has the same type as for a missing value.
-  app_->cli.add_option(name, value, what)->option_text(meta)->take_last();
+void Options::positional(const std::string& name, std::string& value, const char* what,
+                         PossibleValues values) {
+  add_positional(name, {&value}, what, std::move(values));
 }
 
-void Options::texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
-  app_->cli.add_option(name, values, what)->option_text(meta)->allow_extra_args(false);
+void Options::positionals(const std::string& name, std::vector<std::string>& values, const char* what,
+                          PossibleValues possible) {
+  add_positional(name, {nullptr, &values}, what, std::move(possible));
 }
 
-void Options::lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what) {
-  app_->cli.add_option(name, values, what)->option_text(meta);
+void Options::text(const char* name, std::string& value, const char* meta, const char* what,
+                   PossibleValues values) {
+  add_option({name, meta, what, std::move(values)}, {&value});
 }
 
-void Options::flag(const char* name, bool& value, const char* what) { app_->cli.add_flag(name, value, what); }
+void Options::texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
+                    PossibleValues possible) {
+  add_option({name, meta, what, std::move(possible)}, {nullptr, &values});
+}
 
-std::optional<std::string> Options::parse(std::vector<std::string> words) {
+void Options::lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
+                    PossibleValues possible) {
+  add_option({name, meta, what, std::move(possible), true}, {nullptr, &values});
+}
+
+void Options::flag(const char* name, bool& value, const char* what) {
+  add_option({name, "", what, {}}, {nullptr, nullptr, &value});
+}
+
+std::optional<PrintText> Options::parse(std::vector<std::string> words) {
+  const auto help = [&] { return PrintText{help_text(help_), help_}; };
+  if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h")) return help();
+  CLI::App app;
+  app.allow_extras();
+  for (std::size_t i = 0; i < arguments_.size(); ++i) {
+    const std::string& name = help_.arguments[i].name;
+    if (arguments_[i].one) app.add_option(name, *arguments_[i].one);
+    if (arguments_[i].several) app.add_option(name, *arguments_[i].several);
+  }
+  for (std::size_t i = 0; i < options_.size(); ++i) {
+    const OptionHelp& option = help_.options[i];
+    if (options_[i].flag) app.add_flag(option.name, *options_[i].flag);
+    // A second value is refused below: CLI11's error for one has the type of that for a missing value.
+    if (options_[i].one) app.add_option(option.name, *options_[i].one)->take_last();
+    if (!options_[i].several) continue;
+    CLI::Option* several = app.add_option(option.name, *options_[i].several);
+    if (!option.is_list) several->allow_extra_args(false);
+  }
   const std::string last = words.empty() ? "" : words.back();
   std::reverse(words.begin(), words.end());  // CLI11 needs this order
   try {
-    app_->cli.parse(std::move(words));
+    app.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
-    return app_->cli.help();
-  } catch (const CLI::ArgumentMismatch&) {  // an option takes the next word, even another option
-    throw InputError(last.substr(0, last.find('=')) + " needs a value after it");
+    return help();
+  } catch (const CLI::ArgumentMismatch&) {  // an option takes the next word, whatever that is
+    refuse_missing_value(last.substr(0, last.find('=')));
   } catch (const CLI::ParseError& error) {
-    throw InputError(command_ + ": " + error.what());
+    throw InputError(fmt::format("{}: {}", help_.name, error.what()));
   }
-  for (const CLI::Option* option : std::as_const(app_->cli).get_options()) {
+  for (const CLI::Option* option : std::as_const(app).get_options()) {
     if (option->get_items_expected_max() == 1 && option->count() > 1)
       throw InputError(option->get_name() + " is given more than once");
   }
-  for (const std::string& extra : app_->cli.remaining()) refuse(extra);
+  for (const std::string& extra : app.remaining()) refuse(extra);
   return std::nullopt;
 }
 
-void Options::refuse(const std::string& word) const {
-  const std::string help = "see robosim " + command_ + " --help";
-  if (word.empty() || word[0] != '-') {
-    throw InputError(fmt::format("{}: “{}” is one word too many; {}", command_, word, help));
-  }
-  std::vector<std::string> options;
-  for (const CLI::Option* option : std::as_const(app_->cli).get_options()) {
-    for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
-  }
-  const auto guess = nearest(word.substr(0, word.find('=')), options);
-  throw InputError(fmt::format("{} has no option {}; {}", command_, word,
-                               guess ? "did you mean " + *guess + "? (" + help + ")" : help));
+void Options::refuse_missing_value(const std::string& option) const {
+  for (const OptionHelp& known : help_.options)
+    if (known.name == option)
+      throw InputError(fmt::format("{0} requires a value: expected {0} {1}", option, known.meta));
+  throw InputError(option + " requires a value");
 }
 
-void refuse_value(const char* option, const std::string& value, const std::string& allowed) {
-  throw InputError(fmt::format("{}: “{}” is not possible; it must be {}", option, value, allowed));
+void Options::refuse(const std::string& word) const {
+  if (word.empty() || word[0] != '-')
+    throw InputError(fmt::format("{0}: unexpected argument “{1}”; see robosim help {0}", help_.name, word));
+  std::vector<std::string> options{"--help"};
+  for (const OptionHelp& option : help_.options) options.push_back(option.name);
+  const std::string meant = did_you_mean(word.substr(0, word.find('=')), options);
+  throw InputError(fmt::format("{0}: unknown option {1}{2}{3} robosim help {0}", help_.name, word, meant,
+                               meant.empty() ? "; see" : " See"));
+}
+
+PossibleValues targets() { return PossibleValues::of({"host", "avr", "stm32"}); }
+PossibleValues profiles() { return PossibleValues::of({kProfileNames.begin(), kProfileNames.end()}); }
+PossibleValues goals() { return PossibleValues::of({kGoalForms.begin(), kGoalForms.end()}); }
+
+void refuse_value(const char* option, const std::string& value, const std::string& allowed,
+                  const std::string& hint) {
+  throw InputError(fmt::format("{}: expected {}, got “{}”{}", option, allowed, value, hint));
 }
 
 std::int64_t simulated_time(const char* option, const std::string& text) {
   const auto ns = parse_duration_ns(text);
   if (!ns || *ns <= 0) {
     refuse_value(option, text,
-                 "a time above 0 with its unit, as in 60s (" + unit_names(Dimension::time) + ")");
+                 fmt::format("a time above 0 with its unit, as in 60s ({})", unit_names(Dimension::time)));
   }
   return *ns;
 }
@@ -110,9 +148,8 @@ std::uint64_t whole_number(const char* option, const std::string& text, std::uin
 std::uint64_t seed_number(const std::string& text) { return whole_number("--seed", text, 0, kMostSeed); }
 
 void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed) {
-  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
-    refuse_value(option, value, one_of(allowed));
-  }
+  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+    throw InputError(fmt::format("{}: {}", option, expected_one_of(value, allowed)));
 }
 
 void check_profile(const std::string& value) {

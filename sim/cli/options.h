@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "sim/cli/help.h"
 
 namespace robosim::cli {
 
@@ -14,50 +15,74 @@ namespace robosim::cli {
 /// messages.
 class Options {
  public:
-  Options(const std::string& command, const std::string& what);
-  ~Options();
+  /// `summary` and `details`: as of CommandHelp.
+  Options(const std::string& command, const std::string& summary, const std::string& details = "");
 
-  void positional(const char* name, std::string& value, const char* what);
-  void positionals(const char* name, std::vector<std::string>& values, const char* what);
-  void text(const char* name, std::string& value, const char* meta, const char* what);
-  /// Adds an option that may be repeated.
-  void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what);
-  /// Adds an option that may be repeated, each time with several words.
-  void lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what);
+  /// `name`: as the usage shows it, "MAP" if it must be given and "[MAP]" if not.
+  void positional(const std::string& name, std::string& value, const char* what, PossibleValues values = {});
+  void positionals(const std::string& name, std::vector<std::string>& values, const char* what,
+                   PossibleValues possible = {});
+  void text(const char* name, std::string& value, const char* meta, const char* what,
+            PossibleValues values = {});
+  /// May be repeated.
+  void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
+             PossibleValues possible = {});
+  /// May be repeated, and each time be followed by several words.
+  void lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
+             PossibleValues possible = {});
   void flag(const char* name, bool& value, const char* what);
 
-  /// Returns the help text if it was requested. Throws InputError.
-  std::optional<std::string> parse(std::vector<std::string> words);
+  /// Reads the words into the values, or returns the help if it was asked for. Throws InputError.
+  std::optional<PrintText> parse(std::vector<std::string> words);
 
  private:
+  /// Where an option's value goes.
+  struct Taker {
+    std::string* one = nullptr;
+    std::vector<std::string>* several = nullptr;
+    bool* flag = nullptr;
+  };
+  void add_positional(const std::string& name, Taker taker, const char* what, PossibleValues values);
+  void add_option(OptionHelp help, Taker taker);
   [[noreturn]] void refuse(const std::string& word) const;
+  [[noreturn]] void refuse_missing_value(const std::string& option) const;
 
-  struct App;
-  std::string command_;
-  std::unique_ptr<App> app_;
+  CommandHelp help_;
+  std::vector<Taker> arguments_, options_;  ///< as in help_
 };
 
-/// For --profile.
-constexpr const char* kProfiles =
-    "ideal (no noise) or typical (default); typical@1 is typical as it was before version 2";
-/// For --env.
-constexpr const char* kEnvironment = "of platformio.ini, or a profile of sketch.yaml";
-
-/// For --untrusted.
-constexpr const char* kUntrusted = "somebody else's sketch: go on only where this machine can confine it";
+// What options mean that many commands have.
+constexpr const char* kProfileHelp =
+    "simulate ideal (no noise) or typical hardware (default: typical); typical@1 is typical as it was before "
+    "version 2";
+constexpr const char* kEnvironmentHelp =
+    "use this environment of platformio.ini, or this profile of sketch.yaml";
+constexpr const char* kUntrustedHelp =
+    "treat the sketch as hostile: run it only if this machine can confine it";
+constexpr const char* kLibrariesHelp = "use the Arduino libraries in this folder; may be repeated";
+constexpr const char* kSketchHelp =
+    "use this sketch: a folder, an .ino file or the name of a sample sketch (default: the current folder)";
+constexpr const char* kMapHelp = "use this map: a file, or the name of a sample map";
+constexpr const char* kJobsHelp = "do this many runs at a time (default: one for each core)";
+constexpr const char* kShardHelp = "do only the I-th of N parts of the runs; --merge combines the parts";
 
 constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
 
-/// Throws "--seed: “x” is not possible; it must be `allowed`".
-[[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed);
+// The possible values of options that many commands have, for completion.
+PossibleValues targets();
+PossibleValues profiles();
+PossibleValues goals();
 
-/// These throw InputError.
+/// Throws InputError: "--seed: expected `allowed`, got “x”; `hint`".
+[[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed,
+                               const std::string& hint = "");
+
+// These throw InputError.
 std::int64_t simulated_time(const char* option, const std::string& text);
 std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
                            std::uint64_t most);
 std::uint64_t seed_number(const std::string& text);
 void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed);
-/// Checks --profile likewise.
 void check_profile(const std::string& value);
 
 }  // namespace robosim::cli

@@ -16,7 +16,7 @@ namespace {
 
 void write_out(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  throw InputError(std::string("the standard output cannot be written: ") + std::strerror(errno));
+  throw InputError(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 

@@ -3,25 +3,25 @@
 namespace robosim::cli {
 
 void RunOptions::task() {
-  options_.text("--start", run_.request.start, "X,Y,DIR",
-                "start cell (column, row) and heading: N, S, E or W");
-  options_.text("--goal", run_.request.goal, "GOAL",
-                "tour, laps:N, station:N, still, none, or a competition's (docs/reference/courses.md)");
-  options_.text("--script", run_.script, "FILE", "what happens meanwhile: buttons, serial, faults");
+  options_.text("--start", run_.request.start, "X,Y,DIR", kStartHelp);
+  options_.text("--goal", run_.request.goal, "GOAL", kGoalHelp, goals());
+  options_.text("--script", run_.script, "FILE", kScriptHelp, PossibleValues::file());
 }
 
 void RunOptions::time() {
-  options_.text("--for", duration_, "TIME", "simulated time at most, as in 60s; default: 10 min");
-  options_.text("--clock", clock_, "TIME", "what millis() begins with, as in 49.7d; on a chip target");
+  options_.text("--for", duration_, "TIME", "limit the simulated time, as in 60s (default: 10 min)");
+  options_.text("--clock", clock_, "TIME",
+                "let millis() begin with this time, as in 49.7d (chip targets only)");
 }
 
-void RunOptions::seed() { options_.text("--seed", seed_, "N", "of all noise and spread; default: 1"); }
+void RunOptions::seed() { options_.text("--seed", seed_, "N", "seed all noise and spread (default: 1)"); }
 
 void RunOptions::common() {
-  options_.text("--profile", run_.request.profile, "PROFILE", kProfiles);
-  options_.texts("--send", run_.send, "TEXT", "sent to the sketch's serial port at 1 s; \\n is a new line");
-  options_.text("--env", run_.environment, "NAME", kEnvironment);
-  options_.texts("--libraries", run_.libraries, "DIR", "a folder of Arduino libraries; may be repeated");
+  options_.text("--profile", run_.request.profile, "PROFILE", kProfileHelp, profiles());
+  options_.texts("--send", run_.send, "TEXT",
+                 "send this text to the sketch's serial port at 1 s; \\n is a new line; may be repeated");
+  options_.text("--env", run_.environment, "NAME", kEnvironmentHelp);
+  options_.texts("--libraries", run_.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
 }
 
 void RunOptions::finish() {

@@ -8,6 +8,13 @@
 
 namespace robosim::cli {
 
+// What options mean that may also be given for one robot of several.
+constexpr const char* kStartHelp = "start in this cell (column, row) with the heading N, S, E or W";
+constexpr const char* kGoalHelp =
+    "pursue this goal: tour, laps:N, station:NAME, still, none, or a competition's "
+    "(docs/reference/courses.md)";
+constexpr const char* kScriptHelp = "apply this script during the run: buttons, serial text, faults";
+
 class RunOptions {
  public:
   /// Both outlive this.

@@ -26,8 +26,7 @@ std::vector<Area> visible_areas(const Course& course) {
 void read_areas(const ConfigValue& value, double gloss, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "area")) {
     if (course.areas.size() == kMostAreas)
-      throw InputError(item.place,
-                       fmt::format("this is one [[area]] too many; a map has at most {}", kMostAreas));
+      throw InputError(item.place, fmt::format("too many [[area]]: expected at most {}", kMostAreas));
     TableReader table(item, "[[area]]");
     const Figures figures(draw, fmt::format("[[area]] {}", course.areas.size() + 1));
     Area area;

@@ -27,8 +27,8 @@ double read_turn(const ConfigValue& value, double most) {
   const double turn = as_quantity(value, "angle", Dimension::angle, -most, most);
   if (std::fabs(turn) < kLeastTurn)
     throw InputError(value.place,
-                     "angle is 0, or nearly; arcs and corners turn, by 0.000001 deg or more, and a straight "
-                     "has a length");
+                     "angle: expected at least 0.000001 deg to the left or right; a straight has a length "
+                     "instead");
   return turn;
 }
 
@@ -38,8 +38,8 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   std::size_t i = 0;
   while (i < course.paints.size() && course.paints[i] != paint) ++i;
   if (i == Paint::kMost)
-    throw InputError(place, fmt::format("this is one kind of line too many; a map has at most {} that are "
-                                        "not as its lines are (width, colour, worn, gloss)",
+    throw InputError(place, fmt::format("too many kinds of line: expected at most {} that differ from the "
+                                        "map's usual line in width, colour, worn or gloss",
                                         Paint::kMost));
   if (i == course.paints.size()) course.paints.push_back(paint);
   return static_cast<int>(i) + 1;
@@ -73,16 +73,18 @@ void read_piece(const ConfigValue& value, const Paint& usual, const Paint& of_pa
   } else {
     throw InputError(
         value.place,
-        "a segment is a straight, { length = \"300 mm\" }, an arc, { radius = \"200 mm\", angle = "
-        "\"90 deg\" }, or a corner, { angle = \"90 deg\" }; an angle below 0 turns to the right");
+        "invalid segment: expected a straight, { length = \"300 mm\" }, an arc, { radius = \"200 mm\", angle "
+        "= \"90 deg\" }, or a corner, { angle = \"90 deg\" }; an angle below 0 turns to the right");
   }
   const bool is_corner = path.pieces().back().length == 0.0;
   if (paint != of_path && (is_gap || is_corner))
-    throw InputError(value.place, fmt::format("{} is not painted, and has no width, colour, worn or gloss",
-                                              is_gap ? "a gap" : "a corner"));
+    throw InputError(value.place,
+                     fmt::format("{} is not painted; it cannot have a width, colour, worn or gloss",
+                                 is_gap ? "a gap" : "a corner"));
   path.paint_last(number_of(paint, usual, course, value.place));
   if (path.length() > Path::kMost)
-    throw InputError(value.place, fmt::format("the path is longer than {:.0f} km", Path::kMost / 1e3));
+    throw InputError(value.place,
+                     fmt::format("the path is too long: expected at most {:.0f} km", Path::kMost / 1e3));
 }
 
 }  // namespace
@@ -97,7 +99,7 @@ void read_paths(const ConfigValue& value, const Paint& usual, Course& course) {
     table.finish();
     if (segments.kind != ConfigValue::Kind::array || segments.items.empty())
       throw InputError(segments.place,
-                       "segments must be a list of straights and arcs, such as [{ length = \"1 m\" }]");
+                       "segments: expected a list of straights and arcs, such as [{ length = \"1 m\" }]");
     Path path({from, unit_vector(heading)});
     path.place = item.place;
     for (const ConfigValue& segment : segments.items) read_piece(segment, usual, paint, course, path);
@@ -109,7 +111,7 @@ void read_marks(const ConfigValue& value, double line_m, const Paint& usual, Cou
   for (const ConfigValue& item : tables_of(value, "mark")) {
     TableReader table(item, "[[mark]]");
     const auto paths = static_cast<std::int64_t>(course.paths.size());
-    if (paths == 0) throw InputError(item.place, "[[mark]] is beside a path, and there is no [[path]]");
+    if (paths == 0) throw InputError(item.place, "[[mark]] requires a [[path]] to lie next to");
     const auto path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
     const double most = course.paths[static_cast<std::size_t>(path)].length();
     const double along = as_quantity(table.require("along"), "along", Dimension::length, 0.0, most);
@@ -127,7 +129,7 @@ void read_marks(const ConfigValue& value, double line_m, const Paint& usual, Cou
 void read_race(const ConfigValue& value, double line_m, Course& course) {
   TableReader table(value, "[race]");
   const auto paths = static_cast<std::int64_t>(course.paths.size());
-  if (paths == 0) throw InputError(value.place, "[race] is along a path, and there is no [[path]]");
+  if (paths == 0) throw InputError(value.place, "[race] requires a [[path]]");
   RaceLines race;
   race.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
   const Path& path = course.paths[static_cast<std::size_t>(race.path)];
@@ -135,8 +137,8 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
   if (!is_drag_race && !path.is_closed(line_m))
     throw InputError(
         value.place,
-        "[race] is for a closed path, whose end meets its beginning, or has braking = \"1 m\", the "
-        "distance behind the goal line of a drag race");
+        "[race] requires a closed path, whose end meets its beginning, or braking = \"1 m\", the distance "
+        "after the goal line of a drag race");
   race.start = table.quantity("start", Dimension::length, 0.0, 0.0, path.length());
   const ConfigValue& goal = table.require("goal");
   race.goal = as_quantity(goal, "goal", Dimension::length, 0.0, path.length());
@@ -145,12 +147,13 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
   race.signal = table.quantity("signal", Dimension::time, 0.0, 1e-3, kLatestSignal);
   table.finish();
   if (signal && !is_drag_race)
-    throw InputError(signal->place, "signal is for a drag race, which has a braking");
-  if (race.goal == race.start) throw InputError(goal.place, "the goal line is the start line");
+    throw InputError(signal->place, "signal requires braking, the key of a drag race");
+  if (race.goal == race.start)
+    throw InputError(goal.place, "the goal line is the start line: expected two different places");
   if (is_drag_race && (race.goal < race.start || race.goal + race.braking > path.length()))
     throw InputError(goal.place,
-                     fmt::format("a drag race goes from its start to its goal line and on over its "
-                                 "braking distance; this path is {:.10g} mm long",
+                     fmt::format("the path is too short for a drag race: expected room for start, goal line "
+                                 "and braking distance in this order, got {:.10g} mm",
                                  1e3 * path.length()));
   course.race = race;
 }
@@ -158,13 +161,13 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
 void read_rescue(const ConfigValue& value, Course& course) {
   TableReader table(value, "[rescue]");
   if (course.paths.empty())
-    throw InputError(value.place, "[rescue] is along the first path, and there is no [[path]]");
+    throw InputError(value.place, "[rescue] requires a [[path]], along which it goes");
   const double length = course.paths.front().length();
   if (length > kLongestRescue)
     throw InputError(value.place,
-                     fmt::format("[rescue] is along the first path, which is {:.10g} m long; at most "
-                                 "{:.10g} m are allowed",
-                                 length, kLongestRescue));
+                     fmt::format("the first path is too long for [rescue]: expected at most {:.10g} m, got "
+                                 "{:.10g} m",
+                                 kLongestRescue, length));
   RescueCourse rescue;
   rescue.tile = table.quantity("tile", Dimension::length, rescue.tile, 0.1, 1.0);
   rescue.is_entry = table.choice("league", "line", {"line", "entry"}) == "entry";
@@ -173,11 +176,12 @@ void read_rescue(const ConfigValue& value, Course& course) {
   if (const ConfigValue* const list = table.find("checkpoints")) {
     if (list->kind != ConfigValue::Kind::array)
       throw InputError(list->place,
-                       "checkpoints must be a list of lengths along the first path, such as [\"1.35 m\"]");
+                       "checkpoints: expected a list of lengths along the first path, such as [\"1.35 m\"]");
     for (const ConfigValue& item : list->items) {
       const double along = as_quantity(item, "a checkpoint", Dimension::length, 0.0, length);
       if (!rescue.checkpoints.empty() && along <= rescue.checkpoints.back())
-        throw InputError(item.place, "checkpoints must be in the order in which they are met");
+        throw InputError(item.place,
+                         "checkpoints: expected increasing lengths, the order in which the robot meets them");
       rescue.checkpoints.push_back(along);
     }
   }

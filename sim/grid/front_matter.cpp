@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "sim/base/config.h"
+#include "sim/base/goal_forms.h"
+#include "sim/base/spelling.h"
 #include "sim/grid/course_reader.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/front_tables.h"
@@ -18,7 +20,6 @@ constexpr double kMinCell = 0.001;  // m
 constexpr double kMaxCell = 10.0;
 constexpr double kMaxCorner = 100.0;
 constexpr double kMaxVariation = 0.3;
-constexpr int kMostTries = 3;       // of a line maze
 constexpr double kMinPixel = 1e-5;  // m
 constexpr double kMaxPixel = 0.1;
 
@@ -37,9 +38,10 @@ FrontMatter::PlacedStart read_start(const ConfigValue& value, const Course& cour
   const std::string facing = table.choice("facing", "", {"E", "S", "W", "N"});
   if (const ConfigValue* along = table.find("along")) {
     const auto paths = static_cast<std::int64_t>(course.paths.size());
-    if (paths == 0) throw InputError(along->place, "[start] has along, and there is no [[path]]");
+    if (paths == 0) throw InputError(along->place, "[start] with along requires a [[path]]");
     if (start.cell || !facing.empty())
-      throw InputError(along->place, "[start] has along, a place on a path; x, y and facing are for cells");
+      throw InputError(along->place,
+                       "[start]: along is a place on a path; it excludes x, y and facing, which are a cell");
     OnPath on;
     on.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
     on.along = as_quantity(*along, "along", Dimension::length, 0.0,
@@ -54,7 +56,7 @@ FrontMatter::PlacedStart read_start(const ConfigValue& value, const Course& cour
 
 void read_size(const ConfigValue& value, FrontMatter& front) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
-    throw InputError(value.place, "size must be [\"WIDTH\", \"HEIGHT\"], such as [\"3.6 m\", \"1.8 m\"]");
+    throw InputError(value.place, "size: expected [\"WIDTH\", \"HEIGHT\"], such as [\"3.6 m\", \"1.8 m\"]");
   const double most = kMaxSide * front.settings.cell_m;
   front.size =
       Vec2{as_quantity(value.items[0], "the width", Dimension::length, front.settings.cell_m, most),
@@ -70,18 +72,20 @@ void read_floor(TableReader& table, FrontMatter& front) {
   front.settings.raster = what == "raster";
   if (!is_picture && what != "stripes" && what != "raster")
     throw InputError(floor->place,
-                     fmt::format("floor is \"{}\"; allowed are stripes, raster or the name of a picture, "
-                                 "NAME.png, beside the map",
-                                 what));
+                     fmt::format("floor: expected stripes, raster or the name of a picture next to the map, "
+                                 "NAME.png, got \"{}\"{}",
+                                 what, did_you_mean(what, {"stripes", "raster"})));
   if (!is_picture) {
-    if (pixel) throw InputError(pixel->place, "pixel is for floor = \"NAME.png\", a picture");
+    if (pixel) throw InputError(pixel->place, "pixel requires a picture: floor = \"NAME.png\"");
     return;
   }
   if (what.find_first_of("/\\") != what.npos || what.front() == '.')
-    throw InputError(floor->place, fmt::format("floor is \"{}\"; a picture lies beside the map, so this is a "
-                                               "file's name without folders",
-                                               what));
-  if (!pixel) throw InputError(floor->place, "a picture needs the side of a pixel, as in pixel = \"0.5 mm\"");
+    throw InputError(floor->place,
+                     fmt::format("floor: expected the name of a picture next to the map, without "
+                                 "folders, got \"{}\"",
+                                 what));
+  if (!pixel)
+    throw InputError(floor->place, "a picture requires the side of a pixel, as in pixel = \"0.5 mm\"");
   front.picture = what;
   front.picture_place = floor->place;
   front.pixel_m = as_quantity(*pixel, "pixel", Dimension::length, kMinPixel, kMaxPixel);
@@ -99,7 +103,7 @@ bool is_goal(std::string_view goal) {
     if (goal == word) return true;
   constexpr std::string_view laps = "laps:", station = "station:", maze = "line-maze:";
   if (goal.starts_with(station)) return goal.size() > station.size();
-  if (goal.starts_with(maze)) return is_count(goal.substr(maze.size()), kMostTries);
+  if (goal.starts_with(maze)) return is_count(goal.substr(maze.size()), kMostMazeTries);
   return goal.starts_with(laps) && is_count(goal.substr(laps.size()), std::numeric_limits<int>::max());
 }
 
@@ -114,10 +118,7 @@ void read_goal(const ConfigValue& value, FrontMatter& front) {
   front.settings.goal = as_string(value, "goal");
   front.settings.goal_place = value.place;
   if (!is_goal(front.settings.goal))
-    throw InputError(value.place, fmt::format("goal is \"{}\"; allowed are tour, laps:N, station:N, "
-                                              "robotrace, ukmars, drag-race, rescue-line, line-maze, "
-                                              "line-maze:N (N tries, up to {}), still or none",
-                                              front.settings.goal, kMostTries));
+    throw InputError(value.place, fmt::format("goal: {}", expected_goal(front.settings.goal)));
 }
 
 bool is_station_name(std::string_view name) {
@@ -130,17 +131,17 @@ bool is_station_name(std::string_view name) {
 void read_stations(const ConfigValue& value, FrontMatter& front) {
   if (value.kind != ConfigValue::Kind::table)
     throw InputError(value.place,
-                     fmt::format("stations is {}; it must be a table: [stations], then lines such as "
-                                 "dock = [13, 2]",
+                     fmt::format("stations: expected a table, [stations] and then lines such as dock = [13, "
+                                 "2], got {}",
                                  to_string(value.kind)));
   for (const auto& [name, cell] : value.members) {
     if (!is_station_name(name))
       throw InputError(cell.place,
-                       fmt::format("station name \"{}\"; a name begins with a letter and holds letters, "
-                                   "digits, - and _",
+                       fmt::format("invalid station name: expected a letter, then letters, digits, - and _, "
+                                   "got \"{}\"",
                                    name));
     if (cell.kind != ConfigValue::Kind::array || cell.items.size() != 2)
-      throw InputError(cell.place, fmt::format("station {} must be [column, row], such as [13, 2]", name));
+      throw InputError(cell.place, fmt::format("station {}: expected [column, row], such as [13, 2]", name));
     front.stations.push_back({{name, read_cell(cell.items[0], cell.items[1])}, cell.place});
   }
 }
@@ -157,10 +158,9 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   map.line_m =
       table.quantity("line", Dimension::length, std::min(map.line_m, map.cell_m), kMinCell, kMaxCell);
   if (map.line_m > map.cell_m)
-    throw InputError(
-        table.require("line").place,
-        fmt::format("line is {:.10g} mm, but a cell only {:.10g} mm; a line is at most as wide as a cell",
-                    map.line_m * 1e3, map.cell_m * 1e3));
+    throw InputError(table.require("line").place,
+                     fmt::format("line: expected at most the width of a cell, {:.10g} mm, got {:.10g} mm",
+                                 map.cell_m * 1e3, map.line_m * 1e3));
   map.corner_m = table.quantity("corner", Dimension::length, map.corner_m, 0.0, kMaxCorner);
   read_floor(table, front);
   map.generator = table.string("generator", "");
@@ -172,7 +172,8 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
   map.worn = read_share(table, "worn", 0.0);
   map.gloss = read_share(table, "gloss", 0.0);
   if (map.raster && map.worn > 0.0)
-    throw InputError(table.require("worn").place, "worn is for lines; floor = \"raster\" has painted cells");
+    throw InputError(table.require("worn").place,
+                     "worn requires lines; floor = \"raster\" has painted cells");
   const Paint usual = usual_paint(map);
   if (const ConfigValue* size = table.find("size")) read_size(*size, front);
   if (const ConfigValue* paths = table.find("path")) read_paths(*paths, usual, map.course);
@@ -195,27 +196,27 @@ void check_picture(const Map& map, const Place& place) {
   const double wide = map.image->wide_m(), high = map.image->high_m();
   const auto size = [](double x, double y) { return fmt::format("{:.10g} x {:.10g} mm", 1e3 * x, 1e3 * y); };
   if (std::min(wide, high) < map.line_m)
-    throw InputError(place,
-                     fmt::format("the picture is {} large, less than the line is wide ({:.10g} mm): is "
-                                 "pixel = \"{:.10g} mm\" right?",
-                                 size(wide, high), 1e3 * map.line_m, 1e3 * map.image->pixel_m()));
+    throw InputError(place, fmt::format("the picture is too small: expected at least the width of the line, "
+                                        "{:.10g} mm, got {}; is pixel = \"{:.10g} mm\" right?",
+                                        1e3 * map.line_m, size(wide, high), 1e3 * map.image->pixel_m()));
   if (wide > map.width * map.cell_m + 1e-9 || high > map.height * map.cell_m + 1e-9)
-    throw InputError(place, fmt::format("the picture is {} large, more than the floor: {}", size(wide, high),
-                                        size(map.width * map.cell_m, map.height * map.cell_m)));
+    throw InputError(place,
+                     fmt::format("the picture is larger than the floor: expected at most {}, got {}",
+                                 size(map.width * map.cell_m, map.height * map.cell_m), size(wide, high)));
   if (!map.course.marks.empty())
-    throw InputError(place, "the picture is all that is painted on this floor; [[mark]] would paint more");
+    throw InputError(place, "[[mark]] paints, but on this floor everything painted is in the picture");
   if (map.worn > 0.0 || !map.course.paints.empty())
     throw InputError(place,
-                     "the picture is all that is painted on this floor; lines have no width, colour, worn or "
-                     "gloss of their own (the whole floor may have a gloss)");
+                     "lines cannot have a width, colour, worn or gloss, because everything painted on this "
+                     "floor is in the picture; the whole floor may have a gloss");
 }
 
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what) {
   if (!map.contains(cell))
-    throw InputError(place,
-                     fmt::format("{} at column {}, row {} is outside the map, which has columns 0 to {} and "
-                                 "rows 0 to {}",
-                                 what, cell.x, cell.y, map.width - 1, map.height - 1));
+    throw InputError(
+        place, fmt::format("{} is outside the map: expected columns 0 to {} and rows 0 to {}, got column "
+                           "{}, row {}",
+                           what, map.width - 1, map.height - 1, cell.x, cell.y));
   if (!is_line(map.at(cell)))
     throw InputError(place, fmt::format("{} at column {}, row {} is not on a line: that cell is {}", what,
                                         cell.x, cell.y, cell_word(map.at(cell))));

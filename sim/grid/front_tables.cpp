@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/grid/path.h"
 
@@ -9,7 +10,7 @@ namespace robosim::grid {
 
 const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* name) {
   if (value.kind != ConfigValue::Kind::array)
-    throw InputError(value.place, fmt::format("{0} is {1}; write [[{0}]], with two brackets", name,
+    throw InputError(value.place, fmt::format("{0}: expected [[{0}]], with two brackets, got {1}", name,
                                               to_string(value.kind)));
   return value.items;
 }
@@ -18,10 +19,11 @@ namespace {
 
 void check_point(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
-    throw InputError(value.place,
-                     fmt::format("{} must be [\"X\", \"Y\"], metres to the right and up from the map's lower "
-                                 "left corner, such as [\"300 mm\", \"1.2 m\"]",
-                                 key));
+    throw InputError(
+        value.place,
+        fmt::format("{}: expected [\"X\", \"Y\"], lengths to the right and up from the map's lower "
+                    "left corner, such as [\"300 mm\", \"1.2 m\"]",
+                    key));
 }
 
 }  // namespace
@@ -47,10 +49,13 @@ Colour read_colour(const ConfigValue& value) {
     for (std::size_t i = 0; i < kHues.size(); ++i)
       if (text == kHues[i].name) return {static_cast<Hue>(i)};
   }
-  throw InputError(value.place,
-                   fmt::format("colour is \"{}\"; allowed are black, white, grey, green, silver, "
-                               "red, and grey with its share of black, as in \"grey 40 %\"",
-                               text));
+  std::vector<std::string> names;
+  for (const auto& hue : kHues) names.emplace_back(hue.name);
+  throw InputError(
+      value.place,
+      fmt::format("colour: expected black, white, grey, green, silver, red, or grey with its share "
+                  "of black, as in \"grey 40 %\", got \"{}\"{}",
+                  text, did_you_mean(text, names)));
 }
 
 double read_share(TableReader& table, const char* key, double usual) {
@@ -60,7 +65,7 @@ double read_share(TableReader& table, const char* key, double usual) {
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
                  const Figures& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
-    throw InputError(value.place, fmt::format("{} must be [X, Y], to the right and up, each in {}", key,
+    throw InputError(value.place, fmt::format("{}: expected [X, Y], to the right and up, each in {}", key,
                                               unit_names(dimension)));
   return figures.read_pair(value, key, dimension, -most, most);
 }

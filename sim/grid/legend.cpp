@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "sim/base/spelling.h"
+
 namespace robosim::grid {
 namespace {
 
@@ -29,7 +31,7 @@ class Reader {
 
   void read(const std::string& key, const ConfigValue& value) {
     if (key.size() != 1 || key[0] < '3' || key[0] > '9')
-      throw InputError(value.place, fmt::format("[legend] names `{}`; it may name the digits 3 to 9", key));
+      throw InputError(value.place, fmt::format("[legend]: expected keys from 3 to 9, got `{}`", key));
     std::optional<Legend::Meaning>& meaning = legend_.digits[static_cast<std::size_t>(key[0] - '0')];
     meaning = value.kind == ConfigValue::Kind::table ? by_table(key, value) : by_words(key, value);
   }
@@ -39,8 +41,8 @@ class Reader {
   Legend::Meaning by_words(const std::string& key, const ConfigValue& value) {
     if (value.kind != ConfigValue::Kind::string)
       throw InputError(value.place,
-                       fmt::format("{} is {}; it must be words, such as \"wet line\", or a table, "
-                                   "such as {{ cell = \"line\", grip = 0.5 }}",
+                       fmt::format("{}: expected words, such as \"wet line\", or a table, such as {{ cell = "
+                                   "\"line\", grip = 0.5 }}, got {}",
                                    key, to_string(value.kind)));
     const std::string& text = value.string;
     if (const std::optional<Cell> cell = cell_of(text)) return {*cell};
@@ -50,10 +52,9 @@ class Reader {
         space == text.size() ? Cell::floor : cell_of(std::string_view(text).substr(space + 1));
     if (!kind || !cell)
       throw InputError(value.place,
-                       fmt::format("{} is \"{}\"; allowed are floor, line, wall, gap or obstacle, "
-                                   "or a surface, {}, alone (floor) or in front of one of them, "
-                                   "as in \"wet line\"",
-                                   key, text, surface_names()));
+                       fmt::format("{}: expected floor, line, wall, gap or obstacle, or a surface, {}, alone "
+                                   "(floor) or before one of them, as in \"wet line\", got \"{}\"",
+                                   key, surface_names(), text));
     return {*cell, surface({kind->grip, kind->rolling}, *cell, key, value)};
   }
 
@@ -64,7 +65,7 @@ class Reader {
     const std::optional<Cell> cell = cell_of(name);
     if (!cell)
       throw InputError(word->place,
-                       fmt::format("cell is \"{}\"; allowed are floor, line, gap or obstacle", name));
+                       fmt::format("cell: {}", expected_one_of(name, {"floor", "line", "gap", "obstacle"})));
     const SurfaceFigures figures = read_surface_figures(table, Figures(draw_, "[legend] " + key));
     table.finish();
     return {*cell, surface(figures, *cell, key, value)};
@@ -73,8 +74,8 @@ class Reader {
   std::uint8_t surface(SurfaceFigures figures, Cell cell, const std::string& key, const ConfigValue& value) {
     if (cell == Cell::wall)
       throw InputError(value.place,
-                       fmt::format("{} is a wall with a surface; nothing drives on a wall: a surface is for "
-                                   "floor, line, gap or obstacle",
+                       fmt::format("{}: a wall has no surface, because nothing drives on it: expected floor, "
+                                   "line, gap or obstacle",
                                    key));
     legend_.surfaces.push_back(figures);
     return static_cast<std::uint8_t>(legend_.surfaces.size());
@@ -115,8 +116,8 @@ const char* cell_word(Cell cell) {
 Legend read_legend(const ConfigValue& value, Draw draw) {
   if (value.kind != ConfigValue::Kind::table)
     throw InputError(value.place,
-                     fmt::format("legend is {}; it must be a table: [legend], then lines such as "
-                                 "3 = \"gap\"",
+                     fmt::format("legend: expected a table, [legend] and then lines such as 3 = \"gap\", "
+                                 "got {}",
                                  to_string(value.kind)));
   Reader reader(draw);
   for (const auto& [key, meaning] : value.members) reader.read(key, meaning);
@@ -130,7 +131,7 @@ LegendWriter::LegendWriter(const Map& map) : digit_((map.legend_surfaces.size() 
   for (std::size_t surface = 0; surface <= map.legend_surfaces.size(); ++surface)
     for (const Cell cell : kCells) {
       if (!used[index(cell, surface)] || (surface == 0 && cell != Cell::gap)) continue;
-      if (next > '9') throw std::invalid_argument("the map's cells take more than the digits 3 to 9");
+      if (next > '9') throw std::invalid_argument("the map's cells need more than the digits 3 to 9");
       text_ += fmt::format("{} = {}\n", next,
                            meaning_text(cell, surface ? &map.legend_surfaces[surface - 1] : nullptr));
       digit_[index(cell, surface)] = next++;

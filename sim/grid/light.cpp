@@ -34,10 +34,10 @@ Light read_light(const ConfigValue& value, const Figures& figures) {
   table.finish();
   const bool is_one = light.at ? (height != nullptr) != (radius != nullptr) : !height && !radius;
   if (!is_one || (moves && !radius))
-    throw InputError(
-        value.place,
-        "a light is a lamp, with at and height; a patch of sun, with at and radius, and moves if "
-        "it does; or with neither, daylight that is everywhere alike");
+    throw InputError(value.place,
+                     "invalid light: expected a lamp, with at and height; a patch of sun, with at and "
+                     "radius, and moves if "
+                     "it moves; or none of these, for daylight that is the same everywhere");
   return light;
 }
 
@@ -47,7 +47,7 @@ std::vector<Light> read_lights(const ConfigValue& value, Draw draw) {
   std::vector<Light> lights;
   for (const ConfigValue& item : tables_of(value, "light")) {
     if (lights.size() == kMostLights)
-      throw InputError(item.place, fmt::format("there are more than {} lights", kMostLights));
+      throw InputError(item.place, fmt::format("too many lights: expected at most {}", kMostLights));
     lights.push_back(read_light(item, Figures(draw, fmt::format("[[light]] {}", lights.size() + 1))));
   }
   return lights;

@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
+#include "sim/base/spelling.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map_parser.h"
 
@@ -70,8 +72,9 @@ std::string stem(const std::string& file) { return fs::path(file).stem().string(
 
 }  // namespace
 
-Map read_map(const fs::path& path, Draw draw) {
-  MapFile file(path);
+namespace {
+
+Map read_whole(MapFile file, const fs::path& path, Draw draw) {
   MapParser parser(path.string(), file.size(), "", draw);
   std::vector<char> buffer = file.buffer_of(kChunk);
   std::string_view chunk = file.read(buffer);
@@ -84,6 +87,17 @@ Map read_map(const fs::path& path, Draw draw) {
   if (!small.empty()) map.sha256 = sha256_with_picture(small, map);
   if (map.name.empty()) map.name = stem(map.file);
   return map;
+}
+
+}  // namespace
+
+Map read_map(const fs::path& path, Draw draw) {
+  try {
+    return read_whole(MapFile(path), path, draw);
+  } catch (const InputError&) {
+    refuse_other_kind(MapFile(path).beginning(), FileKind::map, path.string());
+    throw;
+  }
 }
 
 Map parse_map(std::string_view text, const std::string& file, const std::string& picture, Draw draw) {
@@ -116,8 +130,7 @@ fs::path find_map(const std::string& name) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".map") names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
-  throw InputError(fmt::format("there is no sample map \"{}\"; there are {} (a name with / or . is a file)",
-                               name, one_of(names)));
+  throw InputError(unknown_name("sample map", name, names) + " (a name with / or . is a path)");
 }
 
 }  // namespace robosim::grid

@@ -142,7 +142,7 @@ struct Map {
 
 /// Limits of a map's columns and rows, and of its cells.
 constexpr int kMaxSide = 100'000;
-constexpr std::size_t kMaxCells = 1'000'000'000;
+constexpr std::size_t kMaxCells = 64'000'000;  ///< a command and its runner take 3 bytes for each
 /// The limit of cells for a map that is not written in rows, so that a short file cannot take much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 

@@ -15,9 +15,6 @@
 namespace robosim::grid {
 namespace {
 
-/// Limits the memory of a map: a command and its runner take 3 bytes for each cell.
-constexpr std::size_t kMostCells = 64'000'000;
-
 constexpr std::string_view kFence = "+++";
 
 // Reads a row of floor, line and wall only; false if it holds anything else. Written so that compilers turn
@@ -134,8 +131,9 @@ void MapParser::take_line(std::string_view line) {
 
 void MapParser::limit_front_matter(std::size_t further) const {
   if (front_text_.size() + further > kMaxFrontMatter)
-    throw InputError({map_.file, 1, 1},
-                     "the front matter that begins here is longer than 1 MB; is its closing +++ missing?");
+    throw InputError(
+        {map_.file, 1, 1},
+        "the front matter that begins here is too long: expected at most 1 MB; is its closing +++ missing?");
 }
 
 void MapParser::end_front_matter() {
@@ -154,24 +152,26 @@ void MapParser::take_row(std::string_view row) {
     first_row_line_ = line_;
     if (row.empty())
       throw InputError({map_.file, line_, 1},
-                       "an empty line where the map's first row should be; delete it, or draw floor as `_`");
+                       "empty line: expected the map's first row; delete the line, or draw floor as `_`");
     if (row.size() > kMaxSide) {
       for (std::size_t i = 0; i < row.size(); ++i)
         if (!is_allowed(row[i])) refuse_character(row, i);
       throw InputError({map_.file, line_, kMaxSide + 1},
-                       fmt::format("this row is longer than {} cells, the most a map may have", kMaxSide));
+                       fmt::format("the row is too long: expected at most {} cells", kMaxSide));
     }
     map_.width = static_cast<int>(row.size());
     row_.resize(row.size());
-    map_.cells.reserve(std::min(size_hint_, kMostCells));
+    map_.cells.reserve(std::min(size_hint_, kMaxCells));
   }
   const auto width = static_cast<std::size_t>(map_.width);
   if (row.size() != width) refuse_length(row);
-  if (map_.height == kMaxSide || map_.cells.size() + width > kMostCells)
+  if (map_.height == kMaxSide || map_.cells.size() + width > kMaxCells)
     throw InputError(
         {map_.file, line_, 1},
-        fmt::format("the map goes on after {} rows of {} cells; at most {} rows and {} cells are allowed",
-                    map_.height, width, kMaxSide, kMostCells));
+        fmt::format(
+            "the map is too large: expected at most {} rows and {} cells, got more than {} rows of {} "
+            "cells",
+            kMaxSide, kMaxCells, map_.height, width));
   if (!read_plain(row, row_.data())) take_any_row(row);
   count_for_swap(row);
   map_.cells.insert(map_.cells.end(), row_.begin(), row_.end());
@@ -205,9 +205,8 @@ void MapParser::mark(std::optional<CellAt>& which, CellAt cell, char c) {
   if (which) {
     const Place first = place_of(*which);
     throw InputError(place_of(cell),
-                     fmt::format("a second `{}`; the first is in line {}, column {}, and a map has at "
-                                 "most one",
-                                 c, first.line, first.column));
+                     fmt::format("second `{}`: expected at most one; the first is in line {}, column {}", c,
+                                 first.line, first.column));
   }
   which = cell;
 }
@@ -221,53 +220,52 @@ void MapParser::refuse_character(std::string_view row, std::size_t column) const
   const Place place{map_.file, line_, static_cast<int>(column) + 1};
   if (row.starts_with(kFence)) {
     if (line_ != 1)
-      throw InputError(place, "found +++; front matter may only begin on the first line of the file");
+      throw InputError(place, "unexpected +++: front matter may only begin on the first line of the file");
     const std::size_t next = row.size() > kFence.size() ? kFence.size() : 0;
     throw InputError({map_.file, line_, static_cast<int>(next) + 1},
-                     fmt::format("found {} after +++; the line that begins front matter holds nothing else",
+                     fmt::format("unexpected text after +++: expected nothing else on this line, got {}",
                                  describe_character(row, next)));
   }
   std::string legend;
   for (char digit = '3'; digit <= '9'; ++digit)
     if (front_.legend.digits[static_cast<std::size_t>(digit - '0')]) legend += fmt::format(" `{}`", digit);
   std::string found = describe_character(row, column);
-  if (row[column] >= '3' && row[column] <= '9') found += ", which no [legend] in the front matter explains";
+  if (row[column] >= '3' && row[column] <= '9') found += "; the front matter has no [legend] for it";
   throw InputError(
       place,
-      fmt::format("found {}; allowed are `0`, space or `_` for floor, `1` or `.` for line, `2` or "
-                  "`#` for wall, `S`, `G`, `x`{}",
-                  found, legend.empty() ? " and the digits of a [legend]" : " and the legend's" + legend));
+      fmt::format("unexpected character: expected `0`, space or `_` for floor, `1` or `.` for line, `2` or "
+                  "`#` for wall, `S`, `G`, `x`{}, got {}",
+                  legend.empty() ? " or a digit of a [legend]" : " or the legend's" + legend, found));
 }
 
 void MapParser::refuse_length(std::string_view row) const {
   const auto width = static_cast<std::size_t>(map_.width);
   for (std::size_t i = 0; i < std::min(row.size(), width + 1); ++i)
     if (!is_allowed(row[i])) refuse_character(row, i);
-  const std::string cells = fmt::format("{} cell{}", row.size(), row.size() == 1 ? "" : "s");
   if (row.empty())
     throw InputError(
         {map_.file, line_, 1},
-        fmt::format("an empty line; every row must have {} cells, as the first has: trailing spaces "
-                    "stripped? use `_`, or delete the line",
+        fmt::format("empty line: expected {} cells, as in the first row; were trailing spaces stripped? Use "
+                    "`_`, or delete the line",
                     width));
   if (row.size() < width)
     throw InputError(
         {map_.file, line_, static_cast<int>(row.size()) + 1},
-        fmt::format("this row has {}, but the first row has {}: trailing spaces stripped? use `_`", cells,
-                    width));
+        fmt::format("the row is too short: expected {} cells, as in the first row, got {}; were trailing "
+                    "spaces stripped? Use `_`",
+                    width, row.size()));
   throw InputError(
       {map_.file, line_, map_.width + 1},
-      fmt::format("this row has {}, but the first row has {}; all rows must be equally long: trailing "
-                  "spaces stripped there? use `_`",
-                  cells, width));
+      fmt::format("the row is too long: expected {} cells, as in the first row, got {}; were trailing spaces "
+                  "stripped from the first? Use `_`",
+                  width, row.size()));
 }
 
 Map MapParser::finish() {
   if (!carry_.empty()) take_line(std::exchange(carry_, {}));
-  if (line_ == 0) throw InputError({map_.file}, "the file is empty; a map has at least one row of cells");
+  if (line_ == 0) throw InputError({map_.file}, "the file is empty: expected at least one row of cells");
   if (section_ == Section::front_matter)
-    throw InputError({map_.file, 1, 1},
-                     "the front matter that begins here never ends; close it with a line +++");
+    throw InputError({map_.file, 1, 1}, "the front matter that begins here never ends: expected a line +++");
   if (!front_.picture.empty()) load_picture();
   if (map_.height == 0) make_floor();
   if (!map_.surface_of_cell.empty()) map_.surface_of_cell.resize(map_.cells.size());
@@ -282,18 +280,19 @@ Map MapParser::finish() {
 // A floor without rows: paths on an empty one.
 void MapParser::make_floor() {
   if (!front_.size)
-    throw InputError({map_.file, line_, 1},
-                     map_.course.empty()
-                         ? "no cells follow the front matter; a map has at least one row"
-                         : "no cells follow the front matter; say how large the floor is, as in size = "
-                           "[\"3.6 m\", \"1.8 m\"]");
+    throw InputError(
+        {map_.file, line_, 1},
+        map_.course.empty()
+            ? "no cells follow the front matter: expected at least one row"
+            : "no cells follow the front matter: expected rows, or the size of the floor, as in size = "
+              "[\"3.6 m\", \"1.8 m\"]");
   const auto cells = [&](double metres) { return static_cast<int>(std::ceil(metres / map_.cell_m - 1e-9)); };
   map_.width = cells(front_.size->x);
   map_.height = cells(front_.size->y);
   const auto all = static_cast<std::size_t>(map_.width) * static_cast<std::size_t>(map_.height);
   if (all > kMaxBareCells)
-    throw InputError(front_.size_place, fmt::format("size is {} x {} cells; at most {} cells are allowed",
-                                                    map_.width, map_.height, kMaxBareCells));
+    throw InputError(front_.size_place, fmt::format("size: expected at most {} cells, got {} x {}",
+                                                    kMaxBareCells, map_.width, map_.height));
   map_.cells.assign(all, Cell::floor);
   front_.size.reset();
 }
@@ -301,9 +300,9 @@ void MapParser::make_floor() {
 void MapParser::check_course() const {
   if (front_.size)
     throw InputError(front_.size_place,
-                     "size is for a floor without rows; here the rows say how large it is");
+                     "size requires a floor without rows; this floor is as large as its rows");
   if (map_.raster && !map_.course.empty())
-    throw InputError({map_.file}, "floor = \"raster\" paints cells, and this map has paths");
+    throw InputError({map_.file}, "floor = \"raster\" paints cells only, but this map has paths");
   if (map_.image) check_picture(map_, front_.picture_place);
   check_patches(map_);
   const double wide = map_.width * map_.cell_m, high = map_.height * map_.cell_m;
@@ -315,9 +314,10 @@ void MapParser::check_course() const {
         const Vec2 p = piece.at(piece.length * step / steps).position;
         if (p.x >= 0.0 && p.y >= 0.0 && p.x <= wide && p.y <= high) continue;
         throw InputError(
-            path.place, fmt::format("segment {} of this path leaves the floor at {:.0f} mm, {:.0f} mm; it is "
-                                    "{:.10g} x {:.10g} mm",
-                                    i + 1, 1e3 * p.x, 1e3 * p.y, 1e3 * wide, 1e3 * high));
+            path.place,
+            fmt::format("segment {} of this path leaves the floor at {:.0f} mm, {:.0f} mm; the floor "
+                        "is {:.10g} x {:.10g} mm",
+                        i + 1, 1e3 * p.x, 1e3 * p.y, 1e3 * wide, 1e3 * high));
       }
     }
 }
@@ -332,7 +332,7 @@ void MapParser::check_swap() const {
   throw InputError(
       place_of(first_cell_of(Cell::line)),
       fmt::format("{} of {} cells are line, written `.`, and `#` is wall: were `.` and `#` swapped? If so "
-                  "much line is meant, write it as `1`",
+                  "much line is intended, write it as `1`",
                   dots_, map_.cells.size()));
 }
 
@@ -348,17 +348,18 @@ void MapParser::settle_start() {
     place = front_.start->place;
     if (front_.start->on_path) {
       if (start_mark_)
-        throw InputError(place, "[start] is on a path, but the map has an `S`; remove one of them");
+        throw InputError(place, "[start] is on a path, but the map also has an `S`; remove one of them");
       map_.start = start_on(map_, *front_.start->on_path);
       return;
     }
     if (front_.start->cell) cell = front_.start->cell;
     if (!cell)
-      throw InputError(place, "[start] needs x and y (column and row from 0), as the map has no `S`");
+      throw InputError(place, "[start] requires x and y (column and row from 0), because the map has no `S`");
   }
   if (!cell) return;
   require_line(map_, *cell, place, "the start");
-  if (map_.at(*cell) == Cell::obstacle) throw InputError(place, "the start is a cell with an obstacle");
+  if (map_.at(*cell) == Cell::obstacle)
+    throw InputError(place, "the start is on an obstacle; move one of them");
   const bool facing = front_.start && front_.start->facing;
   map_.start = Start{*cell, facing ? *front_.start->facing : default_facing(map_, *cell)};
 }
@@ -390,8 +391,7 @@ void MapParser::settle_stations() {
   if (station == map_.stations.end()) {
     for (const NamedStation& other : map_.stations)
       if (other.name == "goal")
-        throw InputError(place,
-                         "the goal is not on the station that is named goal; give that station another name");
+        throw InputError(place, "the goal is not on the station named goal; rename that station");
     station = map_.stations.insert(station, {"goal", *map_.goal_cell});
   }
   if (map_.goal.empty()) {

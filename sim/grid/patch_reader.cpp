@@ -26,7 +26,7 @@ using Numbers = std::array<Number, 2>;
 
 Numbers read_pair(const ConfigValue& value, const char* key, const char* example, double least, double most) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
-    throw InputError(value.place, fmt::format("{} must be two lengths, as in {}", key, example));
+    throw InputError(value.place, fmt::format("{}: expected two lengths, as in {}", key, example));
   return {as_figure(value.items[0], key, Dimension::length, least, most),
           as_figure(value.items[1], key, Dimension::length, least, most)};
 }
@@ -73,9 +73,10 @@ void read_middle(Patch& patch, TableReader& table, const Course& course, const c
   if ((at == nullptr) == (along == nullptr))
     throw InputError(
         table.table().place,
-        fmt::format("{} {} has a middle: either at = [\"X\", \"Y\"], to the right and up from the floor's "
-                    "lower left corner, or along = \"500 mm\", on a path",
-                    article(name), name));
+        fmt::format(
+            "{} {} requires a middle: either at = [\"X\", \"Y\"], to the right and up from the floor's "
+            "lower left corner, or along = \"500 mm\", on a path",
+            article(name), name));
   if (at) {
     const Numbers pair = read_pair(*at, "at", "[\"300 mm\", \"1.2 m\"]", 0.0, Path::kMost);
     patch.middle = {figures.drawn(pair, "at"), {1.0, 0.0}};
@@ -84,8 +85,7 @@ void read_middle(Patch& patch, TableReader& table, const Course& course, const c
     return;
   }
   const auto paths = static_cast<std::int64_t>(course.paths.size());
-  if (paths == 0)
-    throw InputError(along->place, fmt::format("[[{}]] has along, and there is no [[path]]", name));
+  if (paths == 0) throw InputError(along->place, fmt::format("[[{}]] with along requires a [[path]]", name));
   const Path& path = course.paths[static_cast<std::size_t>(table.integer("path", 1, 1, paths) - 1)];
   Beside(table, path, *along).place(patch, figures);
 }
@@ -94,11 +94,12 @@ void check_middle(const Map& map, const Patch& patch, const char* name) {
   const double wide = map.width * map.cell_m, high = map.height * map.cell_m;
   for (const Vec2 p : {patch.least, patch.most}) {
     if (p.x >= 0.0 && p.y >= 0.0 && p.x <= wide && p.y <= high) continue;
-    throw InputError(patch.place,
-                     fmt::format("the middle of this {}, {:.0f} mm, {:.0f} mm, {} beside the floor, which is "
-                                 "{:.10g} x {:.10g} mm",
-                                 name, 1e3 * p.x, 1e3 * p.y, patch.least == patch.most ? "is" : "may be",
-                                 1e3 * wide, 1e3 * high));
+    throw InputError(
+        patch.place,
+        fmt::format("the middle of this {} {} outside the floor: expected at most {:.10g} x {:.10g} "
+                    "mm, got {:.0f} mm, {:.0f} mm",
+                    name, patch.least == patch.most ? "is" : "may be", 1e3 * wide, 1e3 * high, 1e3 * p.x,
+                    1e3 * p.y));
   }
 }
 
@@ -119,14 +120,15 @@ Patch read_patch(TableReader& table, const Course& course, const char* name, con
   const ConfigValue* const size = table.find("size");
   const ConfigValue* const radius = table.find("radius");
   if ((size == nullptr) == (radius == nullptr))
-    throw InputError(patch.place,
-                     fmt::format("{} {} is either a rectangle, size = [\"25 mm\", \"250 mm\"], or a disc, "
-                                 "radius = \"50 mm\"",
-                                 article(name), name));
+    throw InputError(
+        patch.place,
+        fmt::format("{} {} requires either size = [\"25 mm\", \"250 mm\"], a rectangle, or radius = "
+                    "\"50 mm\", a disc",
+                    article(name), name));
   if (radius) {
     patch.radius = figures.read(*radius, "radius", Dimension::length, kLeastSide, kMostSide);
     if (const ConfigValue* const angle = table.find("angle"))
-      throw InputError(angle->place, "a disc has no angle");
+      throw InputError(angle->place, "angle requires size, a rectangle; a disc has no angle");
     return patch;
   }
   const Numbers sides = read_pair(*size, "size", "[\"25 mm\", \"250 mm\"]", kLeastSide, kMostSide);

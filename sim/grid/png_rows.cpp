@@ -36,7 +36,7 @@ void on_warning(png_structp, png_const_charp) {}
 
 void take_bytes(png_structp png, png_bytep to, std::size_t count) {
   auto* decoder = static_cast<Decoder*>(png_get_io_ptr(png));
-  if (decoder->left.size() < count) png_error(png, "it ends too early");
+  if (decoder->left.size() < count) png_error(png, "the file is truncated");
   std::memcpy(to, decoder->left.data(), count);
   decoder->left.remove_prefix(count);
 }
@@ -86,15 +86,14 @@ unsigned char value_of(const unsigned char* pixel, int channels) {
 
 void read_png(std::string_view bytes, const std::string& file, const std::function<void(int, int)>& begin,
               const std::function<void(std::span<const unsigned char>)>& row) {
-  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"))
-    throw InputError({file}, "is no PNG: it does not begin as one");
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) throw InputError({file}, "this is not a PNG file");
   Decoder decoder;
   decoder.left = bytes;
   decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, on_error, on_warning);
   decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;
   if (!decoder.info) throw std::bad_alloc();
   const auto require = [&](bool good) {
-    if (!good) throw InputError({file}, fmt::format("this PNG is damaged: {}", decoder.problem));
+    if (!good) throw InputError({file}, fmt::format("the PNG is damaged: {}", decoder.problem));
   };
   require(begin_reading(decoder));
   const png_uint_32 width = png_get_image_width(decoder.png, decoder.info);
@@ -102,10 +101,12 @@ void read_png(std::string_view bytes, const std::string& file, const std::functi
   if (width > kMostSide_pixels || height > kMostSide_pixels ||
       std::size_t{width} * height > FloorImage::kMostPixels)
     throw InputError(
-        {file}, fmt::format("has {} x {} pixels; at most {} a side and {} million in all are read", width,
-                            height, kMostSide_pixels, FloorImage::kMostPixels / 1'000'000));
+        {file},
+        fmt::format("the picture is too large: expected at most {} pixels a side and {} million in all, got "
+                    "{} x {}",
+                    kMostSide_pixels, FloorImage::kMostPixels / 1'000'000, width, height));
   if (png_get_interlace_type(decoder.png, decoder.info) != PNG_INTERLACE_NONE)
-    throw InputError({file}, "is an interlaced PNG; save it without interlacing");
+    throw InputError({file}, "the PNG is interlaced; save it without interlacing");
   require(begin_rows(decoder));
   const int channels = png_get_channels(decoder.png, decoder.info);
   std::vector<unsigned char> pixels(png_get_rowbytes(decoder.png, decoder.info)), values(width);

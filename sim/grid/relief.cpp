@@ -29,8 +29,8 @@ std::vector<double> read_heights(const ConfigValue& value, double shortest, cons
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
     throw InputError(
         value.place,
-        fmt::format("heights must be 2 to {} of them, at even distances from the hill's beginning to "
-                    "its end, such as [\"0 mm\", \"60 mm\", \"60 mm\", \"0 mm\"]",
+        fmt::format("heights: expected 2 to {} heights, at even distances from the hill's beginning to its "
+                    "end, such as [\"0 mm\", \"60 mm\", \"60 mm\", \"0 mm\"]",
                     kMostHeights));
   std::vector<Number> heights;
   for (const ConfigValue& item : value.items)
@@ -43,10 +43,9 @@ std::vector<double> read_heights(const ConfigValue& value, double shortest, cons
     if (std::fabs(to - from) <= kSteepest * step) continue;
     throw InputError(
         value.items[i].place,
-        fmt::format("from {:.10g} to {:.10g} mm within {:.10g} mm of way is too steep: lengths run "
-                    "along the slope, and {:.0f} % of the way may be height; a step is a hill that "
-                    "begins or ends high",
-                    1e3 * from, 1e3 * to, 1e3 * step, 100.0 * kSteepest));
+        fmt::format("the hill is too steep: expected at most {:.0f} % of height along the slope, got {:.10g} "
+                    "to {:.10g} mm within {:.10g} mm; for a step, let the hill begin or end high",
+                    100.0 * kSteepest, 1e3 * from, 1e3 * to, 1e3 * step));
   }
   std::vector<double> drawn;
   for (std::size_t i = 0; i < heights.size(); ++i)
@@ -60,20 +59,21 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
   Number length;
   static_cast<Patch&>(hill) = read_patch(table, course, "hill", figures, &length);
   if (hill.radius > 0.0)
-    throw InputError(table.require("radius").place,
-                     "a hill is a rectangle: size = [\"600 mm\", \"300 mm\"], its length and its width");
+    throw InputError(
+        table.require("radius").place,
+        "invalid hill: expected a rectangle, size = [\"600 mm\", \"300 mm\"], its length and width");
   const ConfigValue* const heights = table.find("heights");
   const ConfigValue* const slope = table.find("slope");
   const ConfigValue* const seesaw = table.find("seesaw");
   const ConfigValue* const plank = table.find("plank");
   if ((heights != nullptr) + (slope != nullptr) + (seesaw != nullptr) != 1) {
     table.refuse_misspelt();
-    throw InputError(
-        item.place,
-        "a hill has one of: heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for an even ramp, or "
-        "seesaw = \"50 mm\", the height at which it turns");
+    throw InputError(item.place,
+                     "invalid hill: expected one of heights = [\"0 mm\", \"60 mm\"], slope = \"20 deg\" for "
+                     "an even ramp, or "
+                     "seesaw = \"50 mm\", the height of its axis");
   }
-  if (plank && !seesaw) throw InputError(plank->place, "plank is the mass of a seesaw, and this is none");
+  if (plank && !seesaw) throw InputError(plank->place, "plank, the mass of a seesaw, requires seesaw");
   if (heights) hill.heights = read_heights(*heights, length.least(), figures);
   if (slope) {
     const Number angle = as_figure(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
@@ -81,7 +81,7 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
     if (const double most = length.most() * unit_vector(steepest).y; most > kMostHeight)
       throw InputError(
           slope->place,
-          fmt::format("this ramp would be {:.4g} m high; a hill is at most {:.4g} m", most, kMostHeight));
+          fmt::format("the ramp is too high: expected at most {:.4g} m, got {:.4g} m", kMostHeight, most));
     const double rise = 2.0 * hill.half_length * unit_vector(figures.drawn(angle, "slope")).y;
     hill.heights = {std::fmax(-rise, 0.0), std::fmax(rise, 0.0)};
   }
@@ -90,8 +90,10 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
     if (pivot.most() > 0.5 * kMostTilt * length.least())
       throw InputError(
           seesaw->place,
-          fmt::format("a seesaw {:.10g} mm long that turns at {:.10g} mm stands at more than 30 deg",
-                      1e3 * length.least(), 1e3 * pivot.most()));
+          fmt::format(
+              "the seesaw is too steep: expected at most 30 deg, got more with a length of {:.10g} mm "
+              "and an axis at {:.10g} mm",
+              1e3 * length.least(), 1e3 * pivot.most()));
     hill.pivot = figures.drawn(pivot, "seesaw");
     hill.plank_kg =
         plank ? figures.read(*plank, "plank", Dimension::mass, kLightest, kHeaviest) : kUsualPlank;
@@ -127,10 +129,10 @@ SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures) 
   const ConfigValue* const rolling = table.find("rolling");
   if ((kind != nullptr) == (grip || rolling)) {
     table.refuse_misspelt();
-    throw InputError(
-        table.table().place,
-        "a surface has either a kind, as in kind = \"carpet\", or figures: grip = 0.5, times the "
-        "robot's, and rolling = 0.03, which comes to the robot's");
+    throw InputError(table.table().place,
+                     "invalid surface: expected either a kind, as in kind = \"carpet\", or values: grip = "
+                     "0.5, multiplied by "
+                     "the robot's, and rolling = 0.03, added to the robot's");
   }
   if (kind) {
     std::vector<std::string> names;
@@ -154,8 +156,7 @@ double Hill::height_at(Vec2 p) const {
 void read_hills(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "hill")) {
     if (course.hills.size() == kMostHills)
-      throw InputError(item.place,
-                       fmt::format("this is one [[hill]] too many; a map has at most {}", kMostHills));
+      throw InputError(item.place, fmt::format("too many [[hill]]: expected at most {}", kMostHills));
     const Figures figures(draw, fmt::format("[[hill]] {}", course.hills.size() + 1));
     course.hills.push_back(read_hill(item, course, figures));
   }
@@ -164,8 +165,7 @@ void read_hills(const ConfigValue& value, Course& course, Draw draw) {
 void read_surfaces(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "surface")) {
     if (course.surfaces.size() == kMostSurfaces)
-      throw InputError(item.place,
-                       fmt::format("this is one [[surface]] too many; a map has at most {}", kMostSurfaces));
+      throw InputError(item.place, fmt::format("too many [[surface]]: expected at most {}", kMostSurfaces));
     const Figures figures(draw, fmt::format("[[surface]] {}", course.surfaces.size() + 1));
     course.surfaces.push_back(read_surface(item, course, figures));
   }
@@ -174,24 +174,22 @@ void read_surfaces(const ConfigValue& value, Course& course, Draw draw) {
 void read_joints(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "joint")) {
     if (course.joints.size() == kMostJoints)
-      throw InputError(item.place,
-                       fmt::format("this is one [[joint]] too many; a map has at most {}", kMostJoints));
+      throw InputError(item.place, fmt::format("too many [[joint]]: expected at most {}", kMostJoints));
     TableReader table(item, "[[joint]]");
     Number gap;
     Joint joint;
     static_cast<Patch&>(joint) = read_patch(
         table, course, "joint", Figures(draw, fmt::format("[[joint]] {}", course.joints.size() + 1)), &gap);
     if (joint.radius > 0.0)
-      throw InputError(
-          table.require("radius").place,
-          "a joint is a gap between boards: size = [\"3 mm\", \"300 mm\"], how wide it is and how "
-          "long");
+      throw InputError(table.require("radius").place,
+                       "invalid joint: expected a gap between boards, size = [\"3 mm\", \"300 mm\"], its "
+                       "width and length");
     if (gap.most() > Joint::kWidest)
       throw InputError(
           table.require("size").items[0].place,
-          fmt::format("this gap is {:.10g} mm wide; a joint is at most {:.10g} mm wide, and written as "
-                      "size = [\"3 mm\", \"300 mm\"], how wide it is and how long",
-                      1e3 * gap.most(), 1e3 * Joint::kWidest));
+          fmt::format("the joint is too wide: expected at most {:.10g} mm, got {:.10g} mm; size is its width "
+                      "and length, as in [\"3 mm\", \"300 mm\"]",
+                      1e3 * Joint::kWidest, 1e3 * gap.most()));
     table.finish();
     course.joints.push_back(joint);
   }

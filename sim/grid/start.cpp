@@ -64,8 +64,8 @@ Pose path_pose(const Map& map, const OnPath& on) {
 void require_cells(const Map& map, const Start& start, const char* what) {
   if (start.on_path)
     throw InputError({map.file},
-                     fmt::format("{} knows lines of cells only, and the start is on a path; --start "
-                                 "X,Y,DIR chooses a cell of line, if there is one",
+                     fmt::format("{} requires a line of cells, but the start is on a path; --start X,Y,DIR "
+                                 "chooses a line cell, if there is one",
                                  what));
 }
 
@@ -77,15 +77,15 @@ Start parse_start(const Map& map, std::string_view text) {
     if (along && (side.empty() || side == ",back")) {
       const double most = map.course.paths.front().length();
       if (*along < 0.0 || *along > most)
-        throw InputError(
-            fmt::format("the start \"{}\" is not on the path, which is {:.0f} mm long", text, 1e3 * most));
+        throw InputError(fmt::format("the start is not on the path: expected 0 to {:.0f} mm, got \"{}\"",
+                                     1e3 * most, text));
       return start_on(map, {0, *along, !side.empty()});
     }
   }
-  const InputError malformed(
-      fmt::format("the start is \"{}\"; it must be COLUMN,ROW,DIRECTION such as 13,2,E (the "
-                  "direction, one of E, S, W or N, may be left out)",
-                  text));
+  const InputError malformed(fmt::format(
+      "invalid start: expected COLUMN,ROW or COLUMN,ROW,DIRECTION with the direction E, S, W or N, "
+      "such as 13,2,E, got \"{}\"",
+      text));
   std::string_view rest = text;
   const auto x = take_number(rest);
   if (!x || !take_comma(rest)) throw malformed;
@@ -98,7 +98,7 @@ Start parse_start(const Map& map, std::string_view text) {
   const CellAt cell{*x, *y};
   require_line(map, cell, {}, fmt::format("the start \"{}\"", text));
   if (map.at(cell) == Cell::obstacle)
-    throw InputError(fmt::format("the start \"{}\" is a cell with an obstacle", text));
+    throw InputError(fmt::format("the start \"{}\" is on an obstacle", text));
   return {cell, facing ? *facing : default_facing(map, cell)};
 }
 
@@ -113,10 +113,10 @@ Start default_start(const Map& map) {
     if (!first) first = cell;
   }
   if (!first)
-    throw InputError({map.file}, map.image
-                                     ? "the floor is a picture, and no [[path]] says where its line goes: "
-                                       "without one there is no start, goal, lap or cross-track error"
-                                     : "the map has no line on which a robot could start");
+    throw InputError({map.file},
+                     map.image ? "the floor is a picture without a [[path]] for its line: expected one, "
+                                 "which gives start, goal, laps and cross-track error"
+                               : "the map has no line for a robot to start on");
   return {*first, default_facing(map, *first)};
 }
 

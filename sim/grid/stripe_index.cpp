@@ -77,8 +77,7 @@ StripeIndex::StripeIndex(const Map& map, std::span<const Stripe> stripes, double
       ++total;
     });
   if (total >= kEmpty || stripes.size() >= kEmpty)
-    throw InputError({map.file},
-                     "the map has too much line to be driven on; the cell engine can still walk it");
+    throw InputError({map.file}, "the map has too much line to drive on; robosim classic can still walk it");
 
   // Counts become ends, and filling from the back turns ends into beginnings.
   std::uint32_t end = 0;

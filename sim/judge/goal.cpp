@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "sim/base/error.h"
+#include "sim/base/goal_forms.h"
+#include "sim/base/spelling.h"
 #include "sim/world/world.h"
 
 namespace robosim::judge {
@@ -21,10 +23,7 @@ bool wheels_turn(const world::Body& body) {
 }
 
 [[noreturn]] void unknown_goal(std::string_view text) {
-  throw InputError(fmt::format(
-      "unknown goal \"{}\"; known are tour, laps:N (N from 1), station:N (a number or name), robotrace, "
-      "ukmars, drag-race, rescue-line, line-maze, line-maze:N (N tries, up to {}), still and none",
-      text, MazeTries::kMost));
+  throw InputError(fmt::format("goal: {}", expected_goal(std::string(text))));
 }
 
 int parse_count(std::string_view digits, int most, std::string_view text) {
@@ -123,14 +122,14 @@ Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& 
   if (goal.kind == Goal::Kind::station && goal_station_ < 0) {
     std::vector<std::string> names;
     for (const Waypoint& station : stations_) names.push_back(station.name);
-    throw InputError({map.file},
-                     fmt::format("there is no station {} here; {}", goal.station,
-                                 names.empty() ? "the map has none" : "the stations are " + one_of(names)));
+    throw InputError(
+        {map.file}, names.empty() ? fmt::format("unknown station {}: the map has no stations", goal.station)
+                                  : fmt::format("unknown station: {}", expected_one_of(goal.station, names)));
   }
   if (goal.kind == Goal::Kind::laps && loop_.empty())
     throw InputError({map.file},
-                     fmt::format("the goal {} needs a line that is one closed loop; this one has {} "
-                                 "stations and {} junctions (try the goal tour)",
+                     fmt::format("the goal {} requires a line that is one closed loop, but this one has {} "
+                                 "stations and {} junctions; try the goal tour",
                                  to_string(goal), stations_.size(), junctions_.size()));
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/base/config.h"
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
 #include "sim/base/file_scope.h"
 #include "sim/base/units.h"
 
@@ -136,7 +137,10 @@ void check_member_name(const std::string& name, const Place& place) {
                          kLongestName));
 }
 
-Fleet read_fleet(const fs::path& file) { return parse_fleet(read_file(file), file); }
+Fleet read_fleet(const fs::path& file) {
+  const std::string text = read_file(file);
+  return read_as(FileKind::fleet, text, file.string(), [&] { return parse_fleet(text, file); });
+}
 
 Fleet parse_fleet(std::string_view text, const fs::path& file) {
   const ConfigValue root = parse_toml(text, file.string());

@@ -65,7 +65,7 @@ build::Image image_of(const SketchChoice& sketch, const build::Request& request,
     image.sketch_sha256 = sha256_of_file(sketch.path);
     return image;
   }
-  if (listener.compiling) listener.compiling(sketch.name);
+  if (listener.compiling) listener.compiling(title_of(sketch));
   build::Request told = request;
   if (listener.compiling_core)
     told.core_begins = [&] { listener.compiling_core(request.board.name, request.target); };

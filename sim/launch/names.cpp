@@ -175,12 +175,19 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
   return choice;
 }
 
-std::string title_of(const SketchChoice& sketch) {
-  if (sketch.name.find_first_not_of("./") != std::string::npos) return sketch.name;
+namespace {
+
+std::string title_of(const std::string& name, const fs::path& folder) {
+  if (name.find_first_not_of("./") != std::string::npos) return name;
   std::error_code error;
-  const std::string folder = fs::canonical(sketch.folder, error).filename();
-  return folder.empty() ? sketch.name : folder;
+  const std::string title = fs::canonical(folder, error).filename();
+  return title.empty() ? name : title;
 }
+
+}  // namespace
+
+std::string title_of(const SketchChoice& sketch) { return title_of(sketch.name, sketch.folder); }
+std::string title_of(const std::string& name) { return title_of(name, name); }
 
 build::Request request_of(const SketchChoice& sketch, const BoardSpec& board, const std::string& target,
                           const std::vector<std::string>& libraries) {

@@ -45,8 +45,9 @@ struct SketchChoice {
 /// checked before any file is read.
 SketchChoice choose_sketch(const std::string& name, const std::string& environment = {},
                            bool untrusted = false);
-/// What people are shown of it: its name, or its folder's where that is `.` or `..`.
+/// Returns the name that users are shown: the sketch's name, or that of its folder if it is `.` or `..`.
 std::string title_of(const SketchChoice& sketch);
+std::string title_of(const std::string& name);
 
 /// Returns the named map; else the only .map in the sketch's folder; else `oval`. Throws InputError.
 Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
 #include "sim/record/record_page.h"
 #include "sim/wire/json_parse.h"
 #include "sim/wire/json_reader.h"
@@ -13,8 +14,9 @@
 namespace robosim::record {
 namespace {
 
-// Gatherer writes far less: an hour of one robot has 5 million numbers.
-constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, also of a page
+// What Gatherer writes is far smaller: an hour of one robot has 5 million numbers.
+constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, a page too
+constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // of which a wrong kind of file is told
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
 constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;
@@ -57,9 +59,11 @@ std::string Gatherer::encoded(const wire::RunResult& result) {
 Recording Recording::read(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::string content = read_file(file, kMostRecording_bytes);
+  const std::string beginning = content.substr(0, kBeginning_bytes);
   try {
     return decode(recording_in(std::move(content)), name);
   } catch (const InputError& error) {
+    refuse_other_kind(beginning, FileKind::recording, name);
     if (!error.place().file.empty()) throw;
     refuse(name, error.message());
   }

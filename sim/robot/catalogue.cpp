@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "sim/base/file.h"
+#include "sim/base/spelling.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/bluetooth.h"
@@ -62,8 +63,7 @@ fs::path find_robot(const std::string& name_or_path) {
   if (name_or_path.find_first_of("/.") != std::string::npos) return name_or_path;
   const std::vector<std::string> names = stock_robots();
   if (std::find(names.begin(), names.end(), name_or_path) == names.end())
-    throw InputError("no robot is called \"" + name_or_path + "\"; there are " + one_of(names) +
-                     ", or give the path of a file (with a '/' or '.')");
+    throw InputError(unknown_name("robot", name_or_path, names) + " (a name with / or . is a path)");
   return stock_folder() / (name_or_path + ".toml");
 }
 

@@ -7,7 +7,9 @@
 
 #include "sim/base/config_text.h"
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
 #include "sim/base/robot_name.h"
+#include "sim/base/spelling.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/mount.h"
@@ -25,17 +27,17 @@ constexpr double kTrackAsWheels = 0.57735026918962576;  // 1 / sqrt(3): sim/worl
 constexpr double kMostSteered = 30.0 * kDegree;  // what a hobby car's linkage has, some 25 to 35 degrees
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
-std::string board_names() {
+std::vector<std::string> board_names() {
   std::vector<std::string> names;
   for (int i = 0; board_at(i); ++i) names.emplace_back(board_at(i)->name);
-  return one_of(names);
+  return names;
 }
 
 const BoardSpec& read_board(TableReader& reader) {
   const ConfigValue& value = reader.require("board");
   const BoardSpec* board = find_board(as_string(value, "board").c_str());
   if (board) return *board;
-  throw InputError(value.place, fmt::format("board is \"{}\"; allowed are {}", value.string, board_names()));
+  throw InputError(value.place, fmt::format("board: {}", expected_one_of(value.string, board_names())));
 }
 
 // Whether every corner lies to the left of every side; a star that turns left all the way does not.
@@ -59,7 +61,7 @@ void read_outline(TableReader& reader, Chassis& chassis) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 3 || value.items.size() > 32)
     throw InputError(
         value.place,
-        "outline must be { radius = \"90 mm\" }, or 3 to 32 corners such as [[\"80 mm\", \"50 mm\"], …]");
+        "outline: expected { radius = \"90 mm\" }, or 3 to 32 corners such as [[\"80 mm\", \"50 mm\"], ...]");
   std::vector<Vec2>& corners = chassis.polygon;
   for (const ConfigValue& corner : value.items) corners.push_back(as_point(corner, "outline"));
   const std::size_t n = corners.size();
@@ -67,15 +69,17 @@ void read_outline(TableReader& reader, Chassis& chassis) {
   for (std::size_t i = 0; i < n; ++i) area += cross(corners[i], corners[(i + 1) % n]);
   if (area < 0.0) std::reverse(corners.begin(), corners.end());
   if (!convex(corners) || std::abs(area) < 2e-4)
-    throw InputError(value.place,
-                     "outline must be convex and larger than 1 cm2, its corners in order around the robot");
+    throw InputError(
+        value.place,
+        "outline: expected a convex outline larger than 1 cm2, with its corners in order around the robot");
 }
 
 Steering read_steering(const ConfigValue& table, TableReader& chassis) {
   for (const char* key : {"wheelbase", "tracks", "caster"})
     if (const ConfigValue* const other = chassis.find(key))
-      throw InputError(other->place,
-                       fmt::format("{} is of a robot without steered wheels; this one has steering", key));
+      throw InputError(
+          other->place,
+          fmt::format("{} requires a robot without steered wheels; this one has the key steering", key));
   TableReader reader(table, "steering");
   Steering steering;
   const ConfigValue& servo = reader.require("servo");
@@ -107,17 +111,16 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.caster = read_figure(reader, "caster", Dimension::length, {}, -0.3, 0.3);
   if (const ConfigValue* const caster = reader.find("caster");
       caster && std::abs(chassis.caster.value) < 0.005)
-    throw InputError(
-        caster->place,
-        "caster is where the caster stands, ahead of the axle, or behind it where it is below 0: at "
-        "least 5 mm from it");
+    throw InputError(caster->place,
+                     "caster: expected at least 5 mm from the axle, ahead of it, or behind it if below 0");
   chassis.caster_radius = read_figure(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
   chassis.height = read_figure(reader, "height", Dimension::length, {}, 0.0, 0.3);
   chassis.wheelbase = read_figure(reader, "wheelbase", Dimension::length, {}, 0.02, 0.5);
   if (const ConfigValue* const tracks = reader.find("tracks")) {
     if (reader.find("wheelbase"))
-      throw InputError(tracks->place,
-                       "tracks is the length of tracks, and wheelbase is for wheels; give one of them");
+      throw InputError(
+          tracks->place,
+          "tracks (the length of tracks) and wheelbase (of wheels) exclude each other; give one of them");
     chassis.wheelbase =
         read_figure(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
   }
@@ -149,8 +152,7 @@ Motors read_motors(const ConfigValue& table) {
   reader.finish();
   const double most_friction = motors.no_load_current.value + motors.no_load_current.spread;
   if (most_friction * 1.25 > motors.stall_current.value - motors.stall_current.spread)
-    throw InputError(stall_current.place,
-                     "stall_current must be well above no_load_current (by a quarter at least)");
+    throw InputError(stall_current.place, "stall_current: expected at least 1.25 times no_load_current");
   return motors;
 }
 
@@ -199,7 +201,8 @@ std::vector<Register> registers_of(const ConfigValue* parts) {
     if (registers.size() > kMostRegisters)
       throw InputError(
           part.place,
-          fmt::format("more than {} shift registers, of which a pca9685 counts as two", kMostRegisters));
+          fmt::format("too many shift registers: expected at most {}, of which a pca9685 counts as two",
+                      kMostRegisters));
   }
   return registers;
 }
@@ -212,8 +215,7 @@ std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Termin
     if (reader.type() == type.name) return type.read(reader);
     names.emplace_back(type.name);
   }
-  throw InputError(table.find("type")->place,
-                   fmt::format("type is \"{}\"; allowed are {}", reader.type(), one_of(names)));
+  throw InputError(table.find("type")->place, fmt::format("type: {}", expected_one_of(reader.type(), names)));
 }
 
 // Two parts on one pin, two names alike, two motors on one wheel.
@@ -227,10 +229,10 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   const auto take = [&](const Wire& wire, const std::string& part) {
     for (const User& user : users)
       if (user.wire->pin == wire.pin && !(user.wire->shared && wire.shared))
-        throw InputError(wire.place,
-                         fmt::format("pin {} is taken: {} of {} uses it ({}); every pin serves one part",
-                                     pin_text(robot, wire.pin), user.wire->role, user.part,
-                                     place_text(source, user.wire->place)));
+        throw InputError(
+            wire.place, fmt::format("pin {} is already used by {} of {} ({}): expected one part for each pin",
+                                    pin_text(robot, wire.pin), user.wire->role, user.part,
+                                    place_text(source, user.wire->place)));
     users.push_back({&wire, part});
   };
   for (const Wire& wire : driver_wires) take(wire, "[driver]");
@@ -246,21 +248,22 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
       if (std::find(names.begin(), names.end(), name) != names.end())
         throw InputError(
             part->place,
-            fmt::format("the name {} is there twice; every part and sensor needs its own", name));
+            fmt::format("duplicate name {}: expected a different one for every part and sensor", name));
       names.push_back(name);
     }
     const int wheel = part->driven_wheel();
     if (wheel < 0) continue;
     if (wheel == kBothWheels && !robot.chassis.steering.exists())
-      throw InputError(part->place,
-                       fmt::format("motor {} drives both wheels, through a differential: that takes steered "
-                                   "wheels, the key steering of [chassis]",
-                                   part->name));
+      throw InputError(
+          part->place,
+          fmt::format("motor {} drives both wheels through a differential, which requires steered "
+                      "wheels: the key steering of [chassis]",
+                      part->name));
     if (both || (wheel == kBothWheels && (motor[world::left] || motor[world::right]))) {
       const PartSpec* other = motor[world::left] ? motor[world::left] : motor[world::right];
       throw InputError(part->place,
-                       fmt::format("motors {} and {} drive the same wheel; beside a motor with wheel = "
-                                   "\"both\" there is no other",
+                       fmt::format("motors {} and {} drive the same wheel; a motor with wheel = \"both\" "
+                                   "excludes others",
                                    other->name, part->name));
     }
     if (wheel == kBothWheels) {
@@ -283,8 +286,9 @@ void check_mounts(const Description& robot) {
     if (part->type == "servo") servos.push_back(part->name);
   const auto check = [&](const std::string& name, const char* key, const Place& place) {
     if (std::find(servos.begin(), servos.end(), name) != servos.end()) return;
-    throw InputError(place, fmt::format("{} is \"{}\", which is no servo of this robot; {}", key, name,
-                                        servos.empty() ? "it has none" : "allowed is " + one_of(servos)));
+    throw InputError(place, servos.empty()
+                                ? fmt::format("{}: unknown servo “{}”: the robot has none", key, name)
+                                : fmt::format("{}: unknown servo: {}", key, expected_one_of(name, servos)));
   };
   const Steering& steering = robot.chassis.steering;
   if (steering.exists()) check(steering.servo, "servo", steering.place);
@@ -322,9 +326,10 @@ Description read_description(const RobotSource& source, const fs::path& file, co
   robot.motors = read_motors(reader.require("motors"));
   const ConfigValue* parts = reader.find("part");
   if (parts && parts->kind != ConfigValue::Kind::array)
-    throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
+    throw InputError(parts->place, "part: expected a table [[part]] for each part");
   if (parts && parts->items.size() > kMostParts)
-    throw InputError(parts->items[kMostParts].place, fmt::format("more than {} parts", kMostParts));
+    throw InputError(parts->items[kMostParts].place,
+                     fmt::format("too many parts: expected at most {}", kMostParts));
   const Terminals terminals{robot.board, &own_board, registers_of(parts)};
   robot.registers = terminals.registers;
   std::vector<Wire> driver_wires;
@@ -366,9 +371,10 @@ Description load_description(const std::string& robot_name) {
   const BoardSpec* board = name.board.empty() ? nullptr : find_board(name.board.c_str());
   if (!board && !name.board.empty())
     throw InputError(
-        fmt::format("{}: no board is called \"{}\"; there are {}", robot_name, name.board, board_names()));
+        fmt::format("{}: unknown board: {}", robot_name, expected_one_of(name.board, board_names())));
   const fs::path file = find_robot(name.robot);
-  return parse_description(read_file(file), file, board);
+  const std::string text = read_file(file);
+  return read_as(FileKind::robot, text, file.string(), [&] { return parse_description(text, file, board); });
 }
 
 std::string full_text(const std::string& robot_name) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/base/spelling.h"
 #include "sim/robot/netlist.h"
 
 namespace robosim::robot {
@@ -33,10 +34,11 @@ Pin as_output(const ConfigValue& value, const char* key, const Terminals& termin
     std::vector<std::string> names;
     for (const Register& r : registers)
       if (r.first_channel <= 0) names.push_back(r.part);
-    throw InputError(
-        value.place,
-        fmt::format("{} is {}, but there is no shift register or PWM driver {}; {}", key, written(value),
-                    name, names.empty() ? "this robot has none" : "there is " + one_of(names)));
+    const std::string unknown =
+        fmt::format("{}: unknown shift register or PWM driver in {}", key, written(value));
+    throw InputError(value.place, names.empty()
+                                      ? fmt::format("{}: the robot has none", unknown)
+                                      : fmt::format("{}: {}", unknown, expected_one_of(name, names)));
   }
   const bool shifts = registers[static_cast<std::size_t>(*found)].first_channel < 0;
   const int outputs = shifts ? kRegisterOutputs : 2 * kRegisterOutputs;
@@ -45,10 +47,10 @@ Pin as_output(const ConfigValue& value, const char* key, const Terminals& termin
       !number.empty() && number.size() <= 2 && number.find_first_not_of("0123456789") == std::string::npos;
   if (!digits || std::stoi(number) >= outputs)
     throw InputError(value.place,
-                     fmt::format("{} is {}; the outputs of {} are {}.{}0 to {}.{}{}", key, written(value),
-                                 name, name, shifts ? "Q" : "", name, shifts ? "Q" : "", outputs - 1));
+                     fmt::format("{}: expected an output of {}, {}.{}0 to {}.{}{}, got {}", key, name, name,
+                                 shifts ? "Q" : "", name, shifts ? "Q" : "", outputs - 1, written(value)));
   if (use != PinUse::driven)
-    throw InputError(value.place, fmt::format("{} is {}, an output of a {}; it must be a pin of the board",
+    throw InputError(value.place, fmt::format("{}: expected a pin of the board, got {}, an output of a {}",
                                               key, written(value), shifts ? "shift register" : "PWM driver"));
   return output_pin(*found, std::stoi(number));
 }
@@ -56,18 +58,19 @@ Pin as_output(const ConfigValue& value, const char* key, const Terminals& termin
 void check_use(const ConfigValue& value, const char* key, const BoardSpec& board, Pin pin, PinUse use) {
   if (pin >= board.pin_count)
     throw InputError(value.place,
-                     fmt::format("{} is {}, which board {} does not have; its pins are 0 to {} and {}", key,
-                                 written(value), board.name, board.analog_pin_0 - 1, analog_pins(board)));
+                     fmt::format("{}: expected a pin of board {}, 0 to {} or {}, got {}", key, board.name,
+                                 board.analog_pin_0 - 1, analog_pins(board), written(value)));
   const PinSpec& spec = board.pins[pin];
   if (use == PinUse::analog && spec.analog_channel < 0)
+    throw InputError(value.place,
+                     fmt::format("{}: expected a pin with an analog input on board {}, {}, got {}", key,
+                                 board.name, analog_pins(board), written(value)));
+  if (use != PinUse::analog && !spec.digital)
     throw InputError(
         value.place,
-        fmt::format("{} is {}, which has no analog input on board {}; those that have one are {}", key,
-                    written(value), board.name, analog_pins(board)));
-  if (use != PinUse::analog && !spec.digital)
-    throw InputError(value.place,
-                     fmt::format("{} is {}, which on board {} is an analog input only; allowed are 0 to {}",
-                                 key, written(value), board.name, last_digital_pin(board)));
+        fmt::format("{}: expected a digital pin of board {}, 0 to {}, got {}, which is an analog "
+                    "input only",
+                    key, board.name, last_digital_pin(board), written(value)));
 }
 
 }  // namespace
@@ -75,7 +78,7 @@ void check_use(const ConfigValue& value, const char* key, const BoardSpec& board
 Vec2 as_point(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
     throw InputError(value.place,
-                     fmt::format("{} must be two lengths, forward and left of the axle's centre, such as "
+                     fmt::format("{}: expected two lengths, forward and left of the axle's centre, such as "
                                  "[\"70 mm\", \"0 mm\"]",
                                  key));
   return {as_quantity(value.items[0], key, Dimension::length, -kFarthest, kFarthest),
@@ -92,7 +95,7 @@ Pin as_pin(const ConfigValue& value, const char* key, const Terminals& terminals
   } else if (value.kind == ConfigValue::Kind::string) {
     pin = find_pin(board, value.string.c_str());
   } else {
-    throw InputError(value.place, fmt::format("{} is {}; it must be a pin such as 5 or \"A0\"", key,
+    throw InputError(value.place, fmt::format("{}: expected a pin such as 5 or \"A0\", got {}", key,
                                               to_string(value.kind)));
   }
   check_use(value, key, board, pin, use);
@@ -111,8 +114,9 @@ PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, con
            c == '-' || c == '.';
   };
   if (name_.empty() || name_.size() > 40 || !std::all_of(name_.begin(), name_.end(), plain))
-    throw InputError(name.place,
-                     "name must be 1 to 40 letters, digits, '_', '-' or '.', without spaces: scripts use it");
+    throw InputError(
+        name.place,
+        "name: expected 1 to 40 letters, digits, '_', '-' or '.', without spaces, because scripts use it");
   type_ = as_string(table_.require("type"), "type");
 }
 
@@ -128,10 +132,11 @@ std::vector<Number> PartReader::figures(const char* key, Dimension dimension, Nu
   if (!value || value->kind != ConfigValue::Kind::array)
     return std::vector<Number>(count, value ? as_figure(*value, key, dimension, least, most) : fallback);
   if (value->items.size() != count)
-    throw InputError(value->place,
-                     fmt::format("{} is a list of {}, but {} has {} pins: give one for each, or "
-                                 "one for all without brackets",
-                                 key, value->items.size(), name_, count));
+    throw InputError(
+        value->place,
+        fmt::format("{}: expected {} values, one for each pin of {}, got {}; or give one for all, "
+                    "without brackets",
+                    key, count, name_, value->items.size()));
   std::vector<Number> all;
   for (const ConfigValue& item : value->items) all.push_back(as_figure(item, key, dimension, least, most));
   return all;
@@ -169,9 +174,10 @@ Pin PartReader::optional_pin(const char* key, PinUse use) {
 void PartReader::take_two_wire() {
   const TwiSpec& own = terminals_.written_for->chip->twi;
   if (own.address == 0)
-    throw InputError(table_.table().place, fmt::format("{} {} needs a two-wire bus (I2C), which is simulated "
-                                                       "for boards with an ATmega; this robot has {}",
-                                                       type_, name_, terminals_.written_for->name));
+    throw InputError(table_.table().place,
+                     fmt::format("{} {} requires a two-wire bus (I2C), which is simulated "
+                                 "for boards with an ATmega; this robot has the board {}",
+                                 type_, name_, terminals_.written_for->name));
   const BoardSpec& board = *terminals_.board;
   for (const auto& [role, pin] : {std::pair{"sda", board.chip->twi.data}, {"scl", board.chip->twi.clock}})
     if (const Pin number = find_pin(board, pin); number != kNoPin)
@@ -182,7 +188,7 @@ std::vector<Pin> PartReader::pin_list(PinUse use, std::size_t most, const char* 
   const ConfigValue& value = table_.require(key);
   if (value.kind != ConfigValue::Kind::array || value.items.empty() || value.items.size() > most)
     throw InputError(value.place,
-                     fmt::format("{} must be a list of 1 to {} pins, such as [\"A0\", \"A1\"]", key, most));
+                     fmt::format("{}: expected a list of 1 to {} pins, such as [\"A0\", \"A1\"]", key, most));
   const std::string prefix = *role ? role : name_;
   std::vector<Pin> pins;
   for (const ConfigValue& item : value.items) {
@@ -198,7 +204,7 @@ std::vector<Pin> PartReader::pin_table(const std::vector<std::vector<const char*
   std::vector<std::string> allowed;
   for (const auto& group : groups) {
     std::string names = "{";
-    for (const char* role : group) names += fmt::format("{}{} = …", names.size() > 1 ? ", " : " ", role);
+    for (const char* role : group) names += fmt::format("{}{} = ...", names.size() > 1 ? ", " : " ", role);
     allowed.push_back(names + " }");
   }
   if (value.kind == ConfigValue::Kind::table) {
@@ -217,7 +223,7 @@ std::vector<Pin> PartReader::pin_table(const std::vector<std::vector<const char*
     }
   }
   throw InputError(value.place,
-                   fmt::format("pins must be a table of exactly these pins: {}", one_of(allowed)));
+                   fmt::format("pins: expected a table of exactly these pins: {}", one_of(allowed)));
 }
 
 Side PartReader::wheel() {
@@ -227,7 +233,7 @@ Side PartReader::wheel() {
   const std::string wheel = table_.choice("wheel", fallback, {"left", "right"});
   if (wheel.empty())
     throw InputError(table_.table().place,
-                     fmt::format("{} {} needs the key wheel: \"left\" or \"right\"", type_, name_));
+                     fmt::format("{} {} requires the key wheel: \"left\" or \"right\"", type_, name_));
   return wheel == "left" ? world::left : world::right;
 }
 

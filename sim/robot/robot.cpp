@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
+#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part.h"
@@ -20,10 +21,10 @@ namespace robosim::robot {
 namespace {
 
 template <typename Things>
-std::string names_of(const Things& things) {
+std::vector<std::string> list_of(const Things& things) {
   std::vector<std::string> names;
   for (const auto* thing : things) names.push_back(thing->name());
-  return names.empty() ? "none" : one_of(names);
+  return names;
 }
 
 template <typename Things>
@@ -107,6 +108,8 @@ struct Robot::Inside {
       view.supply = supply_at(view.battery * body.params().supply_volts, *description.board);
   }
 
+  [[noreturn]] void refuse_name(const char* what, const std::string& name,
+                                const std::vector<std::string>& known) const;
   Pressable& pressable(const std::string& name) const;
   Receiver& receiver(const std::string& name) const;
   void hold(const std::string& name, bool down, SimTime t);
@@ -137,16 +140,21 @@ struct Robot::Inside {
   State state;
 };
 
+void Robot::Inside::refuse_name(const char* what, const std::string& name,
+                                const std::vector<std::string>& known) const {
+  const std::string unknown = fmt::format("unknown {} of robot “{}”", what, description.name);
+  if (known.empty()) throw InputError(fmt::format("{}: it has none, got “{}”", unknown, name));
+  throw InputError(fmt::format("{}: {}", unknown, expected_one_of(name, known)));
+}
+
 Pressable& Robot::Inside::pressable(const std::string& name) const {
   if (Pressable* thing = find_named(roster.pressable, name)) return *thing;
-  throw InputError(fmt::format("robot {} has no button {}; its buttons: {}", description.name, name,
-                               names_of(roster.pressable)));
+  refuse_name("button", name, list_of(roster.pressable));
 }
 
 Receiver& Robot::Inside::receiver(const std::string& name) const {
   if (Receiver* part = find_named(roster.receivers, name)) return *part;
-  throw InputError(fmt::format("robot {} has no receiver {}; its receivers: {}", description.name, name,
-                               names_of(roster.receivers)));
+  refuse_name("receiver", name, list_of(roster.receivers));
 }
 
 void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
@@ -163,14 +171,12 @@ std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
   for (Sensor* sensor : roster.sensors)
     if (sensor->name() == name || sensor->part() == name) sensors.push_back(sensor);
   if (!sensors.empty()) return sensors;
-  throw InputError(fmt::format("robot {} has no reflectance sensor {}; its sensors: {}", description.name,
-                               name, names_of(roster.sensors)));
+  refuse_name("reflectance sensor", name, list_of(roster.sensors));
 }
 
 Breakable& Robot::Inside::breakable(const std::string& name) const {
   if (Breakable* thing = find_named(roster.breakable, name)) return *thing;
-  throw InputError(fmt::format("robot {} has nothing called {} that can break; it has {}", description.name,
-                               name, names_of(roster.breakable)));
+  refuse_name("part for a fault", name, list_of(roster.breakable));
 }
 
 PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_name,
@@ -182,12 +188,12 @@ PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_na
   if (kind == kinds.end()) {
     std::vector<std::string> names;
     for (const FaultKind& k : kinds) names.emplace_back(name_of(k.failure));
-    throw InputError(fmt::format("{} has no fault {}; there are {}", thing.name(), kind_name, one_of(names)));
+    throw InputError(fmt::format("unknown fault of {}: {}", thing.name(), expected_one_of(kind_name, names)));
   }
   const std::string what = fmt::format("fault {} {}", thing.name(), kind_name);
   if (arguments.size() != (kind->argument == none ? 0u : 1u))
-    throw InputError(fmt::format("{} takes {} ({})", what,
-                                 kind->argument == none     ? "nothing more"
+    throw InputError(fmt::format("{}: expected {} after it ({})", what,
+                                 kind->argument == none     ? "nothing"
                                  : kind->argument == number ? "one number"
                                                             : "the name of another sensor",
                                  kind->meaning));
@@ -195,14 +201,19 @@ PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_na
   if (kind->argument == number) {
     const auto value = parse_quantity(arguments[0], Dimension::ratio);
     if (!value || *value < kind->least || *value > kind->most)
-      throw InputError(fmt::format("{} {}: allowed is a number from {:g} to {:g} ({})", what, arguments[0],
-                                   kind->least, kind->most, kind->meaning));
+      throw InputError(fmt::format("{}: expected a number from {:g} to {:g} ({}), got “{}”", what,
+                                   kind->least, kind->most, kind->meaning, arguments[0]));
     fault.number = *value;
   } else if (kind->argument == sensor) {
     fault.sensor = find_named(roster.sensors, arguments[0]);
-    if (!fault.sensor || fault.sensor->name() == thing.name())
+    if (!fault.sensor || fault.sensor->name() == thing.name()) {
+      std::vector<std::string> others = list_of(roster.sensors);
+      std::erase(others, thing.name());
       throw InputError(
-          fmt::format("{} {}: allowed is another one of {}", what, arguments[0], names_of(roster.sensors)));
+          others.empty()
+              ? fmt::format("{}: expected another sensor, but the robot has none", what)
+              : fmt::format("{}: another sensor: {}", what, expected_one_of(arguments[0], others)));
+    }
   }
   return {&thing, fault};
 }
@@ -376,8 +387,7 @@ void Robot::check_send(const std::string& part, const Message& message) const {
 
 void Robot::check_tells(const std::string& part) const {
   if (!find_named(in_->roster.tellers, part))
-    throw InputError(fmt::format("robot {} has no part {} that tells anything; those that do: {}",
-                                 in_->description.name, part, names_of(in_->roster.tellers)));
+    in_->refuse_name("part that shows or reports something", part, list_of(in_->roster.tellers));
 }
 
 void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }

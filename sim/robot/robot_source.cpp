@@ -6,6 +6,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
+#include "sim/base/spelling.h"
 #include "sim/robot/description.h"
 
 namespace robosim::robot {
@@ -45,7 +46,7 @@ std::vector<ConfigValue>& parts_of(ConfigValue& tree) {
     parts = &tree.members.back().second;
   }
   if (parts->kind != ConfigValue::Kind::array)
-    throw InputError(parts->place, "part must be written as [[part]] tables, one for each part");
+    throw InputError(parts->place, "part: expected a table [[part]] for each part");
   return parts->items;
 }
 
@@ -55,10 +56,10 @@ std::vector<ConfigValue>::iterator find_part(std::vector<ConfigValue>& parts, co
                       [&](const ConfigValue& p) { return text_of(p, "name") == name; });
 }
 
-std::string part_names(const std::vector<ConfigValue>& parts) {
+std::vector<std::string> part_names(const std::vector<ConfigValue>& parts) {
   std::vector<std::string> names;
   for (const ConfigValue& part : parts) names.push_back(text_of(part, "name"));
-  return names.empty() ? "nothing" : one_of(names);
+  return names;
 }
 
 void remove_parts(std::vector<ConfigValue>& parts, const ConfigValue& list) {
@@ -67,12 +68,12 @@ void remove_parts(std::vector<ConfigValue>& parts, const ConfigValue& list) {
     return;
   }
   if (list.kind != ConfigValue::Kind::array)
-    throw InputError(list.place, "remove must be a list of part names, such as [\"buzzer\"], or \"all\"");
+    throw InputError(list.place, "remove: expected a list of part names, such as [\"buzzer\"], or \"all\"");
   for (const ConfigValue& item : list.items) {
     const auto part = find_part(parts, as_string(item, "remove"));
     if (part == parts.end())
-      throw InputError(item.place, fmt::format("remove names \"{}\", which the base does not have; it has {}",
-                                               item.string, part_names(parts)));
+      throw InputError(item.place, fmt::format("remove: unknown part of the base: {}",
+                                               expected_one_of(item.string, part_names(parts))));
     parts.erase(part);
   }
 }
@@ -132,8 +133,7 @@ fs::path find_base(const ConfigValue& base, const fs::path& from) {
     check_in_scope(path, base.place);
     std::error_code error;
     if (!fs::is_regular_file(path, error))
-      throw InputError(base.place,
-                       fmt::format("base is \"{}\", but there is no file {}", name, path.string()));
+      throw InputError(base.place, fmt::format("base: no such file {}, got \"{}\"", path.string(), name));
     return path;
   }
   try {
@@ -148,19 +148,20 @@ RobotSource read_with_bases(std::string_view text, const fs::path& file, int dep
   const ConfigValue* base = source.tree.find("base");
   if (!base) {
     if (const ConfigValue* list = source.tree.find("remove"))
-      throw InputError(list->place, "remove needs a base to remove from");
+      throw InputError(list->place, "remove requires the key base, the robot to remove parts from");
     return source;
   }
   if (depth == kMostBases)
     throw InputError(
         base->place,
-        fmt::format("more than {} robots are based on each other: is one its own base?", kMostBases));
+        fmt::format("too many robots based on each other: expected at most {}; is one its own base?",
+                    kMostBases));
   const fs::path path = find_base(*base, file);
   std::string base_text;
   try {
     base_text = read_file(path);
   } catch (const InputError& error) {
-    throw InputError(base->place, fmt::format("base is \"{}\", but {}", base->string, error.what()));
+    throw InputError(base->place, fmt::format("base \"{}\": {}", base->string, error.what()));
   }
   RobotSource below = read_with_bases(base_text, path, depth + 1);
   source.based_on = std::move(below.based_on);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/scenario/script_line.h"
 
@@ -28,8 +29,8 @@ BoardFault read_whole(const Words&, std::size_t) {
 BoardFault read_sag(const Words& words, std::size_t) {
   const auto volts = parse_quantity(words[1], Dimension::voltage);
   if (!volts || *volts < 0.0 || *volts > kMostVolts)
-    throw InputError(fmt::format("fault power sag {}: allowed is the battery's voltage, from 0V to {:g}V",
-                                 words[1], kMostVolts));
+    throw InputError(fmt::format("fault power sag: expected the battery's voltage from 0V to {:g}V, got “{}”",
+                                 kMostVolts, words[1]));
   return PowerFault{PowerFault::Kind::sag, *volts};
 }
 
@@ -51,8 +52,8 @@ BoardFault read_bytes(const Words& words, std::size_t) {
   const auto share = parse_quantity(words[1], Dimension::ratio);
   if (!nth && !(share && *share >= 0.0 && *share <= 1.0))
     throw InputError(
-        fmt::format("fault serial {} {}: allowed are a share of the bytes, from 0 to 1 or 0% to "
-                    "100%, and one of them: 1st, 2nd, 3rd, …",
+        fmt::format("fault serial {}: expected a share of the bytes, from 0 to 1 or 0% to 100%, or one of "
+                    "them, 1st, 2nd, 3rd, ..., got “{}”",
                     words[0], words[1]));
   return SerialFault{kind, nth ? 0.0 : *share, nth.value_or(0)};
 }
@@ -62,9 +63,8 @@ BoardFault read_flip(const Words& words, std::size_t eeprom_bytes) {
   const auto bit = parse_whole(words[2]);
   if (!address || *address >= eeprom_bytes || !bit || *bit > 7)
     throw InputError(
-        fmt::format("fault eeprom flip {} {}: allowed are an address from 0 to {} and a bit from 0 "
-                    "to 7",
-                    words[1], words[2], eeprom_bytes - 1));
+        fmt::format("fault eeprom flip: expected an address from 0 to {} and a bit from 0 to 7, got “{} {}”",
+                    eeprom_bytes - 1, words[1], words[2]));
   return EepromFlip{static_cast<std::uint16_t>(*address), static_cast<int>(*bit)};
 }
 
@@ -77,9 +77,9 @@ BoardFault read_drift(const Words& words, std::size_t) {
   const double ppm = value.value_or(kMostDrift + 1) * (in_ppm ? 1.0 : 1e6);
   if (!(std::abs(ppm) <= kMostDrift))
     throw InputError(
-        fmt::format("fault clock drift {}: allowed is how much too fast it runs, from -{:g}ppm to "
-                    "{:g}ppm",
-                    text, kMostDrift, kMostDrift));
+        fmt::format("fault clock drift: expected how much too fast the clock runs, from -{:g}ppm to {:g}ppm, "
+                    "got “{}”",
+                    kMostDrift, kMostDrift, text));
   return ClockDrift{static_cast<int>(std::lround(ppm))};
 }
 
@@ -114,7 +114,7 @@ const Kind& find_kind(const std::string& thing, const std::string& name) {
     if (kind.name == name) return kind;
     names.emplace_back(kind.name);
   }
-  throw InputError(fmt::format("{} has no fault {}; there are {}", thing, name, one_of(names)));
+  throw InputError(fmt::format("unknown fault of {}: {}", thing, expected_one_of(name, names)));
 }
 
 }  // namespace
@@ -146,14 +146,15 @@ BoardFault BoardFaults::read(const std::string& name, const std::vector<std::str
                              bool ends) const {
   const Kind& kind = find_kind(name, arguments.front());
   constexpr std::size_t kCount[] = {0, 1, 1, 2, 1};
-  constexpr const char* kWanted[] = {"nothing more", "a voltage",
-                                     "a share of the bytes, or which one: 1st, 2nd, 3rd, …",
+  constexpr const char* kWanted[] = {"nothing", "a voltage",
+                                     "a share of the bytes, or one of them: 1st, 2nd, 3rd, ...",
                                      "an address and a bit", "a share: 5000ppm or 0.5%"};
   const auto argument = static_cast<std::size_t>(kind.argument);
   if (arguments.size() != kCount[argument] + 1)
-    throw InputError(fmt::format("fault {} {} takes {}", name, kind.name, kWanted[argument]));
+    throw InputError(fmt::format("fault {} {}: expected {} after it", name, kind.name, kWanted[argument]));
   if (ends && kind.stays)
-    throw InputError(fmt::format("fault {} {} is no state that could end after a time", name, kind.name));
+    throw InputError(fmt::format("fault {} {} happens once and cannot end after a time; remove the duration",
+                                 name, kind.name));
   if (name == "eeprom") check_eeprom();
   return kind.read(arguments, executor_.probe().memory().size());
 }
@@ -161,7 +162,7 @@ BoardFault BoardFaults::read(const std::string& name, const std::vector<std::str
 void BoardFaults::check_eeprom() const {
   if (!executor_.has_boards_eeprom())
     throw InputError(
-        "eeprom: on this target scripts can neither break nor follow it; they can on host and avr");
+        "eeprom: scripts can neither break nor follow it on this target; use the target host or avr");
 }
 
 void BoardFaults::fail(const BoardFault& fault, SimTime t) {

@@ -19,8 +19,8 @@ grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
   const std::uint64_t x = parse_whole(text.substr(0, comma)).value_or(width);
   const std::uint64_t y = parse_whole(row).value_or(height);
   if (x >= width || y >= height)
-    throw InputError(fmt::format("\"{}\" is no cell of the map: allowed are COLUMN,ROW from 0,0 to {},{}",
-                                 text, width - 1, height - 1));
+    throw InputError(fmt::format("invalid cell: expected COLUMN,ROW from 0,0 to {},{}, got \"{}\"", width - 1,
+                                 height - 1, text));
   return {static_cast<int>(x), static_cast<int>(y)};
 }
 
@@ -28,8 +28,8 @@ Stretch parse_stretch(const grid::Map& map, const std::string& text) {
   const std::size_t space = text.find(' ');
   const grid::CellAt a = parse_cell(map, text.substr(0, space)), b = parse_cell(map, text.substr(space + 1));
   if (a.x != b.x && a.y != b.y)
-    throw InputError(fmt::format("{} and {} are neither in one row nor in one column", text.substr(0, space),
-                                 text.substr(space + 1)));
+    throw InputError(fmt::format("invalid cells: expected two in one row or one column, got {} and {}",
+                                 text.substr(0, space), text.substr(space + 1)));
   return {map.centre(a), map.centre(b)};
 }
 
@@ -56,11 +56,11 @@ Pose parse_place(const grid::Map& map, const grid::Stripes& stripes, const std::
       std::find_if(kHeadings.begin(), kHeadings.end(), [&](const auto& one) { return facing == one.first; });
   const double wide = map.width * map.cell_m, high = map.height * map.cell_m;
   if (!y || heading == kHeadings.end() || *x < 0.0 || *y < 0.0 || *x > wide || *y > high)
-    throw InputError(
-        fmt::format("\"{}\" is no place on the floor: allowed are a line cell as X,Y,DIR, and a "
-                    "point as 352mm,118mm,NE (to the right and up from the lower left corner, to "
-                    "{:.0f}mm,{:.0f}mm; N, NE, E, SE, S, SW, W or NW)",
-                    text, 1e3 * wide, 1e3 * high));
+    throw InputError(fmt::format(
+        "invalid place: expected a line cell as X,Y,DIR, or a point as 352mm,118mm,NE (to the "
+        "right and up from the lower left corner, at most {:.0f}mm,{:.0f}mm; N, NE, E, SE, S, SW, "
+        "W or NW), got \"{}\"",
+        1e3 * wide, 1e3 * high, text));
   return {{*x, *y}, heading->second};
 }
 

@@ -6,6 +6,9 @@
 #include <array>
 #include <numbers>
 
+#include "sim/base/file_kind.h"
+#include "sim/base/spelling.h"
+#include "sim/base/utf8.h"
 #include "sim/scenario/script_line.h"
 
 namespace robosim::scenario {
@@ -29,12 +32,13 @@ Trigger parse_trigger(ScriptLine& line) {
     return trigger;
   }
   if (when != "after")
-    line.refuse(fmt::format("a line begins with \"at TIME\" or \"after EVENT\", not with \"{}\"", when));
-  const std::string event = line.take("an event: serial, station, boot or eeprom").text;
+    line.refuse(fmt::format("unknown trigger: expected at TIME or after EVENT, got “{}”{}", when,
+                            did_you_mean(when, {"at", "after"})));
+  const std::string event = line.take("an event: serial, station, boot, eeprom or a part").text;
   if (event == "serial") {
     trigger.kind = Trigger::Kind::serial;
     trigger.text = line.take("the text to wait for").text;
-    if (trigger.text.empty()) line.refuse("the text to wait for is empty");
+    if (trigger.text.empty()) line.refuse("the text to wait for is empty: expected at least one character");
   } else if (event == "station") {
     trigger.kind = Trigger::Kind::station;
     trigger.text = line.take("the station's number or name").text;
@@ -48,8 +52,8 @@ Trigger parse_trigger(ScriptLine& line) {
     trigger.text = line.take("the text to wait for").text;
   } else {
     line.refuse(fmt::format(
-        "unknown event \"{}\"; known are serial, station, boot, eeprom, and a part with a text in quotes",
-        event));
+        "unknown event: expected serial, station, boot, eeprom or a part with a text in quotes, got “{}”{}",
+        event, did_you_mean(event, {"serial", "station", "boot", "eeprom"})));
   }
   if (line.take_if("wait")) trigger.time = line.duration();
   return trigger;
@@ -74,9 +78,9 @@ void parse_obstacle(ScriptLine& line, Action& action) {
     action.radius = line.quantity("a radius from 5mm to 500mm", Dimension::length, 0.005, 0.5);
   if (line.take_if("to")) {
     action.to = line.take("the cell that it moves to, as X,Y").text;
-    if (!line.take_if("in")) line.refuse("how long it takes is missing: to X,Y in TIME");
+    if (!line.take_if("in")) line.refuse("the duration of the move is missing: expected to X,Y in TIME");
     action.period = line.duration();
-    if (action.period < kTick) line.refuse("an obstacle takes 1ms at least to move");
+    if (action.period < kTick) line.refuse("the move is too fast: expected at least 1ms after \"in\"");
   }
   action.duration = line.optional_duration();
 }
@@ -88,11 +92,11 @@ void parse_paint(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-/// Parses one of two words, after the subject.
+/// Reads one of two words. `what` names the thing whose state it is.
 void parse_state(ScriptLine& line, Action& action, const char* what, const char* one, const char* other) {
   action.part = line.take(fmt::format("{} or {}", one, other).c_str()).text;
   if (action.part != one && action.part != other)
-    line.refuse(fmt::format("{} is \"{}\" or \"{}\", not \"{}\"", what, one, other, action.part));
+    line.refuse(fmt::format("{}: {}", what, expected_one_of(action.part, {one, other})));
   action.duration = line.optional_duration();
 }
 
@@ -121,7 +125,7 @@ void parse_fault(ScriptLine& line, Action& action) {
 void parse_power(ScriptLine& line, Action& action) {
   action.part = line.take("off or on").text;
   if (action.part != "off" && action.part != "on")
-    line.refuse(fmt::format("power is \"off\" or \"on\", not \"{}\"", action.part));
+    line.refuse(fmt::format("power: {}", expected_one_of(action.part, {"off", "on"})));
   if (action.part == "on") return;
   if (line.more() && !line.next_is("byte")) action.duration = line.optional_duration();
   if (!line.take_if("byte")) return;
@@ -133,9 +137,8 @@ void parse_power(ScriptLine& line, Action& action) {
   const std::uint64_t value = parse_whole(what).value_or(256);
   if (value > 255)
     line.refuse(
-        fmt::format("the byte that was being written holds old, new, erased or a value from 0 to 255, "
-                    "not \"{}\"",
-                    what));
+        fmt::format("the half-written byte: expected old, new, erased or a value from 0 to 255, got “{}”{}",
+                    what, did_you_mean(what, {"old", "new", "erased"})));
   byte.value = static_cast<std::uint8_t>(value);
 }
 
@@ -143,7 +146,7 @@ void parse_power(ScriptLine& line, Action& action) {
 void parse_sweep(ScriptLine& line, Action& action) {
   action.reach = line.quantity("how far to each side, from 1mm to 500mm", Dimension::length, 0.001, 0.5);
   action.period = line.take_if("every") ? line.duration() : kSweepPeriod;
-  if (action.period < kTick) line.refuse("a sweep to and fro takes 1ms at least");
+  if (action.period < kTick) line.refuse("the sweep is too fast: expected at least 1ms after \"every\"");
   action.duration = line.optional_duration().value_or(kSweep);
 }
 
@@ -156,14 +159,15 @@ void parse_tilt(ScriptLine& line, Action& action) {
   else if (side == "left" || side == "right")
     action.side = {0.0, side == "left" ? 1.0 : -1.0};
   else
-    line.refuse(fmt::format("a robot is tilted ahead, back, left or right, not \"{}\"", side));
+    line.refuse(
+        fmt::format("the side of a tilt: {}", expected_one_of(side, {"ahead", "back", "left", "right"})));
   action.period = line.take_if("in") ? line.duration() : kTiltWay;
   action.duration = line.optional_duration().value_or(std::max(kTilt, 2 * action.period));
-  if (action.period < kTick) line.refuse("it takes 1ms at least to tilt a robot");
+  if (action.period < kTick) line.refuse("the tilt is too fast: expected at least 1ms after \"in\"");
   if (*action.duration < 2 * action.period)
     line.refuse(
-        "a tilt takes longer than this: over and back again, each in the time behind \"in\" (500ms without "
-        "it)");
+        "the duration is too short: a tilt goes over and back, each in the time after \"in\" (500ms if it is "
+        "not given)");
 }
 
 Action parse_action(ScriptLine& line) {
@@ -172,7 +176,7 @@ Action parse_action(ScriptLine& line) {
   std::size_t index = 0;
   while (index < kVerbs.size() && verb != kVerbs[index]) ++index;
   if (index == kVerbs.size())
-    line.refuse(fmt::format("unknown verb \"{}\"; known are {}", verb, one_of(kVerbs)));
+    line.refuse(fmt::format("unknown verb: {}", expected_one_of(verb, {kVerbs.begin(), kVerbs.end()})));
   action.verb = static_cast<Action::Verb>(index);
   switch (action.verb) {
     case Action::Verb::press:
@@ -285,17 +289,27 @@ Step parse_varied(const Step& step, const Share& share) {
   return *parse_step(step.varies, {step.place.file, step.place.line, 1}, share);
 }
 
-std::vector<Step> parse_scenario(std::string_view text, const std::string& file) {
+namespace {
+
+std::vector<Step> parse_rows(std::string_view text, const std::string& file) {
   std::vector<Step> steps;
   int number = 0;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     ++number;
     const std::size_t end = text.find('\n');
     const std::string_view row = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    if (std::optional<Step> step = parse_step(row, {file, number, 1})) steps.push_back(std::move(*step));
+    if (std::optional<Step> step = scenario::parse_step(row, {file, number, 1}))
+      steps.push_back(std::move(*step));
   }
   return steps;
+}
+
+}  // namespace
+
+std::vector<Step> parse_scenario(std::string_view text, const std::string& file) {
+  return read_as(FileKind::script, text, file, [&] { return parse_rows(text, file); });
 }
 
 }  // namespace robosim::scenario

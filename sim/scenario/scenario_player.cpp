@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/base/noise.h"
+#include "sim/base/spelling.h"
 #include "sim/scenario/places.h"
 
 namespace robosim::scenario {
@@ -38,7 +39,7 @@ void ScenarioPlayer::check_limits(const std::vector<Step>& steps) {
   std::size_t changes = state_.change_lines;
   std::set<std::pair<int, int>> cells = state_.obstacle_cells;
   const auto refuse = [](const Step& step, std::size_t most, const char* what) {
-    throw InputError(step.place, fmt::format("this is one too many: a script has at most {} {}", most, what));
+    throw InputError(step.place, fmt::format("the script is too long: expected at most {} {}", most, what));
   };
   for (const Step& step : steps) {
     if (++all > kMostSteps) refuse(step, kMostSteps, "lines");
@@ -93,9 +94,9 @@ std::optional<ScenarioPlayer::ReadFault> ScenarioPlayer::check(const Step& step,
       std::vector<std::string> names;
       for (const judge::Waypoint& station : progress.stations()) names.push_back(station.name);
       if (std::find(names.begin(), names.end(), step.trigger.text) == names.end())
-        throw InputError(
-            fmt::format("there is no station {}; {}", step.trigger.text,
-                        names.empty() ? "the map has none" : "the stations are " + one_of(names)));
+        throw InputError(names.empty()
+                             ? fmt::format("unknown station “{}”: the map has no stations", step.trigger.text)
+                             : fmt::format("unknown station: {}", expected_one_of(step.trigger.text, names)));
     }
     if (step.trigger.kind == Trigger::Kind::told) stage_.robot.check_tells(step.trigger.part);
     if (step.trigger.kind == Trigger::Kind::eeprom) board_.check_eeprom();
@@ -121,8 +122,7 @@ ScenarioPlayer::ReadFault ScenarioPlayer::read_fault(const std::string& part,
   const bool of_robot = std::find(names.begin(), names.end(), part) != names.end();
   if (!of_robot && BoardFaults::knows(part)) return board_.read(part, arguments, ends);
   names.insert(names.end(), BoardFaults::names().begin(), BoardFaults::names().end());
-  if (!of_robot)
-    throw InputError(fmt::format("there is no {} that can break; there is {}", part, one_of(names)));
+  if (!of_robot) throw InputError(fmt::format("unknown part for a fault: {}", expected_one_of(part, names)));
   return stage_.robot.read_fault(part, arguments.front(), {arguments.begin() + 1, arguments.end()});
 }
 

@@ -21,7 +21,7 @@ char unescape(char c, const Place& place) {
     default:
       throw InputError(
           place,
-          fmt::format("unknown escape \\{} in a text; known are \\n, \\r, \\t, \\0, \\\\ and \\\"", c));
+          fmt::format("unknown escape in a text: expected \\n, \\r, \\t, \\0, \\\\ or \\\", got \\{}", c));
   }
 }
 
@@ -40,7 +40,7 @@ std::vector<Word> split(std::string_view line, Place place) {
       word.quoted = true;
       for (++i;; ++i) {
         place.column = word.column;
-        if (i >= line.size()) throw InputError(place, "a text in double quotes is not closed");
+        if (i >= line.size()) throw InputError(place, "unterminated text: expected a closing double quote");
         if (line[i] == '"') break;
         if (line[i] == '\\' && i + 1 < line.size()) {
           word.text += unescape(line[++i], place);
@@ -75,7 +75,7 @@ bool ScriptLine::next_is(std::string_view word) const {
 }
 
 const Word& ScriptLine::take(const char* what) {
-  if (!more()) throw InputError(place_, fmt::format("{} is missing at the end of the line", what));
+  if (!more()) throw InputError(place_, fmt::format("the line ends too early: expected {}", what));
   place_.column = words_[next_].column;
   return words_[next_++];
 }
@@ -90,8 +90,8 @@ SimTime ScriptLine::duration() {
   const Word& word = take("a time such as 2s or 100ms");
   const auto ns = parse_duration_ns(word.text);
   if (!ns || word.quoted)
-    refuse(fmt::format("\"{}\" is no time; it must be a number with a unit: {}", word.text,
-                       unit_names(Dimension::time)));
+    refuse(fmt::format("invalid time: expected a number with a unit ({}), got \"{}\"",
+                       unit_names(Dimension::time), word.text));
   return *ns;
 }
 
@@ -99,7 +99,7 @@ std::optional<SimTime> ScriptLine::optional_duration() {
   const bool announced = take_if("for");
   if (!announced && !more()) return std::nullopt;
   const SimTime time = duration();
-  if (time < kTick) refuse("what is to end by itself lasts for 1ms at least");
+  if (time < kTick) refuse("the duration is too short: expected at least 1ms");
   return time;
 }
 
@@ -107,7 +107,7 @@ double ScriptLine::quantity(const char* what, Dimension dimension, double least,
   const Word& word = take(what);
   const auto value = parse_quantity(word.text, dimension);
   if (!value || word.quoted || *value < least || *value > most)
-    refuse(fmt::format("\"{}\" is not {}", word.text, what));
+    refuse(fmt::format("expected {}, got \"{}\"", what, word.text));
   return *value;
 }
 
@@ -115,7 +115,7 @@ std::uint64_t ScriptLine::whole(const char* what, std::uint64_t least, std::uint
   const Word& word = take(what);
   const auto number = parse_whole(word.text);
   if (!number || word.quoted || *number < least || *number > most)
-    refuse(fmt::format("\"{}\" is not {}: allowed are {} to {}", word.text, what, least, most));
+    refuse(fmt::format("expected {} from {} to {}, got \"{}\"", what, least, most, word.text));
   return *number;
 }
 
@@ -125,8 +125,7 @@ void ScriptLine::end() const {
   if (!more()) return;
   Place place = place_;
   place.column = words_[next_].column;
-  throw InputError(place,
-                   fmt::format("\"{}\" is too much; the line should end before it", words_[next_].text));
+  throw InputError(place, fmt::format("unexpected \"{}\": expected the end of the line", words_[next_].text));
 }
 
 }  // namespace robosim::scenario

@@ -74,11 +74,11 @@ std::string with_shares(const std::string& word, const Share& share, std::size_t
       const std::string figure = drawn(both->first, both->second, share(first++));
       if (figure.empty())
         throw InputError(
-            place, fmt::format("\"{}\" is no figure with a spread: behind +- stands as much in a unit of "
-                               "the same kind, or a share, as in 2s+-500ms, 2s+-10% or 12+-2",
+            place, fmt::format("invalid value with a spread: expected an amount in a unit of the same kind, "
+                               "or a share, after +-, as in 2s+-500ms, 2s+-10% or 12+-2, got \"{}\"",
                                part));
       if (figure[0] == '-' && part[0] != '-')
-        throw InputError(place, fmt::format("\"{}\" reaches below 0", part));
+        throw InputError(place, fmt::format("the spread of \"{}\" reaches below 0", part));
       part = figure;
     }
     all += part;

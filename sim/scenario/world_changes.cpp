@@ -38,9 +38,9 @@ void WorldChanges::check(const Action& action) const {
   if (action.verb == paint || action.verb == erase || action.verb == door) {
     const Stretch stretch = parse_stretch(map_, action.text);
     if (action.verb == door && stretch.to == stretch.from)
-      throw InputError("a door is between two cells, and these are one");
+      throw InputError("invalid door: expected two different cells");
     if (action.verb == door && length(stretch.to - stretch.from) > kLongestDoor)
-      throw InputError(fmt::format("a door is {} m long at most", kLongestDoor));
+      throw InputError(fmt::format("the door is too long: expected at most {} m", kLongestDoor));
   }
   if (action.verb == light) lights_of(action.text);
 }
@@ -89,9 +89,9 @@ std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const 
   std::vector<std::size_t> lights;
   const std::size_t count = map_.lights.size();
   const std::uint64_t number = parse_whole(text).value_or(0);
-  if (count == 0) throw InputError("the map has no light ([[light]]) that could be switched");
+  if (count == 0) throw InputError("the map has no light to switch; [[light]] in the map makes one");
   if (text != "all" && (number == 0 || number > count))
-    throw InputError(fmt::format("there is no light \"{}\"; allowed are 1 to {} and all", text, count));
+    throw InputError(fmt::format("unknown light: expected 1 to {} or all, got \"{}\"", count, text));
   for (std::size_t i = 0; i < count; ++i)
     if (text == "all" || i + 1 == number) lights.push_back(i);
   return lights;

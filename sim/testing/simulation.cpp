@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 #include "sim/base/error.h"
+#include "sim/base/spelling.h"
 #include "sim/testing/artifacts.h"
 #include "sim/testing/coverage.h"
 #include "sim/testing/inside.h"
@@ -92,41 +94,61 @@ Drive Simulation::run_to_the_end(const char* file, int line) {
 
 Duration Simulation::now() const { return Duration(in_->shared->now_ns); }
 
-void Simulation::act(const std::string& line) {
-  in_->shared->run->act(line, in_->number);
+void Simulation::act(const std::string& line, const char* file, int at) {
+  try {
+    in_->shared->run->act(line, in_->number);
+  } catch (const InputError& error) {
+    constexpr std::string_view kOnlyLine = "line 1: ";
+    std::string message = error.message();
+    if (message.starts_with(kOnlyLine)) message.erase(0, kOnlyLine.size());
+    throw InputError({file, at}, message);
+  }
   in_->read = in_->state().serial_bytes;
   if (!in_->shared->of_fleet)
     in_->log->replay = robosim::testing::replay_command(in_->stage, in_->log->artifacts, true);
 }
 
-void Simulation::press(const std::string& button, Duration time) { act("press " + button + " " + ms(time)); }
-void Simulation::hold(const std::string& button) { act("press " + button); }
-void Simulation::release(const std::string& button) { act("release " + button); }
-void Simulation::send(const std::string& text) { act("send " + in_quotes(text)); }
-void Simulation::cover(const std::string& sensor, Duration time) { act("cover " + sensor + " " + ms(time)); }
-void Simulation::place(int column, int row, char facing) {
-  act(fmt::format("place {},{} {}", column, row, facing));
+void Simulation::press(const std::string& button, Duration time, const char* file, int at) {
+  act(fmt::format("press {} {}", button, ms(time)), file, at);
 }
-void Simulation::turn_round() {
+void Simulation::hold(const std::string& button, const char* file, int at) {
+  act(fmt::format("press {}", button), file, at);
+}
+void Simulation::release(const std::string& button, const char* file, int at) {
+  act(fmt::format("release {}", button), file, at);
+}
+void Simulation::send(const std::string& text, const char* file, int at) {
+  act(fmt::format("send {}", in_quotes(text)), file, at);
+}
+void Simulation::cover(const std::string& sensor, Duration time, const char* file, int at) {
+  act(fmt::format("cover {} {}", sensor, ms(time)), file, at);
+}
+void Simulation::place(int column, int row, char facing, const char* file, int at) {
+  act(fmt::format("place {},{} {}", column, row, facing), file, at);
+}
+void Simulation::turn_round(const char* file, int at) {
   static constexpr char kDirections[] = {'E', 'N', 'W', 'S'};
   const Moment here = moment();
   const auto quarter = static_cast<int>(std::lround(here.pose.yaw_rad * 2.0 / M_PI));
-  place(here.pose.column, here.pose.row, kDirections[(quarter + 2 + 4) % 4]);
+  place(here.pose.column, here.pose.row, kDirections[(quarter + 2 + 4) % 4], file, at);
 }
-void Simulation::power_off(Duration time) { act("power off " + ms(time)); }
+void Simulation::power_off(Duration time, const char* file, int at) {
+  act(fmt::format("power off {}", ms(time)), file, at);
+}
 
 Moment Simulation::moment() const { return moment_of(*in_->log, in_->log->samples.back()); }
 
-double Simulation::reading(const std::string& part) const {
+double Simulation::reading(const std::string& part, const char* file, int at) const {
   const std::vector<std::string>& names = in_->log->started.readings;
   const auto found = std::find(names.begin(), names.end(), part);
   if (found == names.end())
-    throw InputError(
-        fmt::format("the robot has no part {} that could be read; those are {}", part, one_of(names)));
+    throw InputError({file, at}, fmt::format("unknown part to read: {}", expected_one_of(part, names)));
   return moment().readings[static_cast<std::size_t>(found - names.begin())];
 }
 
-bool Simulation::is_on(const std::string& part) const { return reading(part) >= 0.5; }
+bool Simulation::is_on(const std::string& part, const char* file, int at) const {
+  return reading(part, file, at) >= 0.5;
+}
 
 std::vector<std::string> Simulation::stations_visited() const {
   return in_->log->legs.empty() ? std::vector<std::string>() : in_->log->legs.back().at_end.stations;

@@ -228,12 +228,19 @@ bool has_causes(const std::string& verdict) {
   return verdict != "reached" && verdict != "interrupted" && verdict != "over_budget";
 }
 
-std::string chip_hint(const std::string& chip_target) {
-  if (chip_target == "stm32")
-    return "this ran on the target host, where memory is plenty. A Blue Pill's chip has 20 KB of it, and its "
-           "own timing: run it there with --target stm32.";
-  return "this ran on the target host, where int has 32 bits and memory is plenty. An Uno's chip has a "
-         "16-bit int, 2 KB of memory and its own timing: run it there with --target avr.";
+std::string chip_hint(const Report& report) {
+  const bool is_stm32 = report.chip_target == "stm32";
+  const std::string chip =
+      report.board.empty() ? "The board's chip" : fmt::format("The chip of the board {}", report.board);
+  const std::string memory =
+      report.chip_ram_bytes == 0
+          ? "little memory"
+          : fmt::format("{:.4g} KB of memory", static_cast<double>(report.chip_ram_bytes) / 1024.0);
+  return fmt::format(
+      "this ran on the target host, which has {}plenty of memory. {} has {}{} and its own timing: run the "
+      "sketch there with --target {}.",
+      is_stm32 ? "" : "a 32-bit int and ", chip, is_stm32 ? "" : "a 16-bit int, ", memory,
+      is_stm32 ? "stm32" : "avr");
 }
 
 }  // namespace
@@ -320,7 +327,7 @@ std::string end_screen(const Report& report, const grid::Map* map, int columns, 
     out.labelled(
         "why:", "robosim why, with the same arguments, goes back from this to the lines that caused it",
         Ink::faint);
-  if (report.target == "host") out.labelled("chip:", chip_hint(report.chip_target), Ink::faint);
+  if (report.target == "host") out.labelled("chip:", chip_hint(report), Ink::faint);
   return out.take();
 }
 

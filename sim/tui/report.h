@@ -67,7 +67,9 @@ struct Report {
   std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;
   std::string chip_target;  ///< the target whose chip the robot's board has
-  bool sees_lines = true;   ///< the robot has line sensors
+  bool sees_lines = true;   ///< the robot has sensors for them
+  std::string board = {};   ///< the robot's, by name; empty = not known
+  std::uint64_t chip_ram_bytes = 0;
 };
 
 /// Returns at most 20 rows of picture and `columns` characters per line. `map` may be null: then there is no

@@ -1,4 +1,4 @@
-// Hostile sketches, folders and requests, each against the whole command: docs/security.md says what has to
+// Hostile sketches, folders and requests, each against the whole command: docs/explanation/security.md says what has to
 // hold. It takes an hour: cmake --workflow --preset hostile.
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 constexpr double kGivenUp_s = 300.0;  ///< a command that takes longer is endless
 constexpr double kLate_s = 10.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
-/// What names one of the limits that docs/security.md has, which may last longer than kLate_s.
+/// What names one of the limits that docs/explanation/security.md has, which may last longer than kLate_s.
 constexpr const char* kLimits[] = {"loops without end",
                                    "slept",
                                    "sleeps",
@@ -452,7 +452,7 @@ TEST_P(Requests, DoNoHarm) {
   if (!next.text.starts_with("HTTP/1.1 200"))
     found("the next request is not answered: " + next.text.substr(0, 12));
   for (const std::string& one : end_processes_left(pid)) found("process left: " + one);
-  // What docs/serving.md allows to be written, and the folder of the server's runs.
+  // What docs/howto/serving.md allows to be written, and the folder of the server's runs.
   static const std::regex plain(
       "(written|changed|removed): "
       "(served(/[A-Za-z0-9][A-Za-z0-9_-]*(\\.(hex|elf|toml|map))?(/[A-Za-z0-9_-]+\\.ino)?)?"

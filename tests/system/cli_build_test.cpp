@@ -41,7 +41,7 @@ TEST(CliBuild, FailsWithASentenceWhereTheRobotsBudgetIsExceeded) {
   EXPECT_EQ(ended.status, 1);
   EXPECT_THAT(ended.out, HasSubstr("Sketch uses "));
   EXPECT_THAT(ended.err,
-              MatchesRegex("robosim: My is over the budget: it takes [0-9]+ bytes of flash, and the "
+              MatchesRegex("robosim: My is over the budget: it uses [0-9]+ bytes of flash, and the "
                            "robot robot allows 1500\n"));
   EXPECT_EQ(robosim_command({"build", "My/"}, folder.path()).status, 0) << "the host has no budget";
 }

@@ -119,7 +119,7 @@ black_volts = [{}]
     EXPECT_EQ(read_file(robot), before);
     const Ended exists = calibrate({"--out", robot});
     EXPECT_EQ(exists.status, 2);
-    EXPECT_THAT(exists.err, HasSubstr("unknown.toml: exists already, so nothing was written"));
+    EXPECT_THAT(exists.err, HasSubstr("unknown.toml: exists already; nothing was written"));
     std::filesystem::create_symlink("unknown.toml", folder / "link.toml");
     const Ended in_place =
         robosim_command({"calibrate", folder / "link.toml", log, "--tape", "19 mm", "--in-place"});

@@ -168,7 +168,7 @@ TEST_F(CliCoverage, IsRefusedForAFolderThatCannotBe) {
   folder_.write("file", "");
   const Ended bad = robosim_command({"run", "PidFollower", "--coverage", "file"}, folder_.path());
   EXPECT_EQ(bad.status, 2);
-  EXPECT_THAT(bad.err, HasSubstr("file: --coverage: no files can be written into such a folder"));
+  EXPECT_THAT(bad.err, HasSubstr("file: --coverage: files cannot be written into this folder"));
 }
 
 TEST_F(CliCoverage, MakesAPageWhereGenhtmlIsThere) {

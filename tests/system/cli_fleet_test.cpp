@@ -225,7 +225,7 @@ TEST(CliFleet, APageIsReplayedHeldAgainstAnotherAndWrittenAsATrace) {
   folder.write("log.csv", "t,x,y\n0,1,1\n1,2,2\n");
   const Ended log = robosim_command({"replay", "r.html", "--over", "log.csv"}, folder.path());
   EXPECT_EQ(log.status, 2);
-  EXPECT_THAT(log.err, HasSubstr("log.csv: no robot is in both runs: here is one without a name, and below "
+  EXPECT_THAT(log.err, HasSubstr("log.csv: no robot is in both runs: expected "
                                  "it A or B"));
 }
 
@@ -314,8 +314,7 @@ TEST(CliFleet, SweepsAndChecksCountARunInWhichAllReachTheirGoals) {
   write_file(folder / "checks.toml", "[[check]]\nname = \"both\"\nfleet = \"robots.txt\"\n");
   const Ended bad = robosim_command({"test", "Mine.ino"}, folder.path());
   EXPECT_EQ(bad.status, 2);
-  EXPECT_THAT(bad.out + bad.err,
-              HasSubstr("checks.toml:3:9: fleet is “robots.txt”; it must be a .toml file"));
+  EXPECT_THAT(bad.out + bad.err, HasSubstr("checks.toml:3:9: fleet: expected a .toml file"));
 }
 
 TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
@@ -327,7 +326,7 @@ TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
   EXPECT_THAT(refusal({"--target", "B=pic"}), HasSubstr("robot B: "));
   EXPECT_THAT(refusal({"--start", "B=2,2,E"}), HasSubstr("--start is given more than once for B"));
   EXPECT_THAT(refusal({"--start", "A=20,2,E"}), HasSubstr("robot B starts on top of robot A"));
-  EXPECT_THAT(refusal({"--robot", "B="}), HasSubstr("--robot: B= has no value"));
+  EXPECT_THAT(refusal({"--robot", "B="}), HasSubstr("--robot: B= lacks a value"));
   EXPECT_THAT(refusal({"--gdb", "3333"}), HasSubstr("--gdb halts one robot's chip"));
   EXPECT_THAT(refusal({"--script", "B=/none.txt"}), HasSubstr("/none.txt"));
   EXPECT_THAT(refusal({"--map", "ovall"}), HasSubstr("--map is given more than once"));

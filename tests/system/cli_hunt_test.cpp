@@ -87,7 +87,7 @@ TEST_F(CliHunt, TellsOnceWhatSeveralMachinesHaveFound) {
   EXPECT_THAT(half.err, HasSubstr("shard 1/2 is missing"));
   const Ended other = hunt({"--merge", "part1", "part2", "--out", "other", "--seed", "2"});
   EXPECT_EQ(other.status, 2);
-  EXPECT_THAT(other.err, HasSubstr("part1/runs.jsonl:1: is of another hunt"));
+  EXPECT_THAT(other.err, HasSubstr("part1/runs.jsonl:1: belongs to another hunt"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other"));
 }
 
@@ -161,7 +161,7 @@ TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
                 "  delay(5);\n"
                 "}\n");
   const char* const kSays =
-      "it comes to its goal on a, and not on most floors like it: how it drives there is no finding; "
+      "it reaches its goal on a, but not on most floors like it: its driving there is not a finding; "
       "--map a makes it one\n";
   const std::vector<std::string> hunt = {"hunt", "./Tries", "--runs", "96", "--target", "host"};
   const Ended guessed = command(hunt);
@@ -182,7 +182,7 @@ TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
   EXPECT_EQ(hunt({"--out", "found", "--resume"}, "40").out, whole.out);
   const Ended other = hunt({"--out", "found", "--resume", "--seed", "2"});
   EXPECT_EQ(other.status, 2);
-  EXPECT_THAT(other.err, HasSubstr("found/runs.jsonl:1: is of another hunt"));
+  EXPECT_THAT(other.err, HasSubstr("found/runs.jsonl:1: belongs to another hunt"));
   EXPECT_THAT(hunt({"--out", "none", "--resume"}).err, HasSubstr("none: holds no hunt"));
 }
 
@@ -192,21 +192,22 @@ TEST_F(CliHunt, KeepsWhatMustNeverSometimesAndAlwaysBe) {
                 "never = \"serial: ouch\"\nsometimes = [\"serial: ou\", \"serial: hello\"]\n");
   const Ended ended = hunt();
   EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("finding 1: The sketch sent “ouch”, and never must.\n"),
+              AllOf(HasSubstr("finding 1: The sketch sent “ouch”, which it must never do.\n"),
                     HasSubstr("it needs press start\n"),
                     HasSubstr("In none of 24 runs there was serial: hello, which there must be sometimes.")));
   EXPECT_THAT(ended.out, Not(HasSubstr("finding 3")));
   const Ended test = command({"test", "./Tries", "--checks", "hunt-Tries/checks.toml"});
-  EXPECT_THAT(test.out, HasSubstr("the sketch sent “ouch”, and never must"));
+  EXPECT_THAT(test.out, HasSubstr("the sketch sent “ouch”, which it must never do"));
 }
 
 TEST_F(CliHunt, RefusesWhatItCannotDo) {
   sketch("");
-  EXPECT_THAT(hunt({"--minutes", "none"}).err, HasSubstr("--minutes: “none” is not possible"));
+  EXPECT_THAT(hunt({"--minutes", "none"}).err,
+              HasSubstr("--minutes: expected a number above 0, at most 10000, got “none”"));
   std::filesystem::create_directory(folder_ / "hunt-Tries");
   const Ended there = hunt();
   EXPECT_EQ(there.status, 2);
-  EXPECT_THAT(there.err, HasSubstr("hunt-Tries: is there already; --resume goes on with it"));
+  EXPECT_THAT(there.err, HasSubstr("hunt-Tries: exists already; --resume continues it"));
 }
 
 }  // namespace

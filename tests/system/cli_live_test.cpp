@@ -46,7 +46,7 @@ TEST(CliLive, ServesRequestsAndIsTheRunThatItsScriptGives) {
   EXPECT_GT(first["recording"]["floor"]["stripes"].size(), 3u);
   EXPECT_THAT(stood, ElementsAre(0, 1500));
   EXPECT_EQ(accepted, "at 1500ms obstacle 12,2\n");
-  EXPECT_THAT(refused, ElementsAre(HasSubstr("99,2"), "speed must be from 0 to 1000"));
+  EXPECT_THAT(refused, ElementsAre(HasSubstr("99,2"), "speed: expected a number from 0 to 1000"));
   folder.write("script", accepted);
   script.insert(script.end(), {"--json", "--script", "script"});
   EXPECT_EQ(Json::parse(robosim_command(script, folder.path()).out)["trace_hash"], result["trace_hash"]);
@@ -74,7 +74,7 @@ TEST(CliLive, TellsSeveralRobotsAndActsOnTheOneThatIsNamed) {
   ASSERT_EQ(first["recording"]["others"].size(), 1u) << ended.err;
   EXPECT_EQ(first["recording"]["others"][0]["name"], "B");
   EXPECT_EQ(first["recording"]["others"][0]["started"]["start"], Json({20, 2, "W"}));
-  EXPECT_THAT(refused, ElementsAre("agent is 2, and the run's robots are 0 to 1"));
+  EXPECT_THAT(refused, ElementsAre("agent: expected a robot from 0 to 1, got 2"));
   EXPECT_NEAR(paused["others"][0]["sample"]["x"].get<double>(), 500.0, 5.0);
   EXPECT_GT(paused["sample"]["x"], 1000.0);
 }

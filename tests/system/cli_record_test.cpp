@@ -106,8 +106,7 @@ TEST(Record, ARunIsHeldAgainstAnotherAndBothAreOnOnePage) {
   EXPECT_THAT(bad.err, HasSubstr("real.csv:3: time, x and y must be numbers"));
   const Ended ending = robosim_command({"replay", "one.rec", "--record", "x.vcd"}, folder.path());
   EXPECT_EQ(ending.status, 2);
-  EXPECT_THAT(ending.err,
-              HasSubstr("x.vcd: a recording can be written anew as .html, .rec or .perfetto.json"));
+  EXPECT_THAT(ending.err, HasSubstr("x.vcd: expected a name that ends in .html, .rec or .perfetto.json"));
 }
 
 TEST(Record, APngIsThePictureInPixels) {

@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
             "BadStart", {"run", "./Still", "--map", "oval", "--robot", "uno3", "--start", "0,0,E"}, 2, "0,0"},
         Case{"NoSketch", {"run"}, 2, "the current folder holds no sketch"},
         Case{"NoSuchMap", {"run", "./Still", "--map", "ovla"}, 2, "did you mean oval?"},
-        Case{"View", {"run", "./Still", "--view"}, 2, "--view needs a terminal"},
+        Case{"View", {"run", "./Still", "--view"}, 2, "--view requires a terminal"},
         Case{"BadRecord", {"run", "./Still", "--record", "x.gif"}, 2, "must be .csv, .vcd, .html"},
         Case{"Test", {"test"}, 2, "the current folder holds no sketch"},
         Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},

@@ -96,7 +96,7 @@ TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
   EXPECT_EQ(result["verdict"], "crashed");
   EXPECT_EQ(result["crash"]["line"], 2);
   EXPECT_THAT(result["why"].get<std::string>(),
-              AllOf(HasSubstr("With its checks it comes to “reached”; as it is flashed, without them: "),
+              AllOf(HasSubstr("With checks the verdict is “reached”; without them, as flashed: "),
                     HasSubstr("stack overflow")));
 }
 

@@ -144,7 +144,7 @@ TEST(CliSweep, AFileOfOtherRunsIsLeftAsItIs) {
     EXPECT_EQ(count_of(ended.err.substr(ended.err.rfind("robosim: a.csv")), "\n"), 1);
     EXPECT_EQ(read_file(folder / "a.csv"), before);
   };
-  refused(words, "a.csv: is there already; --resume goes on with it");
+  refused(words, "a.csv: exists already; --resume continues it");
   Words again = words;
   again.push_back("--resume");
   Words changed = again;
@@ -160,7 +160,7 @@ TEST(CliSweep, AFileOfOtherRunsIsLeftAsItIs) {
   refused(again, "a.csv:2: the sketch's image has changed");
   before = "the only copy of my thesis";
   folder.write("a.csv", before);
-  refused(again, "a.csv:1: this is not the header of a sweep's table");
+  refused(again, "a.csv:1: expected the header of a sweep's table");
 }
 
 TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
@@ -238,7 +238,7 @@ TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   OnTerminal sweep(json, 100, 30);
   ASSERT_TRUE(sweep.wait_for("\"crashed\"")) << sweep.seen();
   sweep.type("\003");
-  EXPECT_TRUE(sweep.wait_for("interrupted; the same command with --resume goes on")) << sweep.seen();
+  EXPECT_TRUE(sweep.wait_for("interrupted; the same command with --resume continues")) << sweep.seen();
   EXPECT_EQ(sweep.finish(), 130);
   const std::string kept = read_file(file);
   EXPECT_THAT(lines_of(kept), SizeIs(2));
@@ -261,7 +261,7 @@ TEST(CliSweep, BadInputIsOneSentence) {
     return ended.err;
   };
   EXPECT_THAT(sentence({"--start", "0,0,E"}), HasSubstr("is not on a line"));
-  EXPECT_THAT(sentence({"--shard", "4/3"}), HasSubstr("--shard: “4” is not possible"));
+  EXPECT_THAT(sentence({"--shard", "4/3"}), HasSubstr("--shard: expected PART/PARTS"));
   EXPECT_THAT(sentence({"--shard", "1/3", "--min-rate", "0.9"}), HasSubstr("give it with --merge"));
   EXPECT_THAT(sentence({"--merge", "a.csv"}), HasSubstr("give --csv too"));
   EXPECT_THAT(sentence({"--csv", "/nowhere/a.csv"}), HasSubstr("/nowhere/a.csv: cannot be written"));
@@ -282,7 +282,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
       AllOf(HasSubstr("3 runs, 0 reached their goal"), HasSubstr("3 timeout"),
             HasSubstr(
                 "<a href=\"report-runs/PidFollower-oval-uno5-host-2.html\">timeout after 1.8 m, seed 2</a>"),
-            HasSubstr("The 3 runs that were made again never left the line.")));
+            HasSubstr("The 3 repeated runs never left the line.")));
   const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-2.html");
   EXPECT_EQ(replay.header().result.verdict, "timeout");
 
@@ -299,7 +299,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
             "own.html is written, and a replay beside it\n");
   const Ended ended = robosim_command({"report", "report.html"}, folder.path());
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("report.html:1: this is no XML: "));
+  EXPECT_THAT(ended.err, HasSubstr("report.html:1: this is not valid XML: "));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(CliTest, OfManySketchesEachHasALineAndNoneStopsTheOthers) {
       MatchesRegex("pupils/anna  passed  2 of 2\n"
                    "pupils/ben   ERROR   ben.ino:2:[^\n]*error: expected[^\n]*\n"
                    "pupils/cleo  FAILED  1 of 2  greets: the sketch did not send “hello” by its serial port\n"
-                   "pupils/dan   ERROR   pupils/dan/: holds no sketch[^\n]*\n"
+                   "pupils/dan   ERROR   pupils/dan/: expected a sketch, got a folder[^\n]*\n"
                    "1 of 4 sketches passed all checks\n"));
 }
 
@@ -125,7 +125,7 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   EXPECT_THAT(xml,
               HasSubstr("<testcase classname=\"Greets\" name=\"a &lt; b\" file=\"checks.toml\" line=\"1\""));
   EXPECT_THAT(xml, HasSubstr("<property name=\"collisions\" value=\"0\"/>"));
-  EXPECT_THAT(xml, HasSubstr("<failure message=\"distance_m was 0, and it must be 1 at least\">"));
+  EXPECT_THAT(xml, HasSubstr("<failure message=\"distance_m: expected at least 1, got 0\">"));
   EXPECT_THAT(xml, HasSubstr("</failure>\n      <system-out>hello\n</system-out>\n    </testcase>"));
   EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "of failures only";
 
@@ -190,7 +190,7 @@ TEST(CliNew, OverwritesNothingAndRefusesWhatIsNoNameOfASketch) {
   folder.write("mine/mine.ino", "// mine\n");
   const Ended taken = robosim_command({"new", "mine"}, folder.path());
   EXPECT_EQ(taken.status, 2);
-  EXPECT_THAT(taken.err, HasSubstr("there is a “mine” here already; nothing was changed"));
+  EXPECT_THAT(taken.err, HasSubstr("“mine” exists already; nothing was changed"));
   EXPECT_EQ(read_file(folder / "mine/mine.ino"), "// mine\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "mine/checks.toml"));
   for (const char* name : {"a/b", "..", ".x", "a b", "Zähler", "-x", "x.", ""}) {

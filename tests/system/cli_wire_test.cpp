@@ -55,7 +55,9 @@ TEST(CliWire, DraftsARobotOnWhichTheSketchDrivesALap) {
 
   const Ended again = robosim_command({"wire", "./Eyes", "--out", "Eyes/robot.toml"}, folder.path());
   EXPECT_EQ(again.status, 2);
-  EXPECT_EQ(again.err, "robosim: Eyes/robot.toml: is there already; it is not overwritten\n");
+  EXPECT_EQ(
+      again.err,
+      "robosim: Eyes/robot.toml: exists already; nothing was written; remove it, or name another --out\n");
   EXPECT_EQ(read_file(folder.path() / "Eyes/robot.toml"), text);
 }
 

@@ -40,21 +40,23 @@ TEST_F(Machine, WithAStandardErrorThatIsClosedOrFullEndsWithTheSameStatus) {
 TEST_F(Machine, WithTooFewFilesIsToldSo) {
   const Ended ended = after("ulimit -n 6;", run_);
   EXPECT_EQ(ended.status, 5);
-  EXPECT_EQ(ended.err,
-            "robosim: too many files are open: at most 6 are allowed here; allow more (ulimit -n 256)\n");
+  EXPECT_EQ(
+      ended.err,
+      "robosim: too many files are open: at most 6 are allowed here; raise the limit with ulimit -n 256\n");
 }
 
 TEST_F(Machine, WithTooLowALimitOnFilesIsToldSo) {
   const auto limited = [&] { return after("ulimit -f 100;", run_); };
   const Ended ended = limited();
   EXPECT_EQ(ended.status, 5);
-  EXPECT_THAT(ended.err,
-              HasSubstr("a file may have at most 102400 bytes here; allow more (ulimit -f unlimited)"));
+  EXPECT_THAT(ended.err, HasSubstr("the file is too large: at most 102400 bytes are allowed here; raise the "
+                                   "limit with ulimit -f unlimited"));
   EXPECT_EQ(after("", run_).status, 0);
   const Ended built = limited();
   EXPECT_EQ(built.status, 5);
   EXPECT_EQ(built.err,
-            "robosim: a file may have at most 102400 bytes here; allow more (ulimit -f unlimited)\n");
+            "robosim: the file is too large: at most 102400 bytes are allowed here; raise the limit with "
+            "ulimit -f unlimited\n");
 }
 
 TEST_F(Machine, WithASmallStackRunsWhatItHasBuilt) {
@@ -105,7 +107,7 @@ TEST_F(Machine, ReadsNoDeviceAndNoPipeWhateverItIsGivenFor) {
           "run ./S --map oval --robot uno5 --script " + file, "test ./S --checks " + file}) {
       const Ended ended = after("", words);
       EXPECT_EQ(ended.status, 2) << words;
-      EXPECT_THAT(ended.err, HasSubstr(file + ": cannot be read: it is a ")) << words;
+      EXPECT_THAT(ended.err, HasSubstr(file + ": cannot be read: expected a file, got a ")) << words;
     }
     EXPECT_EQ(after("", "run " + file + " --map oval --robot uno5").status, 2);
   }
@@ -127,7 +129,7 @@ TEST_F(Machine, WithAFullDiskStillGivesTheVerdictOfARunThatItCannotRecord) {
 TEST_F(Machine, RefusesASecondWriterOfARecording) {
   const Ended ended = after("", run_ + " --record a.csv --record ./a.csv");
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("a.csv: is being written already"));
+  EXPECT_THAT(ended.err, HasSubstr("a.csv: this file is already being written"));
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
     if (verdict == "outside") {
       EXPECT_THAT(lines[i],
                   AllOf(HasSubstr("  ERROR   "), testing::AnyOf(HasSubstr("is no file of the sketch"),
-                                                                HasSubstr("outside of the sketch's"))));
+                                                                HasSubstr("outside the sketch's"))));
     } else {
       EXPECT_THAT(lines[i], HasSubstr(verdict));
     }
@@ -141,9 +141,8 @@ TEST_F(Untrusted, RunsAreOnTheChipOfTheRobotsBoardAndTheHostIsRefused) {
   folder_.write("checks.toml", check + "target = [\"avr\", \"host\"]\n");
   const Ended host = robosim({"test", "--untrusted", "./S", "--checks", "checks.toml"});
   EXPECT_EQ(host.status, 2);
-  EXPECT_THAT(host.err,
-              StartsWith("robosim: checks.toml:1:1: target is host, where a sketch shares the memory of "
-                         "its judge; with --untrusted it is avr or stm32"));
+  EXPECT_THAT(host.err, StartsWith("robosim: checks.toml:1:1: target: expected avr, stm32 or none "
+                                   "its judge; with --untrusted it is avr or stm32"));
 }
 
 TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOfItsFolder) {
@@ -162,7 +161,7 @@ TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOf
     const Ended ended = with(line);
     EXPECT_EQ(ended.status, 2) << line;
     EXPECT_THAT(ended.err,
-                AllOf(HasSubstr("S/checks.toml:1:1: "), HasSubstr("is outside of the sketch's folder")))
+                AllOf(HasSubstr("S/checks.toml:1:1: "), HasSubstr("is outside the sketch's folder")))
         << line;
   }
 }

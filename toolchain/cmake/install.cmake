@@ -15,6 +15,25 @@ install(DIRECTORY hal firmware maps DESTINATION share/robosim COMPONENT host PAT
 install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT host)
 install(FILES README.md DESTINATION share/doc/robosim COMPONENT host)
 install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHING PATTERN *.md)
+
+# The built command prints its own manual pages and completion; it does so when it is installed, so that a plain build
+# does not pay for them.
+set(help ${CMAKE_CURRENT_BINARY_DIR}/help)
+string(REPLACE ";" "\" \"" emulator "${CMAKE_CROSSCOMPILING_EMULATOR}")
+if(emulator)
+  set(emulator "\"${emulator}\"")
+endif()
+install(CODE "
+  set(command ${emulator} \"$<TARGET_FILE:robosim>\")
+  execute_process(COMMAND \${command} man --out \"${help}/man\" COMMAND_ERROR_IS_FATAL ANY)
+  foreach(shell bash zsh fish)
+    execute_process(COMMAND \${command} completion \${shell} OUTPUT_FILE \"${help}/\${shell}\" COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()" COMPONENT host)
+install(DIRECTORY ${help}/man/ DESTINATION share/man/man1 COMPONENT host)
+install(FILES ${help}/bash DESTINATION share/bash-completion/completions RENAME robosim COMPONENT host)
+install(FILES ${help}/zsh DESTINATION share/zsh/vendor-completions RENAME _robosim COMPONENT host)
+install(FILES ${help}/fish DESTINATION share/fish/vendor_completions.d RENAME robosim.fish COMPONENT host)
+
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
 # For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.

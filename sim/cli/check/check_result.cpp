@@ -19,15 +19,15 @@ std::string beyond(double value, double limit) {
 
 std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunResult& result) {
   const std::vector<double> values = limit.figure->values(result);
-  if (values.empty()) return fmt::format("{} is not known of this run", limit.figure->name);
+  if (values.empty()) return fmt::format("{} was not measured in this run", limit.figure->name);
   for (const double value : values) {
     if (limit.max && !(value <= *limit.max)) {
-      return fmt::format("{} was {}, and {} at most is allowed", limit.figure->name,
-                         beyond(value, *limit.max), figure_text(*limit.max));
+      return fmt::format("{}: expected at most {}, got {}", limit.figure->name, figure_text(*limit.max),
+                         beyond(value, *limit.max));
     }
     if (limit.min && !(value >= *limit.min)) {
-      return fmt::format("{} was {}, and it must be {} at least", limit.figure->name,
-                         beyond(value, *limit.min), figure_text(*limit.min));
+      return fmt::format("{}: expected at least {}, got {}", limit.figure->name, figure_text(*limit.min),
+                         beyond(value, *limit.min));
     }
   }
   return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
                                    : " (expected: " + one_of(check.expect) + ")";
     return fmt::format("{}{}: {}", result.verdict, wanted, result.why);
   }
-  if (const auto missing = missing_of(check.serial, result.serial, " by its serial port"))
+  if (const auto missing = missing_of(check.serial, result.serial, " over its serial port"))
     return fmt::format("the sketch did not send {}", *missing);
   if (const auto missing = missing_of(check.shows, result.shown, ""))
     return fmt::format("no part showed {}", *missing);
@@ -70,7 +70,7 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
     if (const auto why = why_beyond(limit, result)) return why;
   }
   if (!result.detected.empty())
-    return fmt::format("{}{} (detect = false asks no detectors)", kDetected,
+    return fmt::format("{}{} (detect = false turns the detectors off)", kDetected,
                        wire::text_of(result.detected.front()));
   for (const Promise& promise : check.promises)
     if (const std::string why = why_broken(promise, result); !why.empty()) return why;

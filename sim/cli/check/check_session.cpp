@@ -85,10 +85,10 @@ void confine(Check& check, const fs::path& folder) {
   sweep.each.untrusted = sweep.each.chip_only = true;
   for (const std::string& target : sweep.targets)
     if (target == "host")
-      throw InputError(
-          check.place,
-          "target is host, where a sketch shares the memory of its judge; with --untrusted it is avr "
-          "or stm32, or left out: then it is that of the robot's board");
+      throw InputError(check.place,
+                       "target: expected avr, stm32 or none (then it is the chip of the robot's board) with "
+                       "--untrusted, got "
+                       "host, where a sketch shares the memory of its judge");
   if (folder.empty()) return;
   std::vector<std::string> files = sweep.each.libraries;
   if (!sweep.each.script.empty()) files.push_back(sweep.each.script);
@@ -99,8 +99,8 @@ void confine(Check& check, const fs::path& folder) {
   for (const std::string& file : files)
     if (fs::exists(file, error) && !build::lies_in(file, folder))
       throw InputError(check.place,
-                       fmt::format("{} is outside of the sketch's folder; with --untrusted the checks "
-                                   "beside a sketch name no such file, those of --checks may",
+                       fmt::format("{} is outside the sketch's folder; with --untrusted only the checks of "
+                                   "--checks may name such files",
                                    file));
 }
 
@@ -127,8 +127,8 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
     std::error_code error;
     if (!fs::exists(result.checks, error)) {
       throw InputError({result.checks, 0, 0},
-                       "there is no such file; robosim new makes a project with one, and --checks FILE takes "
-                       "one for all sketches");
+                       "no such file; robosim new creates a project with one, and --checks FILE uses one for "
+                       "all sketches");
     }
     for (Check check : read_checks(result.checks)) {
       if (!check.fleet.empty())

@@ -10,6 +10,8 @@
 #include "sim/base/config.h"
 #include "sim/base/escaped.h"
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
+#include "sim/base/spelling.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/launch/fleet.h"
@@ -56,7 +58,8 @@ std::string word_of(const ConfigValue& value, const char* key) {
   if (value.kind == ConfigValue::Kind::integer) return std::to_string(value.integer);
   if (value.kind == ConfigValue::Kind::number) return fmt::format("{}", value.number);
   const std::string& word = as_string(value, key);
-  if (word.empty()) throw InputError(value.place, fmt::format("{} is empty; leave the key out", key));
+  if (word.empty())
+    throw InputError(value.place, fmt::format("{}: expected a word, got an empty string; omit the key", key));
   return word;
 }
 
@@ -94,14 +97,15 @@ class CheckReader {
     Check check;
     check.place = reader_.table().place;
     check.name = as_string(reader_.require("name"), "name");
-    if (check.name.empty()) throw InputError(check.place, "name is empty; say what is checked");
+    if (check.name.empty())
+      throw InputError(check.place, "name: expected what is checked, got an empty string");
     check.sweep = sweep();
     check.fleet = fleet();
     check.expect = words_at(reader_, "expect");
     for (const std::string& verdict : check.expect) {
       if (std::find(kVerdicts.begin(), kVerdicts.end(), verdict) == kVerdicts.end()) {
         throw InputError(reader_.table().find("expect")->place,
-                         fmt::format("expect is “{}”; it must be {}", verdict, one_of(kVerdicts)));
+                         fmt::format("expect: {}", expected_one_of(verdict, kVerdicts)));
       }
     }
     if (check.expect.empty()) check.expect = {"reached"};
@@ -112,8 +116,8 @@ class CheckReader {
       if (check.detect && check.sweep.each.sanitize)
         throw InputError(
             value->place,
-            "detect watches the sketch as it is flashed, without the checks of sanitize; make two "
-            "checks of it");
+            "detect and sanitize exclude each other, because detect watches the sketch as flashed; write two "
+            "checks");
     }
     check.serial = words_at(reader_, "serial");
     check.shows = words_at(reader_, "shows");
@@ -136,7 +140,7 @@ class CheckReader {
     const std::string word = word_of(*value, "fleet");
     if (!launch::is_fleet_file(word))
       throw InputError(value->place,
-                       fmt::format("fleet is “{}”; it must be a .toml file with [[agent]]", word));
+                       fmt::format("fleet: expected a .toml file with [[agent]], got “{}”", word));
     return flag_word(word, Text::path);
   }
 
@@ -166,7 +170,7 @@ class CheckReader {
     const ConfigValue* seed = reader_.find("seed");
     const ConfigValue* seeds = reader_.table().find("seeds");
     if (seed && seeds)
-      throw InputError(seed->place, "seed is one, and seeds are several; give one of the keys");
+      throw InputError(seed->place, "seed and seeds exclude each other; give one of the keys");
     if (!seed) return seeds ? std::nullopt : std::optional<std::string>("1");
     const std::string word = word_of(*seed, "seed");
     try {
@@ -191,8 +195,8 @@ class CheckReader {
     const ConfigValue* value = reader_.find(figure.name);
     if (!value) return;
     if (value->kind != ConfigValue::Kind::table) {
-      throw InputError(value->place, fmt::format("{} is {}; it must be a table with min, max or both, as in "
-                                                 "{{ max = 10 }}",
+      throw InputError(value->place, fmt::format("{}: expected a table with min, max or both, as in {{ max = "
+                                                 "10 }}, got {}",
                                                  figure.name, to_string(value->kind)));
     }
     TableReader limits(*value, figure.name);
@@ -201,23 +205,24 @@ class CheckReader {
       const ConfigValue* number = limits.find(key);
       if (!number) continue;
       if (number->kind != ConfigValue::Kind::integer && number->kind != ConfigValue::Kind::number) {
-        throw InputError(number->place,
-                         fmt::format("{} of {} is {}; it must be a number, in the unit of the figure's name",
-                                     key, figure.name, to_string(number->kind)));
+        throw InputError(
+            number->place,
+            fmt::format("{} of {}: expected a number, in the unit that ends the key's name, got {}", key,
+                        figure.name, to_string(number->kind)));
       }
       *end = number->number;
     }
     limits.finish();
     if (!limit.min && !limit.max)
       throw InputError(value->place,
-                       fmt::format("{} needs min, max or both, as in {{ max = 10 }}", figure.name));
+                       fmt::format("{} requires min, max or both, as in {{ max = 10 }}", figure.name));
     const std::vector<std::string>& targets = check.sweep.targets;
     const bool on_host =
         targets.empty() || std::find(targets.begin(), targets.end(), "host") != targets.end();
     if (figure.chip_only && on_host) {
       throw InputError(value->place,
-                       fmt::format("{} is known on a chip only, and this check runs on the host; "
-                                   "add target = \"avr\"",
+                       fmt::format("{} requires a chip target, but this check runs on the host; add target = "
+                                   "\"avr\"",
                                    figure.name));
     }
     check.limits.push_back(limit);
@@ -237,7 +242,10 @@ std::vector<Promise> promises_in(const fs::path& file) {
   return read_promises(reader);
 }
 
-std::vector<Check> read_checks(const fs::path& file) { return parse_checks(read_file(file), file); }
+std::vector<Check> read_checks(const fs::path& file) {
+  const std::string text = read_file(file);
+  return read_as(FileKind::checks, text, file.string(), [&] { return parse_checks(text, file); });
+}
 
 std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   const ConfigValue root = parse_toml(text, file.string());
@@ -246,14 +254,14 @@ std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   const ConfigValue* tables = reader.find("check");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
-    throw InputError({file.string(), 0, 0}, "holds no check; each begins with a line [[check]]");
+    throw InputError({file.string(), 0, 0}, "expected at least one [[check]]");
   std::vector<Check> checks;
   std::set<std::string> names;
   for (const ConfigValue& table : tables->items) {
     checks.push_back(CheckReader(table, file.parent_path()).check());
     checks.back().promises = promises;
     if (!names.insert(checks.back().name).second)
-      throw InputError(checks.back().place, fmt::format("there are two checks “{}”", checks.back().name));
+      throw InputError(checks.back().place, fmt::format("duplicate check name “{}”", checks.back().name));
   }
   return checks;
 }

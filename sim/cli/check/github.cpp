@@ -96,7 +96,7 @@ void add_github_summary(const std::vector<SketchResult>& sketches) {
   if (file.empty()) return;
   std::ofstream out(file, std::ios::binary | std::ios::app);
   out << github_summary(sketches) << std::flush;
-  if (!out) throw InputError({file, 0, 0}, "GITHUB_STEP_SUMMARY: the summary cannot be written there");
+  if (!out) throw InputError({file, 0, 0}, "GITHUB_STEP_SUMMARY: the summary cannot be written to this file");
 }
 
 }  // namespace robosim::cli

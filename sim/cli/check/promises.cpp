@@ -19,7 +19,7 @@ Promise promise_of(const ConfigValue& value, const char* key, Promise::When when
     if (text.starts_with(begin) && text.size() > begin.size())
       return {when, shown, text.substr(begin.size())};
   throw InputError(value.place,
-                   fmt::format("{} is “{}”; it must be \"serial: TEXT\" or \"shows: TEXT\"", key, text));
+                   fmt::format("{}: expected \"serial: TEXT\" or \"shows: TEXT\", got “{}”", key, text));
 }
 
 }  // namespace
@@ -46,10 +46,10 @@ std::vector<Promise> read_promises(TableReader& file) {
 std::string why_broken(const Promise& promise, const wire::RunResult& result) {
   const char* const did = promise.shown ? "showed" : "sent";
   if (promise.when == Promise::When::never && promise.is_in(result))
-    return fmt::format("the sketch {} “{}”, and never must", did, promise.words);
+    return fmt::format("the sketch {} “{}”, which it must never do", did, promise.words);
   if (promise.when == Promise::When::always && !promise.is_in(result))
-    return fmt::format("the sketch has not {} “{}”, and always must", promise.shown ? "shown" : "sent",
-                       promise.words);
+    return fmt::format("the sketch has not {} “{}”, which it must always do",
+                       promise.shown ? "shown" : "sent", promise.words);
   return "";
 }
 

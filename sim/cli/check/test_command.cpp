@@ -45,9 +45,9 @@ int test_command(const TestArguments& arguments) {
   CheckSession session(planner, arguments.untrusted);
   if (arguments.untrusted && arguments.checks.empty())
     complain(
-        "robosim: each sketch is held to the checks.toml in its own folder, which is as its author has left "
-        "it; "
-        "--checks FILE holds all of them to one of yours\n");
+        "robosim: each sketch is tested by the checks.toml in its own folder, which its author wrote; "
+        "--checks "
+        "FILE tests all of them by one of yours\n");
   for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
   const bool complete = make_runs(session, arguments.jobs, progress);
   progress.clear();

@@ -15,6 +15,7 @@
 #include "sim/cli/compare/lanes.h"
 #include "sim/cli/compare/watch.h"
 #include "sim/cli/output.h"
+#include "sim/launch/names.h"
 #include "sim/tui/progress.h"
 #include "sim/wire/agent_of.h"
 
@@ -72,7 +73,7 @@ class CompareCommand {
   /// Returns a sketch, a file of several robots, or their number.
   std::string title() const {
     const launch::Fleet& fleet = lanes_[0].fleet;
-    if (fleet.members.empty()) return lanes_[0].inputs(0).sketch;
+    if (fleet.members.empty()) return launch::title_of(lanes_[0].run.members[0].sketch);
     return fleet.file.empty() ? fmt::format("{} robots", fleet.members.size()) : fleet.file;
   }
 

@@ -166,8 +166,8 @@ std::string lacks_text(const Compared& c) {
     what += fmt::format("{}{}{}", what.empty() ? "" : "; ", lack.what, place.empty() ? "" : " in " + place);
   }
   return fmt::format(
-      "lacks     {} does not have {}. So this difference says nothing of the sketch: run it on the chip, by "
-      "--target avr\n",
+      "lacks     {} does not have {}. So this difference tells nothing about the sketch: run it on the chip "
+      "with --target avr\n",
       c.lacking, what);
 }
 
@@ -197,7 +197,7 @@ std::string compare_text(const Compared& c) {
   text += !c.difference      ? "do the same\n"
           : !c.lacks.empty() ? fmt::format("differ, but {} lacks what the sketch uses\n", c.lacking)
           : c.edges.empty()  ? "differ\n"
-                             : "differ no more than each from itself\n";
+                             : "differ no more than each differs from itself\n";
   text += lanes_text(c);
   for (const ComparedKnown& known : c.known)
     text += fmt::format("known, and not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,

@@ -16,7 +16,8 @@ void refuse_image(const launch::Launch& launch) {
   const launch::SketchChoice sketch =
       launch::choose_sketch(launch.sketch, launch.environment, launch.untrusted);
   if (!sketch.elf_target.empty())
-    throw InputError({sketch.name, 0, 0}, "is a finished image for one target; compare needs the sketch");
+    throw InputError({sketch.name, 0, 0},
+                     "expected a sketch, which runs on all targets, got a compiled image for one");
 }
 
 Lane lane_of_one(const CompareArguments& arguments, const std::string& target, launch::Launcher& launcher) {

@@ -31,7 +31,7 @@ std::vector<fs::path> put_files(const build::Image& image, const std::string& fo
   if (folder.empty()) return files;
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError({folder, 0, 0}, "--out: no such folder can be made: " + error.message());
+  if (error) throw InputError({folder, 0, 0}, "--out: the folder cannot be created: " + error.message());
   for (fs::path& file : files) {
     const fs::path copy = fs::path(folder) / (image.name + file.extension().string());
     write_file(copy, read_file(file));
@@ -45,7 +45,7 @@ bool is_product(const fs::path& file) { return file.extension() == ".hex" || fil
 std::string host_sizes(const build::Image& image, const BoardSpec& board) {
   return fmt::format(
       "{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n"
-      "How much of the {}'s {} bytes of flash and {} bytes of RAM it takes, --target {} tells.\n",
+      "How much of the {}'s {} bytes of flash and {} bytes of RAM it uses is printed with --target {}.\n",
       image.name, image.text_bytes, image.data_bytes, image.compiler,
       image.from_cache ? ", unchanged since it was last compiled" : "", board.name, board.flash_bytes,
       board.ram_bytes, board.chip->target);
@@ -75,11 +75,11 @@ std::string chip_sizes(const build::Image& image, const BoardSpec& board) {
 void check_fits(const build::Image& image, const BoardSpec& board) {
   if (image.text_bytes > board.flash_bytes)
     throw build::CompileError(
-        fmt::format("{} does not fit: it takes {} bytes of flash, and the {} has {} for a sketch", image.name,
+        fmt::format("{} does not fit: it uses {} bytes of flash, and the {} has {} for a sketch", image.name,
                     image.text_bytes, board.name, board.flash_bytes));
   if (image.data_bytes > board.ram_bytes)
     throw build::CompileError(
-        fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM", image.name,
+        fmt::format("{} does not fit: its variables use {} bytes, and the {} has {} of RAM", image.name,
                     image.data_bytes, board.name, board.ram_bytes));
 }
 
@@ -106,8 +106,8 @@ std::vector<std::string> over_budget(const build::Image& image, const wire::Robo
   const auto check = [&](std::uint64_t used, std::int64_t allowed, const char* what) {
     if (allowed > 0 && used > static_cast<std::uint64_t>(allowed))
       sentences.push_back(
-          fmt::format("{} is over the budget: it takes {} bytes of {}, and the robot {} allows {}",
-                      image.name, used, what, robot.name, allowed));
+          fmt::format("{} is over the budget: it uses {} bytes of {}, and the robot {} allows {}", image.name,
+                      used, what, robot.name, allowed));
   };
   check(image.text_bytes, robot.budget.flash_bytes, "flash");
   check(image.data_bytes, robot.budget.ram_bytes, "RAM for variables");
@@ -119,7 +119,8 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   if (arguments.sanitize)
     launch::name_flag("--sanitize", [&] { build::check_can_sanitize(arguments.target); });
   const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
-  if (!sketch.elf_target.empty()) throw InputError({sketch.name, 0, 0}, "is built already; run it");
+  if (!sketch.elf_target.empty())
+    throw InputError({sketch.name, 0, 0}, "expected a sketch, got a compiled image; robosim run runs it");
   const launch::Choice choice = launch::choose_robot(arguments.robot, sketch, arguments.target);
   // The robot is the same for all targets, so the always installed runner describes it.
   client::Runner describer("host");
@@ -151,7 +152,7 @@ int build_command(const BuildArguments& arguments) {
   if (arguments.sanitize && arguments.target != "host") {
     print(fmt::format(
         "{} for the {}, with checks ({})\n"
-        "It is for robosim run alone, and need not fit the chip: {} bytes of code, {} of variables.\n"
+        "It only runs in robosim run, and need not fit the chip: {} bytes of code, {} of variables.\n"
         "image: {}\n",
         built.image.name, built.board.name, built.image.compiler, built.image.text_bytes,
         built.image.data_bytes, put_files(built.image, arguments.out)[0].string()));

@@ -103,7 +103,8 @@ const BoardSpec& board_of_image(const std::string& robot, const project::Project
   const auto description = client::Runner("host").describe_robot(choice.path.string());
   const BoardSpec& board = launch::board_of(description);
   if (board.upload_protocol) return board;
-  throw InputError(fmt::format("{}: robosim flash cannot write to its board, the {}", robot, board.name));
+  throw InputError(
+      fmt::format("{}: robosim flash cannot write to the robot's board, the {}", robot, board.name));
 }
 
 ExitStatus judge(const Ending& ending, const FlashArguments& arguments) {
@@ -139,8 +140,8 @@ std::vector<std::string> avrdude_words(const FlashArguments& arguments, const Bo
 int flash_command(const FlashArguments& arguments) {
   const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
   if (!sketch.elf_target.empty() && sketch.elf_target != "avr")
-    throw InputError({sketch.name}, fmt::format("is an image for {}; robosim flash writes those for avr",
-                                                sketch.elf_target));
+    throw InputError({sketch.name},
+                     fmt::format("expected an image for avr, got one for {}", sketch.elf_target));
   const fs::path program = build::find_program("avrdude");
   if (program.empty() && !arguments.dry_run)
     throw ToolMissing("avrdude is missing: sudo apt install avrdude");
@@ -161,7 +162,7 @@ int flash_command(const FlashArguments& arguments) {
     print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
   }
   if (!board->upload_protocol)
-    throw InputError(fmt::format("{}: robosim flash cannot write to a {}, whose programmer has to",
+    throw InputError(fmt::format("{}: robosim flash cannot write to a {}; use the board's programmer",
                                  file.string(), board->name));
   const std::vector<std::string> words = avrdude_words(arguments, *board, file);
   if (board->upload_by_touch)

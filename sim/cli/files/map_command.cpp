@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "sim/base/counted.h"
+#include "sim/base/spelling.h"
 #include "sim/cli/files/course_picture.h"
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/files/json_lines.h"
@@ -66,8 +67,9 @@ std::string describe_goal(const Survey& s) {
 void check_goal(const Survey& s) {
   const std::string& goal = s.map.goal;
   if (goal.starts_with("laps:") && !s.network.has_laps())
-    throw InputError(s.map.goal_place, fmt::format("goal is {}, but from {} the line is not one single loop",
-                                                   goal, at(s.start.cell)));
+    throw InputError(
+        s.map.goal_place,
+        fmt::format("goal {} requires a single loop: from {} the line is not one", goal, at(s.start.cell)));
   if (!goal.starts_with("station:")) return;
   const std::string wanted = goal.substr(goal.find(':') + 1);
   std::vector<std::string> names;
@@ -77,8 +79,10 @@ void check_goal(const Survey& s) {
   }
   throw InputError(
       s.map.goal_place,
-      fmt::format("goal is {}, but there is no such station to be reached from {}; {}", goal,
-                  at(s.start.cell), names.empty() ? "there are none" : "there are " + one_of(names)));
+      names.empty()
+          ? fmt::format("goal {}: unknown station: no station can be reached from {}", goal, at(s.start.cell))
+          : fmt::format("goal {}: unknown station among those that can be reached from {}: {}", goal,
+                        at(s.start.cell), expected_one_of(wanted, names)));
 }
 
 std::size_t count_line_cells(const grid::Map& map) {

@@ -23,9 +23,10 @@ ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out) 
   for (std::uint64_t n = 0; n < arguments.count; ++n)
     if (fs::exists(fs::symlink_status(path_of(n), error)))
       throw InputError({path_of(n).string()},
-                       "exists already, so nothing was written; remove it, or name another --out or --seed");
+                       "exists already; nothing was written; remove it, or name another --out or --seed");
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) throw InputError({folder.string()}, "this folder cannot be made");
+  if (!fs::is_directory(folder))
+    throw InputError({folder.string()}, "this folder cannot be created; name another with --out");
   for (std::uint64_t n = 0; n < arguments.count; ++n) {
     const grid::Map map = grid::generate(family, arguments.stations, arguments.seed + n);
     write_file(path_of(n), grid::write_map(map));

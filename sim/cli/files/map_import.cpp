@@ -23,11 +23,11 @@ constexpr std::size_t kMostCourse_bytes = std::size_t{32} << 20;
 
 void check_picture(const ImportArguments& arguments) {
   if (!(arguments.pixel_m > 0.0))
-    throw InputError({arguments.file}, "is a picture: say how large its pixels are, as in --pixel 0.5mm");
+    throw InputError({arguments.file}, "a picture requires the size of its pixels, as in --pixel 0.5mm");
   const auto folder_of = [](const std::string& file) { return fs::absolute(file).parent_path(); };
   std::error_code error;
   if (!arguments.out.empty() && !fs::equivalent(folder_of(arguments.out), folder_of(arguments.file), error))
-    throw InputError({arguments.out}, fmt::format("a map lies beside its picture, so --out has to be in {}",
+    throw InputError({arguments.out}, fmt::format("expected --out next to the picture, in {}",
                                                   folder_of(arguments.file).string()));
 }
 
@@ -39,9 +39,9 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
   const bool is_picture = course::is_picture(text);
   if (is_picture) check_picture(arguments);
   if (!is_picture && arguments.pixel_m > 0.0)
-    throw InputError({file.string()}, "is no PNG, and --pixel is for pictures");
+    throw InputError({file.string()}, "--pixel requires a picture in PNG format");
   if (is_picture && arguments.walls_m > 0.0)
-    throw InputError({file.string()}, "is a picture, and only a maze has walls");
+    throw InputError({file.string()}, "--walls requires a maze, got a picture");
   const std::string name = file.stem().string();
   const course::Imported imported = is_picture
                                         ? course::import_picture(text, file.string(), name, arguments.pixel_m)
@@ -55,8 +55,8 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
     std::size_t segments = 0;
     for (const grid::Path& path : imported.map.course.paths) segments += path.pieces().size();
     throw InputError({file.string()},
-                     fmt::format("its map, of {} segments and {} KB, cannot be read again: {}", segments,
-                                 written.size() / 1000, error.message()));
+                     fmt::format("the resulting map, of {} segments and {} KB, cannot be read again: {}",
+                                 segments, written.size() / 1000, error.message()));
   }
   if (arguments.out.empty()) {
     out << written;
@@ -65,7 +65,7 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(arguments.out, error)))
     throw InputError({arguments.out},
-                     "exists already, so nothing was written; remove it, or name another --out");
+                     "exists already; nothing was written; remove it, or name another --out");
   write_file(arguments.out, written);
   if (imported.map.image) {
     out << fmt::format("wrote {}: a floor of {:.10g} x {:.10g} mm\n", arguments.out,

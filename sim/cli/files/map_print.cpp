@@ -23,7 +23,7 @@ ExitStatus print_map(const PrintArguments& arguments, std::ostream& out) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(arguments.out, error)))
     throw InputError({arguments.out},
-                     "exists already, so nothing was written; remove it, or name another --out");
+                     "exists already; nothing was written; remove it, or name another --out");
   const grid::Map map = grid::read_map(grid::find_map(arguments.map));
   const print::Printed printed = print::print_map(map, options);
   write_file(arguments.out, printed.pdf);

@@ -34,10 +34,10 @@ void check_name(const std::string& name) {
   if (name.size() <= kLongestName && is_plain(static_cast<unsigned char>(name[0])) && name.back() != '.' &&
       std::all_of(name.begin(), name.end(), may_follow))
     return;
-  throw InputError(
-      fmt::format("robosim new: “{}” cannot be the name of a sketch; allowed are letters, digits, - . and _, "
-                  "first a letter, a digit or _, last no dot, {} characters at most",
-                  name, kLongestName));
+  throw InputError(fmt::format(
+      "robosim new: invalid name: expected at most {} letters, digits, - . and _, beginning with a "
+      "letter, a digit or _ and not ending with a dot, got “{}”",
+      kLongestName, name));
 }
 
 std::string filled_in(std::string text, const std::string& name) {
@@ -62,12 +62,13 @@ int new_command(const NewArguments& arguments) {
   check_name(name);
   std::error_code error;
   if (fs::symlink_status(name, error).type() != fs::file_type::not_found)
-    throw InputError(fmt::format("robosim new: there is a “{}” here already; nothing was changed", name));
+    throw InputError(fmt::format("robosim new: “{}” exists already; nothing was changed", name));
   std::vector<std::string> made;
   for (const fs::path& file : files_below(template_folder())) {
     const std::string target = filled_in(file.string(), name);
     fs::create_directories((name / fs::path(target)).parent_path(), error);
-    if (error) throw InputError({name, 0, 0}, "robosim new: the folder cannot be made: " + error.message());
+    if (error)
+      throw InputError({name, 0, 0}, "robosim new: the folder cannot be created: " + error.message());
     write_file(name / fs::path(target), filled_in(read_file(template_folder() / file), name));
     made.push_back(target);
   }

@@ -16,7 +16,7 @@ double minutes_of(const std::string& text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value > 0.0 && value <= 10'000.0))
-    refuse_value("--minutes", text, "a number above 0, 10000 at most");
+    refuse_value("--minutes", text, "a number above 0, at most 10000");
   return value;
 }
 
@@ -25,40 +25,45 @@ double minutes_of(const std::string& text) {
 Command parse_hunt(const std::vector<std::string>& words) {
   HuntArguments hunt;
   std::string seed, runs, minutes, jobs, shard, duration;
-  Options options(
-      "hunt",
-      "Looks for faults of a sketch without any test: in worlds that are drawn, with buttons, "
-      "messages, faults and clocks. Tells what went wrong, and leaves the smallest run that shows it.");
-  options.positional("SKETCH", hunt.sketch, "a folder, .ino file or name; default: the current folder");
-  options.lists("--map", hunt.maps, "MAP...", "files, or names of sample maps; others like them are drawn");
-  options.flag("--only-maps", hunt.only_maps, "these maps alone: none is drawn");
+  Options options("hunt", "search for bugs automatically: random worlds, inputs and faults",
+                  "Needs no test. Reports what went wrong, and writes the smallest run that shows it.");
+  options.positional("[SKETCH]", hunt.sketch, kSketchHelp, PossibleValues::sketch());
+  options.lists("--map", hunt.maps, "MAP",
+                "use these maps, and random ones like them: files, or names of sample maps",
+                PossibleValues::map());
+  options.flag("--only-maps", hunt.only_maps, "use the maps of --map only, and no random ones");
   options.text("--robot", hunt.robot, "ROBOT",
-               "file, or name of a stock robot; others within its spreads are drawn");
-  options.lists("--target", hunt.targets, "TARGET...",
-                "host, avr, stm32; default: the board's, and the host");
-  options.text("--runs", runs, "N", "how many; default 400, or with --minutes as many as that gives");
-  options.text("--minutes", minutes, "N", "of wall time, after which no further run begins");
-  options.text("--seed", seed, "N", "of what is drawn; default 1");
-  options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
-  options.text("--out", hunt.out, "DIR", "a new folder for what is found; default: hunt-SKETCH");
-  options.flag("--resume", hunt.resume, "go on with the folder: its runs are not made again");
-  options.text("--shard", shard, "I/N",
-               "make only the I-th of N parts of the runs; --merge brings them together");
-  options.lists("--merge", hunt.merge, "DIR...", "folders of the shards: tells what all of them have found");
+               "use this robot, and random ones within its spreads: a file, or the name of a stock robot",
+               PossibleValues::robot());
+  options.lists("--target", hunt.targets, "TARGET",
+                "execute on host, avr or stm32 (default: the board's chip and the host)", targets());
+  options.text("--runs", runs, "N",
+               "do this many runs (default: 400; with --minutes, as many as fit into that time)");
+  options.text("--minutes", minutes, "N", "begin no run after this wall time");
+  options.text("--seed", seed, "N", "seed all random choices (default: 1)");
+  options.text("--jobs", jobs, "N", kJobsHelp);
+  options.text("--out", hunt.out, "DIR", "write findings into this new folder (default: hunt-SKETCH)",
+               PossibleValues::folder());
+  options.flag("--resume", hunt.resume, "continue the hunt in the folder of --out; skip its finished runs");
+  options.text("--shard", shard, "I/N", kShardHelp);
+  options.lists("--merge", hunt.merge, "DIR", "report what all these folders of --shard have found",
+                PossibleValues::folder());
   options.flag("--stop-early", hunt.stop_early, "end with the first finding");
   options.text("--for", duration, "TIME",
-               "simulated time of a run at most, longer on long ways; default: 60s");
+               "limit the simulated time of a run, more on long ways (default: 60s)");
   options.text("--start", hunt.each.request.start, "X,Y,DIR",
-               "start cell and heading; then no maps are drawn");
-  options.text("--goal", hunt.each.request.goal, "GOAL", "as of run; default: the map's");
-  options.text("--script", hunt.each.script, "FILE", "what happens in every run");
+               "start in this cell and heading, on the maps of --map only");
+  options.text("--goal", hunt.each.request.goal, "GOAL",
+               "pursue this goal, as of run --goal (default: the map's)", goals());
+  options.text("--script", hunt.each.script, "FILE", "apply this script during every run",
+               PossibleValues::file());
   RunOptions shared(options, hunt.each);
   shared.common();
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  if (const auto help = options.parse(words)) return *help;
   hunt.jobs = number_of_jobs(jobs);
   if (!shard.empty()) hunt.shard = read_shard(shard);
   if (!hunt.merge.empty() && (hunt.resume || !shard.empty()))
-    throw InputError("--merge makes no runs; it goes without --resume and --shard");
+    throw InputError("--merge does no runs; it excludes --resume and --shard");
   if (!seed.empty()) hunt.seed = seed_number(seed);
   if (!minutes.empty()) hunt.minutes = minutes_of(minutes), hunt.runs = kMostRuns;
   if (!runs.empty()) hunt.runs = whole_number("--runs", runs, 1, kMostRuns);

@@ -27,14 +27,14 @@ fs::path folder_for(const HuntArguments& arguments) {
   std::error_code error;
   if (arguments.resume) {
     if (!fs::exists(folder / "runs.jsonl", error))
-      throw InputError({folder.string()}, "holds no hunt that --resume could go on with");
+      throw InputError({folder.string()}, "expected the folder of a hunt to --resume, got another folder");
     return folder;
   }
   if (fs::exists(folder, error))
     throw InputError({folder.string()},
-                     "is there already; --resume goes on with it, --out DIR names another, or remove it");
+                     "exists already; --resume continues it, --out DIR names another, or remove it");
   if (!fs::create_directories(folder, error))
-    throw InputError({folder.string()}, "cannot be made a folder: " + error.message());
+    throw InputError({folder.string()}, "the folder cannot be created: " + error.message());
   return folder;
 }
 
@@ -72,18 +72,18 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
   for (const std::string& map : hunt.plain().reached() ? bench.left_maps() : std::vector<std::string>{})
-    text += fmt::format("not on {0}, where it did not come to its goal: --map {0} hunts there\n", map);
+    text += fmt::format("not on {0}, where the sketch did not reach its goal: --map {0} hunts there\n", map);
   for (const HuntSpace::Map& map : bench.space().maps)
     if (!map.tours)
       text += fmt::format(
-          "it comes to its goal on {0}, and not on most floors like it: how it drives there is no finding; "
+          "it reaches its goal on {0}, but not on most floors like it: its driving there is not a finding; "
           "--map {0} makes it one\n",
           map.name);
   if (bench.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),
                         bench.refused() == 1 ? "" : "s", bench.refusal());
   if (found > 0)
-    text += fmt::format("checks that fail until it is mended: {}\n", (out / "checks.toml").string());
+    text += fmt::format("checks that fail until it is fixed: {}\n", (out / "checks.toml").string());
   return text;
 }
 
@@ -99,7 +99,7 @@ std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
     const bool given =
         std::any_of(parts.begin(), parts.end(), [&](const HuntPart& part) { return part.shard.index == i; });
     if (!given)
-      sentences.push_back(fmt::format("robosim: shard {} is missing: its runs are not in these figures\n",
+      sentences.push_back(fmt::format("robosim: shard {} is missing: its runs are not counted here\n",
                                       Shard{i, parts.front().shard.count}.text()));
   }
   return sentences;
@@ -114,7 +114,7 @@ int hunt_command(const HuntArguments& arguments) {
   const std::vector<HuntPart> parts = read_parts(arguments.merge, bench.fingerprint());
   const fs::path out = folder_for(arguments);
   for (const std::string& sentence : bench.left_out())
-    complain(fmt::format("robosim: left out: {}\n", sentence));
+    complain(fmt::format("robosim: skipped: {}\n", sentence));
   HuntLog log(out, bench.fingerprint(), part_of(arguments), arguments.resume);
   Hunt hunt(bench, arguments, out, log,
             {[&](const std::string& sentence) { progress.update(sentence); },
@@ -136,7 +136,7 @@ int hunt_command(const HuntArguments& arguments) {
         hunt_summary(hunt, bench, out));
   for (const std::string& sentence : missing_of(parts)) complain(sentence);
   if (!complete)
-    complain(parts.empty() ? "robosim: interrupted; the same command with --resume goes on\n"
+    complain(parts.empty() ? "robosim: interrupted; the same command with --resume continues\n"
                            : "robosim: interrupted\n");
   if (!complete) return static_cast<int>(ExitStatus::interrupted);
   return static_cast<int>(hunt.findings().empty() ? ExitStatus::ok : ExitStatus::failed);

@@ -65,7 +65,7 @@ HuntRow row_of(const Json& json) {
   return row;
 }
 
-const std::string kOfAnother = "is of another hunt: the sketch, an option or Robosim has changed since";
+const std::string kOfAnother = "belongs to another hunt: the sketch, an option or Robosim has changed since";
 
 std::string header(const std::string& from, const std::string& part) {
   Json json{{"schema", "robosim.hunt/3"}, {"from", from}};
@@ -88,7 +88,7 @@ std::vector<HuntRow> rows_in(const std::string& text, const std::string& file) {
     try {
       rows.push_back(row_of(parsed(std::string_view(text).substr(at, end - at))));
     } catch (const nlohmann::json::exception&) {
-      throw InputError({file, number, 0}, "is no line that a hunt has written");
+      throw InputError({file, number, 0}, "expected a line that a hunt has written");
     }
   }
   return rows;
@@ -98,7 +98,7 @@ Shard shard_in(const std::string& first_line, const std::string& from, const std
   const Json json = parsed(first_line);
   if (!json.is_object() || json.value("from", "") != from) throw InputError({file, 1, 0}, kOfAnother);
   const std::string part = json.value("part", "1/1");
-  if (part == kMerged) throw InputError({file, 1, 0}, "is merged already; give the folders of the shards");
+  if (part == kMerged) throw InputError({file, 1, 0}, "is already merged; give the folders of the shards");
   return read_shard(part);
 }
 
@@ -111,9 +111,8 @@ std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const 
     const Shard shard = shard_in(text.substr(0, text.find('\n')), from, file);
     for (const HuntPart& other : parts) {
       if (other.shard.count != shard.count || other.shard.index == shard.index)
-        throw InputError({folder},
-                         fmt::format("is shard {}, and {} is shard {}: they are not parts of one hunt",
-                                     shard.text(), other.folder.string(), other.shard.text()));
+        throw InputError({folder}, fmt::format("is shard {}, but {} is shard {}: expected parts of one hunt",
+                                               shard.text(), other.folder.string(), other.shard.text()));
     }
     parts.push_back({folder, shard, rows_in(text, file)});
   }
@@ -127,7 +126,8 @@ HuntLog::HuntLog(const std::filesystem::path& folder, const std::string& from, c
   if (resume) {
     const std::string text = read_file(path_);
     if (!text.starts_with(kept))
-      throw InputError({path_.string(), 1, 0}, kOfAnother + "; without --resume, --out DIR begins a new one");
+      throw InputError({path_.string(), 1, 0},
+                       kOfAnother + "; omit --resume and name a new folder with --out DIR");
     for (HuntRow& row : rows_in(text, path_.string())) rows_[row.run] = std::move(row);
     kept = text.substr(0, text.rfind('\n') + 1);  // drops an incomplete last line
   }

@@ -10,24 +10,23 @@ namespace robosim::cli {
 Command parse_mutate(const std::vector<std::string>& words) {
   MutateArguments mutate;
   std::string jobs, seed, count, least;
-  Options options("mutate",
-                  "Tries the checks of a sketch, or its tests in C++: draws small bugs at random, puts them "
-                  "into the sketch one "
-                  "at a time, and "
-                  "tells which of them no check finds. Needs clang++.");
-  options.positional("SKETCH", mutate.sketch, "a folder, .ino file or name; default: the current folder");
+  Options options("mutate", "plant small bugs in a sketch and report which ones its checks miss",
+                  "Draws the bugs at random and tries them one at a time. Needs clang++.");
+  options.positional("[SKETCH]", mutate.sketch, kSketchHelp, PossibleValues::sketch());
   options.text("--checks", mutate.checks, "FILE",
-               "these checks in place of the checks.toml beside the sketch");
+               "run the checks of this file instead of the checks.toml next to the sketch",
+               PossibleValues::file());
   options.texts("--tests", mutate.tests, "PROGRAM",
-                "a built program of GoogleTest tests, in place of checks; may be repeated");
-  options.text("--count", count, "N", "how many bugs that compile; default 20");
-  options.text("--seed", seed, "N", "of what is drawn; default 1");
-  options.text("--min-score", least, "X", "status 1 if a smaller share, 0 to 1, is found");
-  options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
-  options.flag("--json", mutate.json, "one object for programs");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+                "run this built program of GoogleTest tests instead of checks; may be repeated",
+                PossibleValues::file());
+  options.text("--count", count, "N", "plant this many bugs that compile (default: 20)");
+  options.text("--seed", seed, "N", "seed the choice of bugs (default: 1)");
+  options.text("--min-score", least, "X", "exit with status 1 if less than this share is found, 0 to 1");
+  options.text("--jobs", jobs, "N", kJobsHelp);
+  options.flag("--json", mutate.json, "print the result as JSON");
+  if (const auto help = options.parse(words)) return *help;
   if (!mutate.tests.empty() && !mutate.checks.empty())
-    throw InputError("--checks and --tests exclude each other");
+    throw InputError("--checks and --tests exclude each other; give only one of them");
   mutate.jobs = number_of_jobs(jobs);
   if (!seed.empty()) mutate.seed = seed_number(seed);
   if (!count.empty()) mutate.count = whole_number("--count", count, 1, 100'000);

@@ -69,7 +69,7 @@ std::vector<std::string> programs(const std::vector<std::string>& tests) {
   for (const std::string& test : tests) {
     const fs::path program = fs::absolute(test);
     if (!fs::is_regular_file(program) || ::access(program.c_str(), X_OK) != 0)
-      throw InputError({test}, "is no program; --tests takes built programs of GoogleTest tests");
+      throw InputError({test}, "expected a built program of GoogleTest tests");
     found.push_back(program.string());
   }
   return found;
@@ -84,7 +84,8 @@ std::string joined(const std::vector<std::string>& words) {
 int mutate_command(const MutateArguments& arguments) {
   const launch::SketchChoice choice = launch::choose_sketch(arguments.sketch);
   if (!choice.elf_target.empty())
-    throw InputError({choice.path.string()}, "is a finished image; bugs are put into a sketch's source");
+    throw InputError({choice.path.string()},
+                     "expected a sketch's source to put bugs into, got a compiled image");
   const bool by_tests = !arguments.tests.empty();
   const std::string file = by_tests                   ? joined(arguments.tests)
                            : arguments.checks.empty() ? (choice.folder / "checks.toml").string()
@@ -92,9 +93,7 @@ int mutate_command(const MutateArguments& arguments) {
   std::error_code error;
   if (!by_tests && !fs::exists(file, error))
     throw InputError(
-        {file},
-        "there is no such file: what is tried is how many bugs its checks find, or, with --tests, "
-        "programs of tests");
+        {file}, "no such file: robosim mutate requires checks to try, or programs of tests with --tests");
 
   tui::Progress progress(true);
   progress.say("reading the sketch");
@@ -106,11 +105,12 @@ int mutate_command(const MutateArguments& arguments) {
                                       : ask_checks(fs::absolute(file).string(), arguments.jobs);
   const Trial unchanged = bench.try_unchanged(ask);
   if (unchanged.ending == Trial::Ending::not_compiled)
-    throw InputError({choice.path.string()}, "a copy of its folder alone does not build: " + unchanged.why);
+    throw InputError({choice.path.string()},
+                     "a copy of the sketch's folder alone does not build: " + unchanged.why);
   if (unchanged.ending != Trial::Ending::passed && unchanged.check.empty())
     throw InputError({file}, unchanged.why);
   if (unchanged.ending != Trial::Ending::passed)
-    throw InputError({file}, fmt::format("the {} \"{}\" fails without any bug put in: {}",
+    throw InputError({file}, fmt::format("the {} \"{}\" fails even without a bug: {}",
                                          by_tests ? "test" : "check", unchanged.check, unchanged.why));
 
   MutationResult result{launch::title_of(choice), file, by_tests ? "test" : "check", arguments.seed};

@@ -43,20 +43,20 @@ class Reader {
     });
     // A document type's declarations could make a small file expand to a huge one.
     XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, auto...) {
-      static_cast<Reader*>(self)->refused_ = "a document type is not allowed here";
+      static_cast<Reader*>(self)->refused_ = "document types are not supported";
       XML_StopParser(static_cast<Reader*>(self)->parser_.get(), XML_FALSE);
     });
   }
 
   std::vector<JunitCase> read(std::string_view text, const std::string& file) {
     const auto fail = [&](const std::string& problem) { throw InputError({file, line()}, problem); };
-    if (text.size() > kMost) fail(fmt::format("this has more than {} MB", kMost >> 20));
+    if (text.size() > kMost) fail(fmt::format("the file is too large: expected at most {} MB", kMost >> 20));
     if (XML_Parse(parser_.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) != XML_STATUS_OK)
       fail(refused_.empty()
-               ? fmt::format("this is no XML: {}", XML_ErrorString(XML_GetErrorCode(parser_.get())))
+               ? fmt::format("this is not valid XML: {}", XML_ErrorString(XML_GetErrorCode(parser_.get())))
                : refused_);
     if (cases_.empty())
-      fail("there is no <testcase> in it: robosim test --junit and ctest --output-junit write some");
+      fail("expected at least one <testcase>, as robosim test --junit and ctest --output-junit write them");
     return std::move(cases_);
   }
 

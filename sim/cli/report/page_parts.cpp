@@ -123,22 +123,21 @@ std::string places_left(const Shown& shown) {
   }
   if (maps.empty() && nowhere > 0)
     text += fmt::format("<p class=\"dim\">{} never left the line.</p>\n",
-                        nowhere == 1 ? "The run that was made again"
-                                     : fmt::format("The {} runs that were made again", nowhere));
+                        nowhere == 1 ? "The repeated run" : fmt::format("The {} repeated runs", nowhere));
   if (!maps.empty())
     text += "<h2>Where robots left the line</h2>\n<div class=\"maps\">\n" + maps + "</div>\n";
   if (shown.other > 0)
     text += fmt::format(
-        "<p class=\"bad\">{} of the runs came out otherwise when they were made again, and are not shown: "
+        "<p class=\"bad\">{} of the runs had another result when they were repeated, and are not shown: "
         "give report the options of the sweep, or the sketch, map or robot has changed since.</p>\n",
         shown.other);
   if (shown.cannot_be > 0)
-    text += fmt::format("<p class=\"bad\">{} could not be looked at again: {}</p>\n",
+    text += fmt::format("<p class=\"bad\">{} could not be repeated: {}</p>\n",
                         shown.cannot_be == 1 ? "One run" : fmt::format("{} runs", shown.cannot_be),
                         markup_text(shown.cannot));
   if (shown.not_made > 0)
     text +=
-        fmt::format("<p class=\"dim\">{} more runs failed and were not made again (--runs makes more).</p>\n",
+        fmt::format("<p class=\"dim\">{} more runs failed and were not repeated (--runs repeats more).</p>\n",
                     shown.not_made);
   return text;
 }

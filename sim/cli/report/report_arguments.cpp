@@ -13,24 +13,27 @@ constexpr std::uint64_t kMostRuns = 10'000;
 Command parse_report(const std::vector<std::string>& words) {
   ReportArguments report;
   std::string runs;
-  Options options(
-      "report",
-      "Makes a page of a sweep's table, or of test results in JUnit's XML. Runs that failed are made again, "
-      "to show where the line was left: those of a table need the options that the sweep had.");
-  options.positional("FILE", report.file, "of sweep --csv, test --junit, or ctest --output-junit");
+  Options options("report", "make a page from a sweep's table or from test results",
+                  "Shows who passed. Repeats failed runs to show where the line was left. Those of a table "
+                  "need the options that the sweep "
+                  "had.");
+  options.positional("FILE", report.file,
+                     "read this file, which sweep --csv, test --junit or ctest --output-junit wrote",
+                     PossibleValues::file());
   options.text("--out", report.out, "FILE",
-               "the page; default: report.html; replays are put into a folder beside it");
-  options.text("--runs", runs, "N", "runs that are made again, at most; default: 40; 0: none");
+               "write this page, and replays into a folder next to it (default: report.html)",
+               PossibleValues::file());
+  options.text("--runs", runs, "N", "repeat at most this many runs (default: 40)");
   RunArguments& each = report.each;
   RunOptions shared(options, each);
   shared.task();
   shared.time();
   shared.common();
-  options.flag("--sanitize", each.sanitize, "if the sweep had it");
-  options.flag("--untrusted", each.untrusted, kUntrusted);
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  options.flag("--sanitize", each.sanitize, "repeat the runs with --sanitize, as the sweep did");
+  options.flag("--untrusted", each.untrusted, kUntrustedHelp);
+  if (const auto help = options.parse(words)) return *help;
   if (report.file.empty())
-    throw InputError("robosim report needs a table or an XML file, as in robosim report runs.csv");
+    throw InputError("robosim report requires a table or an XML file, as in robosim report runs.csv");
   if (!report.out.ends_with(".html")) refuse_value("--out", report.out, "a name that ends in .html");
   if (!runs.empty()) report.runs = whole_number("--runs", runs, 0, kMostRuns);
   shared.finish();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/file.h"
+#include "sim/base/file_kind.h"
 #include "sim/base/write_claim.h"
 #include "sim/cli/output.h"
 #include "sim/cli/report/report_page.h"
@@ -24,14 +25,15 @@ int report_command(const ReportArguments& arguments) {
     shown = look_at_cases(cases, arguments);
     page = junit_page(name, cases, shown);
   } else {
-    const std::vector<SweptRun> runs = read_swept_runs(text, arguments.file);
+    const std::vector<SweptRun> runs =
+        read_as(FileKind::table, text, arguments.file, [&] { return read_swept_runs(text, arguments.file); });
     shown = look_at_runs(runs, arguments);
     page = sweep_page(name, runs, shown);
   }
   write_file(arguments.out, page);
   const std::string replays = shown.written == 1 ? "a replay" : fmt::format("{} replays", shown.written);
-  print(fmt::format("{} is written{}\n", arguments.out,
-                    shown.written == 0 ? "" : fmt::format(", and {} beside it", replays)));
+  print(fmt::format("{} is written{}; open it in a browser\n", arguments.out,
+                    shown.written == 0 ? "" : fmt::format(", and {} next to it", replays)));
   return 0;
 }
 

@@ -111,7 +111,8 @@ std::optional<std::string> made_again(MakeAgain& again, const JunitCase& one, bo
     words.emplace_back("--untrusted");
   const Command parsed = parse_arguments(words);
   const auto* run = std::get_if<RunArguments>(&parsed);
-  if (!run || run->request.gdb_port != 0) throw InputError("“" + one.again + "” is no run");
+  if (!run || run->request.gdb_port != 0)
+    throw InputError(fmt::format("expected the command of a run, got “{}”", one.again));
   return run->fleet.members.empty() ? again(launch_of(*run), one.trace_hash)
                                     : again(run->fleet, run->request, one.trace_hash);
 }

@@ -1,5 +1,7 @@
 #include "sim/cli/report/sweep_rows.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <map>
 
@@ -14,7 +16,7 @@ Number number_of(const std::string& text, const char* column, const Place& place
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    throw InputError(place, std::string(column) + " must be a number, and is “" + text.substr(0, 40) + "”");
+    throw InputError(place, fmt::format("{}: expected a number, got “{}”", column, text.substr(0, 40)));
   return value;
 }
 
@@ -28,7 +30,7 @@ std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& 
     const auto fields = csv_fields(text.substr(0, end));
     text.remove_prefix(end == text.npos ? text.size() : end + 1);
     const Place place{file, line};
-    if (!fields) throw InputError(place, "a quote is not closed");
+    if (!fields) throw InputError(place, "unterminated text: expected a closing quote");
     if (line == 1) {
       for (std::size_t i = 0; i < fields->size(); ++i) columns[(*fields)[i]] = i;
       for (const char* needed : {"sketch", "map", "robot", "target", "seed", "verdict", "time_s",
@@ -36,13 +38,13 @@ std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& 
         if (!columns.contains(needed))
           throw InputError(
               place,
-              std::string("this is no table of robosim sweep --csv, nor JUnit's XML: there is no column ") +
-                  needed);
+              fmt::format("expected a table of robosim sweep --csv or JUnit's XML: the column {} is missing",
+                          needed));
       continue;
     }
     if (fields->size() != columns.size())
-      throw InputError(place, "this row has " + std::to_string(fields->size()) +
-                                  " fields, and the first line " + std::to_string(columns.size()));
+      throw InputError(place, fmt::format("expected {} fields, as in the first line, got {}", columns.size(),
+                                          fields->size()));
     const auto at = [&](const char* name) { return (*fields)[columns[name]]; };
     SweptRun& run = runs.emplace_back();
     run.sketch = at("sketch");
@@ -64,7 +66,7 @@ std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& 
     run.laps = figure_or_0("laps");
     run.stations = figure_or_0("stations");
   }
-  if (runs.empty()) throw InputError({file}, "there is no run in it");
+  if (runs.empty()) throw InputError({file}, "expected at least one run");
   return runs;
 }
 

@@ -53,13 +53,13 @@ int station_of(const grid::TrueGraph& graph, const std::string& wanted) {
     if (!station.name.empty()) known.back() += " (" + station.name + ")";
   }
   constexpr std::size_t kListed = 20;
-  std::string there = "there are none";
+  std::string there = "there are no stations";
   if (known.size() > kListed) {
     there = fmt::format("there are 1 to {}", known.size());
   } else if (!known.empty()) {
     there = fmt::format("there {} {}", known.size() == 1 ? "is" : "are", fmt::join(known, ", "));
   }
-  throw InputError(fmt::format("--to: there is no station “{}” that can be reached; {}", wanted, there));
+  throw InputError(fmt::format("--to: unknown or unreachable station “{}”; {}", wanted, there));
 }
 
 std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& graph,
@@ -123,7 +123,7 @@ int classic_command(const ClassicArguments& arguments) {
   grid::require_cells(map, start, "classic");
   if (map.at(start.cell) == grid::Cell::obstacle)
     throw InputError(
-        fmt::format("{}: an obstacle stands on the start, {},{}", map.file, start.cell.x, start.cell.y));
+        fmt::format("{}: there is an obstacle on the start, {},{}", map.file, start.cell.x, start.cell.y));
   if (!launch::is_path(arguments.algorithm)) return run_on(map, start, arguments, {}, nullptr);
   const build::Algorithm algorithm(arguments.algorithm);
   return supervise(arguments.algorithm, [&](Progressed& progressed) {

@@ -35,11 +35,11 @@ std::string trouble(Ending ending, const std::string& why) {
     case Ending::complete:
       return "";
     case Ending::lost:
-      return "the robot is lost: what it met cannot be there";
+      return "the robot is lost: what it met contradicts its graph";
     case Ending::out_of_moves:
       return "its moves were used up";
     case Ending::no_way:
-      return "there is no way: an obstacle is between";
+      return "there is no way: an obstacle blocks it";
     case Ending::refused:
       return "the planner refuses: " + why;
   }

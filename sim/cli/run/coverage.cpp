@@ -23,7 +23,7 @@ CounterFile::CounterFile(const fs::path& folder)
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error || ::access(folder_.c_str(), W_OK) != 0)
-    throw InputError({folder.string(), 0, 0}, "--coverage: no files can be written into such a folder");
+    throw InputError({folder.string(), 0, 0}, "--coverage: files cannot be written into this folder");
 }
 
 CounterFile::~CounterFile() {
@@ -33,14 +33,14 @@ CounterFile::~CounterFile() {
 
 std::string CounterFile::keep(const build::Request& request, const build::Image& image,
                               const std::string& description) const {
-  if (!fs::exists(path_)) return "coverage: nothing of this run was counted, it took its process down\n";
+  if (!fs::exists(path_)) return "coverage: nothing was counted, because the run crashed its process\n";
   const build::Coverage ran = read_coverage(request, image, read_file(path_));
   return "coverage: " + summary(add_to_folder(folder_, request, image, ran, description));
 }
 
 std::string CounterFile::make_page() const {
   if (build::make_page(folder_)) return fmt::format("page: {}\n", (folder_ / "html/index.html").string());
-  return fmt::format("{} (a page is made of it with genhtml: sudo apt install lcov)\n",
+  return fmt::format("{} (genhtml makes a page of it: sudo apt install lcov)\n",
                      (folder_ / "coverage.info").string());
 }
 

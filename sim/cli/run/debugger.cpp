@@ -11,8 +11,7 @@ namespace fs = std::filesystem;
 
 void check_debugger(int port, const std::string& target) {
   if (port > 0 && target == "host")
-    throw InputError(
-        "--gdb: no debugger can attach to the target host; give --target avr or stm32, an emulated chip");
+    throw InputError("--gdb requires an emulated chip: give --target avr or stm32");
 }
 
 std::string debugger_command(const fs::path& elf, const fs::path& sources, const std::string& target,

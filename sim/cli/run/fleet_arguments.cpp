@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/spelling.h"
 #include "sim/cli/launching.h"
 
 namespace robosim::cli {
@@ -32,29 +33,33 @@ FleetOptions::FleetOptions(Options& options, RunArguments& run, bool compares)
              Given{"--target", [](launch::Launch& l) -> std::string& { return l.target; }},
              Given{"--start", [](launch::Launch& l) -> std::string& { return l.request.start; }},
              Given{"--goal", [](launch::Launch& l) -> std::string& { return l.request.goal; }}} {
-  options.positionals("SKETCH", given_[0].values,
-                      "folder, .ino file or name; default: the current folder; or several robots: a .toml, "
-                      "or NAME=SKETCH for each (docs/howto/fleets.md)");
-  options.texts(
-      "--robot", given_[1].values, "ROBOT",
-      "file, or name of a stock robot; with @BOARD behind it, on that board; this, --target, --start, "
-      "--goal and --script also as NAME=… for one of several");
-  if (!compares) options.texts("--target", given_[2].values, "TARGET", "host, avr or stm32");
-  options.texts("--start", given_[3].values, "X,Y,DIR", "start cell (column, row) and heading: N, S, E or W");
-  options.texts("--goal", given_[4].values, "GOAL",
-                "tour, laps:N, station:N, still, none, or a competition's (docs/reference/courses.md)");
-  options.texts("--script", scripts_, "FILE", "what happens meanwhile: buttons, serial, faults");
+  options.positionals("[SKETCH]", given_[0].values,
+                      "run this sketch: a folder, an .ino file or the name of a sample sketch (default: the "
+                      "current folder); for several robots a fleet's .toml, or NAME=SKETCH for each "
+                      "(docs/howto/fleets.md)",
+                      PossibleValues::sketch());
+  options.texts("--robot", given_[1].values, "ROBOT",
+                "use this robot: a file, or the name of a stock robot; ROBOT@BOARD puts it on another board; "
+                "NAME=... sets this, --target, --start, --goal or --script for one of several robots",
+                PossibleValues::robot());
+  if (!compares)
+    options.texts("--target", given_[2].values, "TARGET", "execute on host, avr or stm32 (default: host)",
+                  targets());
+  options.texts("--start", given_[3].values, "X,Y,DIR", kStartHelp);
+  options.texts("--goal", given_[4].values, "GOAL", kGoalHelp, goals());
+  options.texts("--script", scripts_, "FILE", kScriptHelp, PossibleValues::file());
 }
 
 void FleetOptions::check_known(const char* option, const std::string& name) {
   launch::Fleet& fleet = run_.fleet;
   if (fleet.find(name)) return;
   if (fleet.members.empty())
-    throw InputError(fmt::format("{} {}=…: there is one robot, without a name", option, name));
+    throw InputError(
+        fmt::format("{} {}=...: unknown robot; this run has one robot, without a name", option, name));
   std::vector<std::string> names;
   for (const launch::Member& other : fleet.members) names.push_back(other.name);
-  throw InputError(fmt::format("{}: there is no robot {}{}{}; there is {}", label(option), name,
-                               fleet.file.empty() ? "" : " in ", fleet.file, one_of(names)));
+  throw InputError(fmt::format("{}: unknown robot{}{}: {}", label(option), fleet.file.empty() ? "" : " in ",
+                               fleet.file, expected_one_of(name, names)));
 }
 
 launch::Member& FleetOptions::member(const char* option, const std::string& name) {
@@ -63,8 +68,8 @@ launch::Member& FleetOptions::member(const char* option, const std::string& name
   launch::check_member_name(name, {label(option)});
   if (!fleet.file.empty()) check_known(option, name);
   if (fleet.members.size() == wire::kMostAgents)
-    throw InputError(
-        fmt::format("{}: {} is a robot too many; a run may have {}", label(option), name, wire::kMostAgents));
+    throw InputError(fmt::format("{}: too many robots with {}: expected at most {}", label(option), name,
+                                 wire::kMostAgents));
   launch::Member fresh;
   fresh.name = name;
   fleet.members.push_back(std::move(fresh));
@@ -87,13 +92,12 @@ void FleetOptions::take(const Given& given) {
       if (name.empty() && *given.option)
         throw InputError(fmt::format("{} is given more than once", given.option));
       if (name.empty())
-        throw InputError(
-            fmt::format("{0}: “{1}” is one word too many; see robosim {0} --help", command_, word));
+        throw InputError(fmt::format("{0}: unexpected argument “{1}”; see robosim help {0}", command_, word));
       throw InputError(fmt::format("{} is given more than once for {}", label(given.option), name));
     }
     had.push_back(name);
     if (value.empty() && !name.empty())
-      throw InputError(fmt::format("{}: {} has no value", label(given.option), word));
+      throw InputError(fmt::format("{}: {} lacks a value", label(given.option), word));
     launch::Launch& launch = name.empty() ? run_ : member(given.option, name).launch;
     given.of(launch) = value;
   }
@@ -151,12 +155,12 @@ void FleetOptions::finish() {
     if (given) throw InputError(fmt::format("{} {}", option, why));
   };
   refuse(run_.request.gdb_port > 0, "--gdb",
-         "halts one robot's chip, not the others'; debug it in a run of its own");
-  refuse(!run_.coverage.empty(), "--coverage",
-         "counts the lines of one robot's sketch; run it alone for that");
-  refuse(run_.serial, "--serial", "prints what one sketch sends; run it alone, or see it in --json");
+         "halts only one robot's chip; debug that robot in a run of its own");
+  refuse(!run_.coverage.empty(), "--coverage", "counts the lines of only one sketch; run that robot alone");
+  refuse(run_.serial, "--serial",
+         "prints what only one sketch sends; run that robot alone, or read it in --json");
   refuse(run_.request.clock_ns > 0, "--clock",
-         "is for runs of one robot; a fleet's file has it as clock, for each");
+         "applies to runs of one robot; a fleet's file has the key clock for each robot");
 }
 
 }  // namespace robosim::cli

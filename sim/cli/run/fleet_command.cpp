@@ -141,6 +141,7 @@ int fleet_command(const RunArguments& arguments) {
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.request);
     print_coloured(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
+    if (!unwritten) print(written_text(arguments));
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());

@@ -151,7 +151,8 @@ class Live {
     }
   }
   void carry_out(const wire::Play& play) {
-    if (!(play.speed >= 0.0 && play.speed <= kFastest)) throw InputError("speed must be from 0 to 1000");
+    if (!(play.speed >= 0.0 && play.speed <= kFastest))
+      throw InputError("speed: expected a number from 0 to 1000");
     pacer_.set_speed(play.speed);
     pacer_.set_paused(false);
     next_ns_ = 0.0;
@@ -164,7 +165,7 @@ class Live {
   void carry_out(const wire::Act& act) {
     const auto agent = static_cast<std::size_t>(act.agent);
     if (const std::size_t count = recorded_.request.agents.size() + 1; agent >= count)
-      throw InputError(fmt::format("agent is {}, and the run's robots are 0 to {}", agent, count - 1));
+      throw InputError(fmt::format("agent: expected a robot from 0 to {}, got {}", count - 1, agent));
     const std::size_t known = run_.script(agent).size();
     run_.act(act.lines, agent);
     tell(wire::to_line(kId, wire::Answer(wire::Accepted{run_.script(agent).substr(known), act.agent})));

@@ -1,5 +1,7 @@
 #include "sim/cli/run/recorders.h"
 
+#include <fmt/format.h>
+
 #include "sim/launch/names.h"
 
 namespace robosim::cli {
@@ -20,6 +22,17 @@ std::vector<WriteClaim> claims_of(const RunArguments& arguments) {
   for (const auto* files : {&arguments.record, &arguments.plot})
     for (const std::string& file : *files) claims.emplace_back(file);
   return claims;
+}
+
+std::string written_text(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files)
+    text += fmt::format("{} is written{}\n", file, file.ends_with(".html") ? "; open it in a browser" : "");
+  return text;
+}
+
+std::string written_text(const RunArguments& arguments) {
+  return written_text(arguments.record) + written_text(arguments.plot);
 }
 
 }  // namespace robosim::cli

@@ -14,4 +14,8 @@ record::Recorders recorders_of(const RunArguments& arguments);
 /// Claims these files, so that no other process writes them meanwhile. Throws InputError.
 std::vector<WriteClaim> claims_of(const RunArguments& arguments);
 
+/// Returns a line for each file that a run has written: "run.html is written; open it in a browser".
+std::string written_text(const std::vector<std::string>& files);
+std::string written_text(const RunArguments& arguments);
+
 }  // namespace robosim::cli

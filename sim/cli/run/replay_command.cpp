@@ -13,6 +13,7 @@
 #include "sim/base/file.h"
 #include "sim/base/write_claim.h"
 #include "sim/cli/output.h"
+#include "sim/cli/run/recorders.h"
 #include "sim/client/interrupts.h"
 #include "sim/launch/fleet.h"
 #include "sim/record/record_page.h"
@@ -89,7 +90,7 @@ void check_endings(const std::vector<std::string>& files) {
   static const std::vector<std::string> known{".html", ".rec", ".perfetto.json"};
   for (const std::string& file : files)
     if (std::none_of(known.begin(), known.end(), [&](const std::string& e) { return file.ends_with(e); }))
-      throw InputError("--record: " + file + ": a recording can be written anew as " + one_of(known));
+      throw InputError(fmt::format("--record: {}: expected a name that ends in {}", file, one_of(known)));
 }
 
 std::string apart_text(const record::Apart& a) {
@@ -118,8 +119,8 @@ std::string apart_text(const record::Recording& one, const std::vector<record::T
     for (std::size_t i = 0; i < one.header().robot_count(); ++i)
       there.push_back(named(one.header().of(i).name));
     for (const record::Track& track : others) here.push_back(named(track.robot));
-    throw InputError({file}, fmt::format("no robot is in both runs: here is {}, and below it {}",
-                                         one_of(here), one_of(there)));
+    throw InputError(
+        {file}, fmt::format("no robot is in both runs: expected {}, got {}", one_of(there), one_of(here)));
   }
   return text;
 }
@@ -142,6 +143,8 @@ std::string end_screen(const record::Recording& recording, const grid::Map* map,
   const BoardSpec* board = find_board(header.robot_info.board.name.c_str());
   report.sees_lines = !header.robot_info.sensors.empty();
   report.chip_target = board ? board->chip->target : header.target;
+  report.board = header.robot_info.board.name;
+  report.chip_ram_bytes = board ? board->ram_bytes : 0;
   return tui::end_screen(report, map, columns, look);
 }
 
@@ -197,6 +200,7 @@ int replay_command(const ReplayArguments& arguments) {
                      ? end_screen(recording, map ? &*map : nullptr, every_us, columns, look)
                      : fleet_screen(recording, map ? &*map : nullptr, every_us, columns, look));
   if (apart) print(*apart);
+  print(written_text(arguments.record));
   return 0;
 }
 

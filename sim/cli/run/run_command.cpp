@@ -219,10 +219,12 @@ int run_command(const RunArguments& arguments) {
     const auto drawn = map_to_draw(run.request);
     const auto free = free_bytes(result, board);
     listeners.finish_serial();
-    (arguments.serial ? complain_coloured : print_coloured)(tui::end_screen(
-        {sketch, run.map.name, run.robot.name, run.target, listeners.started(), result, listeners.trail(),
-         wall_s, free, rooms(run.image, free), board.chip->target, !run.robot_info.sensors.empty()},
-        drawn.get(), screen.columns, screen.look));
+    (arguments.serial ? complain_coloured : print_coloured)(
+        tui::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
+                         listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target,
+                         !run.robot_info.sensors.empty(), board.name, board.ram_bytes},
+                        drawn.get(), screen.columns, screen.look));
+    if (!unwritten) (arguments.serial ? complain : print)(written_text(arguments));
   }
   if (counters) {
     // The same run, by inputs and results, counts once.

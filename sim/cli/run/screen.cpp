@@ -28,7 +28,7 @@ ScreenSize screen_size() {
 void check_view(const RunArguments& arguments) {
   if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
     throw InputError(
-        "--view needs a terminal, and the standard output is none; leave --view out, or do not redirect it");
+        "--view requires a terminal as standard output; omit --view, or do not redirect the output");
   }
 }
 

@@ -85,7 +85,7 @@ AsFlashed detect_again(client::Runner& runner, wire::RunRequest request, const b
   if (!sketch.sanitize || second.verdict == "interrupted") return found;
   if (second.verdict == "crashed") {
     found.crashed = second;
-    found.crashed->why = fmt::format("With its checks it comes to “{}”; as it is flashed, without them: {}",
+    found.crashed->why = fmt::format("With checks the verdict is “{}”; without them, as flashed: {}",
                                      first.verdict, second.why);
     return found;
   }

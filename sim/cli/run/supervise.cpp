@@ -59,7 +59,7 @@ int run_in_child(const std::string& name, const std::function<int(Progressed&)>&
   } catch (const std::exception& error) {
     complain(fmt::format("robosim: {} threw an exception: {}\n", name, error.what()));
   } catch (...) {
-    complain(fmt::format("robosim: {} threw something that is no std::exception\n", name));
+    complain(fmt::format("robosim: {} threw something other than a std::exception\n", name));
   }
   progressed.finish();
   return status;
@@ -77,7 +77,7 @@ std::string cause_of_death(const Ending& ending) {
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work) {
   void* const memory =
       ::mmap(nullptr, sizeof(Progressed), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::runtime_error(std::string("no memory: ") + std::strerror(errno));
+  if (memory == MAP_FAILED) throw std::runtime_error(std::string("out of memory: ") + std::strerror(errno));
   auto& progressed = *new (memory) Progressed;
   const Ending ending = Child([&] { return run_in_child(name, work, progressed); }).wait();
   if (ending.signal == 0 && progressed.finished()) return ending.status;

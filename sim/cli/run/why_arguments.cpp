@@ -7,20 +7,19 @@ namespace robosim::cli {
 Command parse_why(const std::vector<std::string>& words) {
   WhyArguments why;
   RunArguments& run = why.run;
-  Options options(
-      "why",
-      "Runs a sketch as robosim run does, on its AVR, and follows the verdict back to the lines of "
-      "the sketch that caused it.");
-  options.positional("SKETCH", run.sketch, "folder, .ino file or name; default: the current folder");
-  options.text("--map", run.map, "MAP", "file, or name of a sample map");
-  options.text("--robot", run.robot, "ROBOT", "file, or name of a stock robot");
+  Options options("why", "run a sketch, then trace its verdict back to the lines that caused it",
+                  "Runs it as robosim run does, on the board's AVR.");
+  options.positional("[SKETCH]", run.sketch, kSketchHelp, PossibleValues::sketch());
+  options.text("--map", run.map, "MAP", kMapHelp, PossibleValues::map());
+  options.text("--robot", run.robot, "ROBOT", "use this robot: a file, or the name of a stock robot",
+               PossibleValues::robot());
   RunOptions shared(options, run);
   shared.task();
   shared.time();
   shared.seed();
   shared.common();
-  options.flag("--json", run.json, "print the verdict and the chain as JSON");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+  options.flag("--json", run.json, "print the verdict and its chain of causes as JSON");
+  if (const auto help = options.parse(words)) return *help;
   shared.finish();
   run.target = "avr";
   return why;

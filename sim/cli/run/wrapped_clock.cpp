@@ -222,14 +222,14 @@ std::vector<wire::Detected> look_at_wrap(client::Runner& runner, wire::RunReques
         "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot does something else{}",
         by_micros ? "micros()" : "millis()", by_micros ? "71.6 minutes" : "49.7 days",
         1e-9 * static_cast<double>(moment),
-        ends_otherwise ? fmt::format(": {} in the place of {}", wrapped.result.verdict, usual.result.verdict)
+        ends_otherwise ? fmt::format(": {} instead of {}", wrapped.result.verdict, usual.result.verdict)
                        : "");
     if (place)
-      seen.what += fmt::format("; in the second behind that, this line runs {:.0f} times {}",
+      seen.what += fmt::format("; in the second after that, this line runs {:.0f} times {}",
                                std::abs(place->wrapped - place->other),
                                place->wrapped > place->other ? "more" : "less");
     seen.mend =
-        "Compare durations, not moments: millis() - start >= N, with unsigned long start, in the place of "
+        "Compare durations, not moments: millis() - start >= N, with unsigned long start, instead of "
         "millis() >= start + N.";
     if (place) seen.where = place->where;
     seen.first_s = 1e-9 * static_cast<double>(moment);

@@ -20,16 +20,19 @@ bool is_address(const std::string& text) {
 Command parse_serve(const std::vector<std::string>& words) {
   ServeArguments serve;
   std::string port;
-  Options options("serve", "Shows the runs of a folder's sketches in the browser.");
-  options.positional("FOLDER", serve.folder, "with sketches, robots and maps; default: the current folder");
-  options.text("--port", port, "N", "of the address to open; default: 8080, or any that is free");
+  Options options("serve", "choose, run and watch a folder's sketches in the browser");
+  options.positional("[FOLDER]", serve.folder,
+                     "show the sketches, robots and maps of this folder (default: the current folder)",
+                     PossibleValues::folder());
+  options.text("--port", port, "N", "listen at this port (default: 8080, or another that is free)");
   options.text("--listen", serve.address, "ADDRESS",
-               "an IP address of this machine that others may connect to, with a token; default: 127.0.0.1");
-  if (const auto help = options.parse(words)) return PrintText{*help};
+               "listen at this IP address of the machine; others need the token to connect (default: "
+               "127.0.0.1)");
+  if (const auto help = options.parse(words)) return *help;
   if (!port.empty()) {
     const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), serve.port);
     if (error != std::errc() || *end != '\0' || serve.port < 1 || serve.port > 65535)
-      refuse_value("--port", port, "1 to 65535");
+      refuse_value("--port", port, "a port from 1 to 65535");
   }
   if (!is_address(serve.address))
     refuse_value("--listen", serve.address, "an IP address, such as 192.168.0.10");

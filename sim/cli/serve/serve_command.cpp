@@ -15,11 +15,10 @@ namespace robosim::cli {
 int serve_command(const ServeArguments& arguments) {
   namespace fs = std::filesystem;
   const std::string folder = arguments.folder.empty() ? "." : arguments.folder;
-  if (!fs::is_directory(folder)) throw InputError({folder}, "is no folder: robosim serve shows one");
+  if (!fs::is_directory(folder)) throw InputError({folder}, "is not a folder: robosim serve requires one");
   const fs::path program = helper_folder() / "robosim-serve";
   if (!fs::exists(program))
-    throw ToolMissing(
-        "robosim serve was not built: it needs the package libcpp-httplib-dev when Robosim is built");
+    throw ToolMissing("robosim serve was not built: install libcpp-httplib-dev and build Robosim again");
   const std::string port = std::to_string(arguments.port);
   const char* wrapper = std::getenv("ROBOSIM_WRAPPER");  // in a checkout, which builds a chip's runner
   const std::string robosim = wrapper ? wrapper : fs::read_symlink("/proc/self/exe").string();

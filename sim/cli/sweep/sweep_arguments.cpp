@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <thread>
 
@@ -40,7 +42,7 @@ void refuse_sketches(const char* option, const std::vector<std::string>& words) 
     const std::string ending = std::filesystem::path(word).extension().string();
     if (ending == ".ino" || ending == ".elf" || std::filesystem::is_directory(word, error) ||
         std::find(ours.begin(), ours.end(), word) != ours.end()) {
-      throw InputError(fmt::format("{}: “{}” is a sketch; sketches stand before the options", option, word));
+      throw InputError(fmt::format("{}: “{}” is a sketch; put sketches before the options", option, word));
     }
   }
 }
@@ -49,30 +51,48 @@ void check_possible(const analysis::Demand& demand, std::uint64_t seeds) {
   if (analysis::needed_successes(demand, static_cast<std::int64_t>(seeds))) return;
   const auto needed = analysis::needed_runs(demand);
   if (!needed)
-    throw InputError("--sure: no number of runs can show that a rate is 1; ask for less, as in 0.99");
-  throw InputError(fmt::format("--sure: {} {} cannot show a rate of {}, even if all runs succeed; {} could",
+    throw InputError("--sure: no number of runs can prove a rate of 1; demand less, as in --min-rate 0.99");
+  throw InputError(fmt::format("--sure: {} {} cannot prove a rate of {}, even if all runs succeed; {} could",
                                seeds, seeds == 1 ? "seed" : "seeds", demand.rate, *needed));
 }
 
 void check_parts(const SweepArguments& sweep) {
   if (!sweep.shard.whole() && sweep.min_rate)
-    throw InputError("--min-rate is judged by all runs; give it with --merge, not with --shard");
+    throw InputError("--min-rate requires all runs; give it with --merge, not with --shard");
   if (sweep.merge.empty()) return;
   refuse_repetition("--merge", sweep.merge);
-  if (sweep.csv.empty()) throw InputError("--merge writes one table of several; give --csv too");
+  if (sweep.csv.empty()) throw InputError("--merge requires --csv, the table to write");
   if (sweep.json)
-    throw InputError("--merge does not make the runs again that tables have, so --json lacks them");
-  if (!sweep.shard.whole()) throw InputError("--merge is of all shards; it goes without --shard");
+    throw InputError("--merge does not repeat the runs of its tables, so --json would lack them");
+  if (!sweep.shard.whole()) throw InputError("--merge combines all shards; it excludes --shard");
 }
 
 }  // namespace
 
 void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last) {
+  constexpr const char* kForms = "one seed or a range FIRST..LAST, as in 1..100";
   const std::size_t dots = text.find("..");
-  first = whole_number("--seeds", text.substr(0, dots), 0, kMostSeed);
-  last = whole_number("--seeds", dots == std::string::npos ? text : text.substr(dots + 2), 0, kMostSeed);
-  if (last < first) refuse_value("--seeds", text, "the first and the last seed, as in 1..100");
-  if (last - first >= kMostSeeds) refuse_value("--seeds", text, fmt::format("{} seeds at most", kMostSeeds));
+  const auto number = [](const std::string& digits) -> std::optional<std::uint64_t> {
+    std::uint64_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, value);
+    return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+  };
+  const auto from = number(text.substr(0, dots));
+  const auto to = dots == text.npos ? from : number(text.substr(dots + 2));
+  if (!from || !to) {
+    // Ranges as other tools write them: 1-30, 1:30, 1...30.
+    const std::size_t other = text.find_first_not_of("0123456789");
+    const std::size_t second = other == text.npos ? text.npos : text.find_first_of("0123456789", other);
+    const bool is_range = other != 0 && second != text.npos && number(text.substr(second)).has_value();
+    refuse_value("--seeds", text, kForms,
+                 is_range ? fmt::format("; did you mean {}..{}?", text.substr(0, other), text.substr(second))
+                          : fmt::format("; seeds are whole numbers up to {}", kMostSeed));
+  }
+  first = *from;
+  last = *to;
+  if (last < first) refuse_value("--seeds", text, kForms, "; the first seed is greater than the last");
+  if (last - first >= kMostSeeds) refuse_value("--seeds", text, fmt::format("at most {} seeds", kMostSeeds));
 }
 
 std::vector<std::string> split_at_commas(const std::vector<std::string>& words) {
@@ -95,34 +115,39 @@ Command parse_sweep(const std::vector<std::string>& words) {
   SweepArguments sweep;
   std::string seeds, jobs, shard, min_rate;
   Options options(
-      "sweep",
+      "sweep", "run many seeds, maps, robots and targets and count the successes",
       "Runs each sketch on each map with each robot on each target, with all seeds. The result is "
       "the same for any number of jobs.");
-  options.positionals("SKETCH", sweep.sketches,
-                      "folders, .ino files or names, before the options; default: the current folder");
-  options.lists("--map", sweep.maps, "MAP...", "files, or names of sample maps");
-  options.lists("--robot", sweep.robots, "ROBOT...", "files, or names of stock robots");
-  options.lists("--target", sweep.targets, "TARGET...", "host, avr, stm32");
-  options.text("--seeds", seeds, "A..B", "first and last seed; default: 1..100");
-  options.text("--jobs", jobs, "N", "runs at a time; default: one for each core");
-  options.text("--csv", sweep.csv, "FILE", "a row for each run");
-  options.flag("--resume", sweep.resume, "go on with the --csv file: its runs are not made again");
-  options.text("--shard", shard, "I/N",
-               "make only the I-th of N parts of the runs; --merge brings them together");
-  options.lists("--merge", sweep.merge, "FILE...", "tables of the shards: their runs are not made again");
-  options.text("--min-rate", min_rate, "R", "exit status 1 if less than this share reaches the goal");
-  options.flag("--sure", sweep.sure, "the runs must show --min-rate to hold in general, at 95 % confidence");
-  options.flag("--stop-early", sweep.stop_early,
-               "leave out runs that cannot change whether --min-rate is met");
+  options.positionals("[SKETCH]", sweep.sketches,
+                      "run these sketches: folders, .ino files or names of sample sketches, before the "
+                      "options (default: the current folder)",
+                      PossibleValues::sketch());
+  options.lists("--map", sweep.maps, "MAP", "use these maps: files, or names of sample maps",
+                PossibleValues::map());
+  options.lists("--robot", sweep.robots, "ROBOT", "use these robots: files, or names of stock robots",
+                PossibleValues::robot());
+  options.lists("--target", sweep.targets, "TARGET", "execute on these targets: host, avr, stm32", targets());
+  options.text("--seeds", seeds, "A..B", "run from the first to the last seed (default: 1..100)");
+  options.text("--jobs", jobs, "N", kJobsHelp);
+  options.text("--csv", sweep.csv, "FILE", "write a row for each run to this file", PossibleValues::file());
+  options.flag("--resume", sweep.resume, "continue the table of --csv; skip its finished runs");
+  options.text("--shard", shard, "I/N", kShardHelp);
+  options.lists("--merge", sweep.merge, "FILE",
+                "take the runs of these tables of --shard instead of doing them again",
+                PossibleValues::file());
+  options.text("--min-rate", min_rate, "R",
+               "exit with status 1 if less than this share of the runs reaches the goal");
+  options.flag("--sure", sweep.sure, "demand that the runs prove --min-rate in general, at 95 % confidence");
+  options.flag("--stop-early", sweep.stop_early, "skip runs that cannot change whether --min-rate is met");
   options.flag("--json", sweep.json, "print a line of JSON for each run");
   RunOptions shared(options, sweep.each);
   shared.task();
   shared.time();
   shared.common();
   options.flag("--sanitize", sweep.each.sanitize,
-               "the sketch checks itself, as with run --sanitize (host only)");
-  options.flag("--untrusted", sweep.each.untrusted, kUntrusted);
-  if (const auto help = options.parse(words)) return PrintText{*help};
+               "stop at the first bad index, overflow, wild pointer ... (host only)");
+  options.flag("--untrusted", sweep.each.untrusted, kUntrustedHelp);
+  if (const auto help = options.parse(words)) return *help;
   if (!seeds.empty()) read_seeds(seeds, sweep.first_seed, sweep.last_seed);
   sweep.jobs = number_of_jobs(jobs);
   if (!shard.empty()) sweep.shard = read_shard(shard);
@@ -136,14 +161,13 @@ Command parse_sweep(const std::vector<std::string>& words) {
   refuse_repetition("--map", sweep.maps);
   refuse_repetition("--robot", sweep.robots);
   refuse_repetition("--target", sweep.targets);
-  if (sweep.resume && sweep.csv.empty()) throw InputError("--resume goes on with a file; give --csv too");
+  if (sweep.resume && sweep.csv.empty()) throw InputError("--resume requires --csv, the table to continue");
   if (sweep.resume && sweep.json) {
-    throw InputError(
-        "--resume does not make the runs again that are in the --csv file, so --json lacks them");
+    throw InputError("--resume does not repeat the runs of the --csv file, so --json would lack them");
   }
   check_parts(sweep);
   if (!sweep.min_rate && (sweep.sure || sweep.stop_early)) {
-    throw InputError(std::string(sweep.sure ? "--sure" : "--stop-early") + " goes with --min-rate");
+    throw InputError(std::string(sweep.sure ? "--sure" : "--stop-early") + " requires --min-rate");
   }
   if (sweep.min_rate) check_possible({*sweep.min_rate, sweep.sure}, sweep.last_seed - sweep.first_seed + 1);
   return sweep;

@@ -42,8 +42,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
 void check_unchanged(const Combination& c, const wire::RunResult& result) {
   const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
     if (then != now)
-      throw InputError({file, 0, 0},
-                       "was changed while the sweep went on; begin again, with another --csv file");
+      throw InputError({file, 0, 0}, "was changed during the sweep; begin again, with another --csv file");
   };
   check(c.task.request.image, c.image_sha256, result.image_sha256);
   check(c.task.request.map, c.map_sha256, result.map_sha256);
@@ -147,7 +146,7 @@ int sweep_command(const SweepArguments& arguments) {
     client::Pool pool(std::clamp<std::size_t>(arguments.jobs, 1, std::max<std::size_t>(1, sweep.runs())));
     const client::Interrupts interrupts(pool);
     progress.say(sweep.made() > 0
-                     ? fmt::format("{} of {} runs are made already …", sweep.made(), sweep.runs())
+                     ? fmt::format("{} of {} runs are finished already …", sweep.made(), sweep.runs())
                      : fmt::format("{} runs …", sweep.runs()));
     complete = pool.run(sweep.batch());
   }
@@ -162,8 +161,8 @@ int sweep_command(const SweepArguments& arguments) {
   }
   if (!complete) {
     complain(fmt::format("robosim: interrupted; {}\n", arguments.csv.empty()
-                                                           ? "the table is of what was finished"
-                                                           : "the same command with --resume goes on"));
+                                                           ? "the table holds the finished runs"
+                                                           : "the same command with --resume continues"));
     if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
       ::raise(client::Interrupts::signal());
     return static_cast<int>(ExitStatus::interrupted);

@@ -135,7 +135,7 @@ class Combiner {
  private:
   /// Adds several robots. They get the combination's settings that they do not have themselves.
   void add_fleet(const std::string& file, std::vector<Combination>& combinations) {
-    if (arguments_.each.chip_only) throw InputError({file}, "several robots are not run with --untrusted");
+    if (arguments_.each.chip_only) throw InputError({file}, "--untrusted excludes several robots");
     for (const std::string& map : or_default(arguments_.maps)) {
       for (const std::string& robot : or_default(arguments_.robots)) {
         for (const std::string& target : or_default(arguments_.targets)) {
@@ -160,7 +160,7 @@ class Combiner {
     Combination c;
     c.task = {runner, run.request};
     c.inputs = inputs_of(run.members.front(), supplies_.version());
-    c.inputs.sketch = file;
+    c.inputs.sketch = c.title = file;
     c.inputs.robot = fmt::format("{} robots", run.members.size());
     c.map_sha256 = supplies_.hash_of_map(run.request.map);
     std::string images, robots, targets, conditions = conditions_of(run.request, c.inputs.robosim);
@@ -195,6 +195,7 @@ class Combiner {
     Combination c;
     c.task = {run.target, run.request};
     c.inputs = inputs_of(run, supplies_.version());
+    c.title = launch::title_of(run.sketch);
     c.image_sha256 = supplies_.hash_of_file(run.request.image);
     c.map_sha256 = supplies_.hash_of_map(run.request.map);
     c.robot_sha256 = run.robot_info.sha256;
@@ -219,7 +220,7 @@ class Combiner {
 std::string Fingerprint::text() const { return fmt::format("{}", fmt::join(parts, "-")); }
 
 std::string Combination::text() const {
-  return fmt::format("{} on {} with {}, target {}", inputs.sketch, inputs.map, inputs.robot, inputs.target);
+  return fmt::format("{} on {} with {}, target {}", title, inputs.map, inputs.robot, inputs.target);
 }
 
 client::Task SweepPlan::task_of(std::size_t run) const {

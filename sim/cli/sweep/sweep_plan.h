@@ -28,6 +28,7 @@ struct Fingerprint {
 /// One sketch on one map with one robot on one target.
 struct Combination {
   RunInputs inputs;   ///< as reported by `--json`
+  std::string title;  ///< of the sketch, for people: not "."
   client::Task task;  ///< without its seed
   std::string image_sha256;
   std::string map_sha256;

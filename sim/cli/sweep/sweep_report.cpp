@@ -75,7 +75,7 @@ struct Scores {
 };
 
 std::vector<std::string> line_of(const Combination& c, const analysis::Tally& tally, double reached_time_s) {
-  std::vector<std::string> line{c.inputs.sketch, c.inputs.map, c.inputs.robot, c.inputs.target};
+  std::vector<std::string> line{c.title, c.inputs.map, c.inputs.robot, c.inputs.target};
   line.push_back(std::to_string(tally.runs()));
   line.push_back(std::to_string(tally.successes()));
   if (tally.runs() == 0) {
@@ -143,7 +143,7 @@ std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
   if (doubtful && !demand.sure) {
     const auto needed = analysis::needed_runs({demand.rate, true});
     text += fmt::format(
-        "These runs have that rate; that it is so in general they do not show, as the interval begins below "
+        "These runs have that rate, but they do not prove it in general, because the interval begins below "
         "it.{}\n",
         needed ? fmt::format(" {} seeds without a failure would (--sure asks for that).", *needed) : "");
   }

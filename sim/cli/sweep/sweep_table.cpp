@@ -119,26 +119,24 @@ class Reader {
   SweepRow row(const std::string& line, int number_of_line) {
     line_ = number_of_line;
     auto fields = csv_fields(line);
-    if (!fields || fields->size() != names_.size()) fail("this is no row of a sweep");
+    if (!fields || fields->size() != names_.size()) fail("expected a row of a sweep's table");
     auto& f = *fields;
     if (!take_seal(f))
-      fail(
-          "this row is damaged: its checksum does not fit; remove the line, and --resume makes its run "
-          "again");
+      fail("this row is damaged: its checksum does not match; remove the line, and --resume repeats its run");
     const auto seed = parse_number<std::uint64_t>(f[kSeed]);
     const auto time = parse_number<double>(f[kTime]);
-    if (!seed || !time || f[kVerdict].empty()) fail("this is no row of a sweep");
+    if (!seed || !time || f[kVerdict].empty()) fail("expected a row of a sweep's table");
     const auto place = places_.find(std::make_tuple(f[kSketch], f[kMap], f[kRobot], f[kTarget]));
     if (place == places_.end() || *seed < plan_.first_seed || *seed - plan_.first_seed >= plan_.seeds) {
-      fail(
-          fmt::format("this run ({} on {} with {}, target {}, seed {}) is not part of this sweep; go on with "
-                      "the options that the file was begun with, or name another file",
-                      f[kSketch], f[kMap], f[kRobot], f[kTarget], *seed));
+      fail(fmt::format(
+          "this run ({} on {} with {}, target {}, seed {}) is not part of this sweep; continue with "
+          "the options that the file was begun with, or name another file",
+          f[kSketch], f[kMap], f[kRobot], f[kTarget], *seed));
     }
     const std::string &inputs = f[f.size() - 2], &why = f.back();
     check_inputs(plan_.combinations[place->second], inputs);
     const std::size_t run = place->second * plan_.seeds + (*seed - plan_.first_seed);
-    if (seen_[run]) fail("this run has a row already");
+    if (seen_[run]) fail("duplicate row: this run already has one");
     seen_[run] = true;
     SweepRow row{run, {f[kVerdict], *time, why}, line + "\n"};
     const auto score = std::find(names_.begin(), names_.end(), kScore);
@@ -160,10 +158,9 @@ class Reader {
         at += part.size() + 1;
         continue;
       }
-      fail(fmt::format("{} has changed since this run was made; name another file, or undo the change",
-                       kParts[i]));
+      fail(fmt::format("{} has changed since this run; name another file, or undo the change", kParts[i]));
     }
-    fail("this is no row of a sweep");
+    fail("expected a row of a sweep's table");
   }
 
   std::string file_;
@@ -181,8 +178,8 @@ std::string content_of(const std::vector<SweepRow>& rows, Columns columns) {
 }
 
 [[noreturn]] void refuse_second(const std::string& where, const SweepPlan& plan, std::size_t run) {
-  throw InputError(fmt::format("{}: two tables have a row of {}, seed {}; are they of the same shard?", where,
-                               plan.combination_of(run).text(), plan.seed_of(run)));
+  throw InputError(fmt::format("{}: two tables have a row of {}, seed {}; do they belong to the same shard?",
+                               where, plan.combination_of(run).text(), plan.seed_of(run)));
 }
 
 }  // namespace
@@ -217,8 +214,7 @@ std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string
                                       const SweepPlan& plan) {
   std::vector<SweepRow> rows;
   const auto columns = columns_of(first_line(text));
-  if (!columns)
-    throw InputError({file, 1, 0}, "this is not the header of a sweep's table; name another file");
+  if (!columns) throw InputError({file, 1, 0}, "expected the header of a sweep's table; name another file");
   Reader reader(file, plan, *columns);
   int line = 0;
   for (std::size_t at = 0;;) {
@@ -238,7 +234,7 @@ std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const S
     const std::string text = read_file(file);
     std::vector<SweepRow> rows = read_sweep_rows(text, file, plan);
     if (columns_of(first_line(text)) != Columns::all)
-      throw InputError({file, 1, 0}, "is a table of an older Robosim, which --merge does not take");
+      throw InputError({file, 1, 0}, "--merge cannot use a table of an older Robosim");
     for (SweepRow& row : rows)
       if (row.outcome.verdict != kErrorVerdict) all.push_back(std::move(row));
   }
@@ -255,8 +251,7 @@ SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::v
   const bool there =
       fs::exists(path_, error) && fs::file_size(path_, error) > 0 && read_file(path_) != sweep_header();
   if (there && !resume)
-    throw InputError({path_.string(), 0, 0},
-                     "is there already; --resume goes on with it, or name another file");
+    throw InputError({path_.string(), 0, 0}, "exists already; --resume continues it, or name another file");
   if (!there) {
     open("w");
     put(sweep_header());

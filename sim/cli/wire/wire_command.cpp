@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/file.h"
+#include "sim/base/write_claim.h"
 #include "sim/build/cache.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/options.h"
@@ -25,7 +26,7 @@ const BoardSpec& board_named(const std::string& name) {
 std::string what_came_of_it(const wire::RunResult& result, bool follows, const std::string& map) {
   if (result.verdict == "reached" && !follows)
     return fmt::format(
-        "With this robot the sketch comes round the map {}, but hardly along the line: its sensors are "
+        "With this robot the sketch drives around the map {}, but hardly along the line: its sensors are "
         "{:.0f} "
         "mm off it on average, and for {:.0f} of {:.0f} s none of them saw it.",
         map, result.metrics.cross_track_rms_mm, result.metrics.off_line_s, result.time_s);
@@ -39,7 +40,9 @@ std::string what_came_of_it(const wire::RunResult& result, bool follows, const s
 
 int wire_command(const WireArguments& arguments) {
   if (!arguments.out.empty() && fs::exists(arguments.out))
-    throw InputError({arguments.out, 0, 0}, "is there already; it is not overwritten");
+    throw InputError({arguments.out, 0, 0},
+                     "exists already; nothing was written; remove it, or name another --out");
+  if (!arguments.out.empty()) check_can_be_written(arguments.out);
   const project::Project project = launch::choose_sketch(arguments.sketch, arguments.environment).project;
   if (arguments.board.empty()) project::check_board(project);
   const BoardSpec& board =
@@ -54,9 +57,9 @@ int wire_command(const WireArguments& arguments) {
   const build::Cache cache(build::cache_folder());
   const build::WorkFolder scratch(cache);
   TryOut try_out(launch, board, scratch.path(), listener_of(progress, {.choices = false, .warnings = false}));
-  progress.say("looking at what the sketch does to its pins …");
+  progress.say("watching what the sketch does to its pins …");
   wiring::RobotDraft draft = try_out.draft();
-  progress.say("trying which way it drives …");
+  progress.say("trying polarities and sides …");
   const wire::RunResult drive = try_out.choose(draft);
   progress.clear();
 

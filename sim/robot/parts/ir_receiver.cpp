@@ -54,10 +54,11 @@ void IrReceiverPart::join(Roster& roster) {
 
 void IrReceiverPart::check(const Message& message) const {
   if (message.held > kLongestHeld)
-    throw InputError(fmt::format("send {} {}: a key can be held for 60 s at most", spec_.name, message.text));
+    throw InputError(
+        fmt::format("send {} {}: the key is held too long: expected at most 60 s", spec_.name, message.text));
   if (parse_whole(message.text).value_or(256) > 255)
-    throw InputError(fmt::format("send {} {}: allowed is a command from 0 to 255, such as 0x45", spec_.name,
-                                 message.text));
+    throw InputError(fmt::format("send {}: expected a command from 0 to 255, such as 0x45, got “{}”",
+                                 spec_.name, message.text));
 }
 
 void IrReceiverPart::send(const Message& message, SimTime t) {

@@ -35,9 +35,10 @@ std::shared_ptr<const PartSpec> read_keypad(PartReader& reader) {
   if (!fits)
     throw InputError(
         (keys ? *keys : reader.table().table()).place,
-        fmt::format("keys must be a string for each row, a character for each column, such as [\"123\", "
-                    "\"456\"]: here {} strings of {} characters",
-                    spec->rows.size(), spec->columns.size()));
+        fmt::format(
+            "keys: expected a string for each row, with a character for each column, such as [\"123\", "
+            "\"456\"]: here {} strings of {} characters",
+            spec->rows.size(), spec->columns.size()));
   return reader.finish(spec);
 }
 

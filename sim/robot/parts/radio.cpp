@@ -72,9 +72,9 @@ Pin RadioPart::pin_of(Line line) const {
 
 void RadioPart::check(const Message& message) const {
   if (bits_of(message.text).empty())
-    throw InputError(fmt::format(
-        "\"{}\" cannot be sent by radio: allowed are a byte, 0 to 255, and bits such as 0b101, at most {}",
-        message.text, kMostRadioBits));
+    throw InputError(
+        fmt::format("send {}: expected a byte, 0 to 255, or at most {} bits such as 0b101, got \"{}\"",
+                    spec_.name, kMostRadioBits, message.text));
 }
 
 void RadioPart::send(const Message& message, SimTime t) {

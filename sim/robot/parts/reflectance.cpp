@@ -81,11 +81,11 @@ void read_levels(PartReader& reader, ReflectanceSpec& spec) {
     const Number &w = white[i], &b = black[i];
     if (spec.read == Read::rc && w.value + w.spread >= b.value - b.spread)
       throw InputError(reader.table().table().place,
-                       fmt::format("{}: white_time must be shorter than black_time, spread included",
+                       fmt::format("{}: expected white_time shorter than black_time, including their spreads",
                                    spec.elements[i].name));
     if (spec.read == Read::analog && (b.value > w.value) != spec.black_high)
       throw InputError(reader.table().table().place,
-                       fmt::format("{}: black = \"{}\" does not go with white_volts and black_volts",
+                       fmt::format("{}: black = \"{}\" contradicts white_volts and black_volts",
                                    spec.elements[i].name, spec.black_high ? "high" : "low"));
     spec.elements[i].white = w;
     spec.elements[i].black = b;

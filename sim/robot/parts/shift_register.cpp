@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/base/spelling.h"
 #include "sim/robot/parts/motor_driver.h"
 
 namespace robosim::robot {
@@ -49,14 +50,15 @@ std::shared_ptr<const PartSpec> read_shift_register(PartReader& reader) {
     spec->after_place = after->place;
     if (const ConfigValue* pins = table.find("pins"))
       throw InputError(pins->place,
-                       fmt::format("{} stands after {}: it has that one's clock and latch, and no pins",
+                       fmt::format("pins excludes after: {} follows {} and shares its clock and latch",
                                    reader.name(), spec->after));
     return reader.finish(spec);
   }
   if (!table.find("pins"))
-    throw InputError(table.place, fmt::format("{} needs pins (data, clock, latch), or after: the name of the "
-                                              "shift register before it",
-                                              reader.name()));
+    throw InputError(table.place,
+                     fmt::format("{} requires pins (data, clock, latch), or after, the name of the "
+                                 "shift register before it",
+                                 reader.name()));
   std::size_t wiring = 0;
   const std::vector<Pin> pins =
       reader.pin_table({{"data", "clock", "latch"}, {"data", "clock", "latch", "enable"}}, wiring);
@@ -75,23 +77,24 @@ void check_chains(const Description& robot) {
       const auto before = std::find_if(registers.begin(), registers.end(),
                                        [&](const auto* r) { return r->name == at->after; });
       if (before == registers.end())
-        throw InputError(at->after_place,
-                         fmt::format("after is \"{}\", which is no shift register; there is {}", at->after,
-                                     one_of(names_of(registers))));
+        throw InputError(at->after_place, fmt::format("after: unknown shift register: {}",
+                                                      expected_one_of(at->after, names_of(registers))));
       const ShiftRegisterSpec* first = behind(registers, at->after);
       if (first != at)
         throw InputError(at->after_place,
-                         fmt::format("{} and {} both stand after {}; a register feeds one other", first->name,
-                                     at->name, at->after));
+                         fmt::format("{} and {} both follow {}: expected one register after another",
+                                     first->name, at->name, at->after));
       at = *before;
       if (at == spec || length > registers.size())
-        throw InputError(spec->after_place,
-                         fmt::format("{} stands after itself, round a circle; a chain begins at a register "
-                                     "with pins",
-                                     spec->name));
+        throw InputError(
+            spec->after_place,
+            fmt::format("{} follows itself in a circle: expected a chain that begins at a register "
+                        "with pins",
+                        spec->name));
       if (length >= kMostChained)
-        throw InputError(spec->after_place,
-                         fmt::format("more than {} shift registers in one chain", kMostChained));
+        throw InputError(
+            spec->after_place,
+            fmt::format("the chain of shift registers is too long: expected at most {}", kMostChained));
     }
   }
 }

@@ -12,7 +12,8 @@ std::shared_ptr<const PartSpec> read_voltage(PartReader& reader) {
   spec->noise = reader.volts("noise", {}, 1.0);
   const ConfigValue& table = reader.table().table();
   if ((table.find("volts") != nullptr) == (table.find("share") != nullptr))
-    throw InputError(table.place, reader.name() + " needs either volts, or share (of the battery's voltage)");
+    throw InputError(table.place,
+                     reader.name() + " requires either volts or share (of the battery's voltage)");
   spec->source_ohms = reader.source_ohms();
   return reader.finish(spec);
 }

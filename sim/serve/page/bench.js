@@ -15,11 +15,11 @@ let watching = null;  // a Watch
 let isLost = false;   // nobody answers
 
 /** Gives what was chosen where it is not among them any more. */
-function options(select, names, first) {
+function options(select, names, first, home = '.') {
   const before = select.value;
   select.replaceChildren();
   if (first !== undefined) select.append(new Option(first, ''));
-  for (const name of names) select.append(new Option(name.replace(/^\.\//, ''), name));
+  for (const name of names) select.append(new Option(name === '.' ? home : name.replace(/^\.\//, ''), name));
   if (![...select.options].some((option) => option.value === before)) return before;
   select.value = before;
   return '';
@@ -32,7 +32,7 @@ async function list() {
   if (!answer.ok) throw new Error(folder.error);
   document.title = `${folder.folder} · Robosim`;
   const gone = {
-    sketch: options($('sketch'), folder.sketches),
+    sketch: options($('sketch'), folder.sketches, undefined, folder.folder),
     robot: options($('robot'), folder.robots, 'the sketch’s own'),
     map: options($('map'), folder.maps, 'the sketch’s own, or oval'),
   };

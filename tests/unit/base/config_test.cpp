@@ -34,7 +34,7 @@ TEST(Config, NamesUnknownKeysAndTheKnownOnes) {
               r.integer("width", 0, 0, 9);
               r.finish();
             }),
-            "f.toml:1:8: unknown key with in [map]; did you mean width? known are width");
+            "f.toml:1:8: unknown key with in [map]: expected width; did you mean width?");
 }
 
 TEST(Config, NamesEachKnownKeyOnceAndGuessesOnlyWhatIsNear) {
@@ -43,7 +43,7 @@ TEST(Config, NamesEachKnownKeyOnceAndGuessesOnlyWhatIsNear) {
   r.find("width");
   r.integer("width", 0, 0, 9);
   r.refuse_misspelt();
-  EXPECT_EQ(error_of([&] { r.finish(); }), "f.toml:1:8: unknown key moon in [map]; known are width");
+  EXPECT_EQ(error_of([&] { r.finish(); }), "f.toml:1:8: unknown key moon in [map]: expected width");
 }
 
 TEST(Config, RefusesAMisspeltKeyBeforeOneIsMissed) {
@@ -61,29 +61,31 @@ TEST(Config, ExplainsQuantitiesWithoutAUnitOutOfBoundsOrOfTheWrongKind) {
   const auto length = [&](const char* key) {
     return error_of([&] { r.quantity(key, Dimension::length, 0, 0, 1); });
   };
-  EXPECT_THAT(length("a"),
-              testing::HasSubstr("a is 5 without a unit; write it as a string with one of mm, cm, m or in"));
+  EXPECT_THAT(length("a"), testing::HasSubstr("a: expected a string with a unit (mm, cm, m or in), got 5"));
   EXPECT_THAT(length("b"),
-              testing::HasSubstr("b is \"5 kg\"; it must be a number with a unit: mm, cm, m or in"));
-  EXPECT_THAT(length("c"), testing::HasSubstr("c is 5 m; it must be from 0 to 1 m"));
-  EXPECT_THAT(length("e"), testing::HasSubstr("e is 2e4mm; it must be from 0 to 1000 mm"));
+              testing::HasSubstr("b: expected a number with a unit (mm, cm, m or in), got \"5 kg\""));
+  EXPECT_THAT(length("c"), testing::HasSubstr("c: expected 0 to 1 m, got 5 m"));
+  EXPECT_THAT(length("e"), testing::HasSubstr("e: expected 0 to 1000 mm, got 2e4mm"));
   EXPECT_THAT(error_of([&] { r.quantity("c", Dimension::length, 0, 6, 1e12); }),
-              testing::HasSubstr("c is 5 m; it must be 6 m or more"));
+              testing::HasSubstr("c: expected 6 m or more, got 5 m"));
   EXPECT_THAT(error_of([&] { r.quantity("e", Dimension::length, 0, 1e-3, 10); }),
-              testing::HasSubstr("e is 2e4mm; it must be from 1 mm to 10 m"));
+              testing::HasSubstr("e: expected 1 mm to 10 m, got 2e4mm"));
   EXPECT_THAT(error_of([&] { r.quantity("f", Dimension::ratio, 0, 0, 1); }),
-              testing::HasSubstr("f is 2e0; it must be from 0 to 1"));
-  EXPECT_THAT(length("d"), testing::HasSubstr("d is an array"));
+              testing::HasSubstr("f: expected 0 to 1, got 2e0"));
+  EXPECT_THAT(length("d"), testing::HasSubstr("d: expected a quantity such as \"20 mm\", got an array"));
 }
 
 TEST(Config, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
   const auto error = [](const char* text) { return error_of([&] { parse_toml(text, "f.toml"); }); };
-  EXPECT_THAT(error("a = 1\nline\xEF\xBB\xAF = 2\n"),
-              testing::StartsWith("f.toml:2:5: not valid TOML: outside quotes"));
-  EXPECT_THAT(error("a = \"\\\"\"\xC3\xA9\n"),
-              testing::StartsWith("f.toml:1:9: not valid TOML: outside quotes"));
-  EXPECT_THAT(error("a = \"\"\"x\"\"\"\"\xC3\xA9\n"),
-              testing::StartsWith("f.toml:1:13: not valid TOML: outside quotes"));
+  EXPECT_THAT(
+      error("a = 1\nline\xEF\xBB\xAF = 2\n"),
+      testing::StartsWith("f.toml:2:5: not valid TOML: expected only ASCII characters outside quotes"));
+  EXPECT_THAT(
+      error("a = \"\\\"\"\xC3\xA9\n"),
+      testing::StartsWith("f.toml:1:9: not valid TOML: expected only ASCII characters outside quotes"));
+  EXPECT_THAT(
+      error("a = \"\"\"x\"\"\"\"\xC3\xA9\n"),
+      testing::StartsWith("f.toml:1:13: not valid TOML: expected only ASCII characters outside quotes"));
   EXPECT_EQ(error("\xEF\xBB\xBF"
                   "# \xE2\x9A\xA0\xEF\xB8\x8F\na = \"\\\"\xC3\xA9\"\nb = '\xC3\xA9'\n"
                   "c = \"\"\"\n\xC3\xA9\"\"\"\nd = '''\xC3\xA9\n'''\n"),
@@ -96,13 +98,28 @@ TEST(Config, RefusesWhatWouldTakeTooLongOrTooMuchStack) {
   for (int i = 0; i < 30'000; ++i) deep += ".a";
   for (int i = 0; i < 1001; ++i) many += "k" + std::to_string(i) + " = 1.5\n";
   for (int i = 0; i < 100'000; ++i) brackets += '[';
-  EXPECT_EQ(error(deep + " = 1\n"), "f.toml:2:16: a key has more than 8 parts");
-  EXPECT_EQ(error("[" + deep.substr(1) + "]\n"), "f.toml:1:17: a key has more than 8 parts");
+  EXPECT_EQ(error(deep + " = 1\n"), "f.toml:2:16: the key has too many parts: expected at most 8");
+  EXPECT_EQ(error("[" + deep.substr(1) + "]\n"),
+            "f.toml:1:17: the key has too many parts: expected at most 8");
   EXPECT_EQ(error("a.b.\"c.d\".e.f.g.h = [1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5, 8.5, 9.5]\n"), "no error");
-  EXPECT_EQ(error(brackets), "f.toml:1:21: brackets are nested more than 16 deep");
-  EXPECT_EQ(error("[many]\n" + many), "f.toml:1:1: a table has 1001 keys; at most 1000 are allowed");
+  EXPECT_EQ(error(brackets), "f.toml:1:21: the brackets are nested too deeply: expected at most 16 levels");
+  EXPECT_EQ(error("[many]\n" + many),
+            "f.toml:1:1: the table has too many keys: expected at most 1000, got 1001");
   EXPECT_EQ(error("a = \"" + std::string(1 << 18, 'x') + "\"\n"),
-            "f.toml: is too large: at most 256 KiB of TOML are read");
+            "f.toml: the file is too large: expected at most 256 KiB of TOML");
+}
+
+TEST(Config, AsksForTheQuotesThatAreMissing) {
+  const auto error = [](const char* text) { return error_of([&] { parse_toml(text, "f.toml"); }); };
+  EXPECT_EQ(error("a = 1\nbase = uno5\n"), "f.toml:2:8: text requires quotes: expected \"uno5\", got uno5");
+  EXPECT_THAT(error("radius = 20 mm # wide\n"), testing::HasSubstr("expected \"20 mm\", got 20 mm"));
+  EXPECT_THAT(error("pins = [\"A0\", A1]\n"), testing::HasSubstr("expected \"A1\", got A1"));
+  EXPECT_THAT(error("mass = { value = 1 kg }\n"), testing::HasSubstr("expected \"1 kg\", got 1 kg"));
+  EXPECT_THAT(error("send = go, now\n"), testing::HasSubstr("expected \"go\", got go"));
+  EXPECT_THAT(error("a = 1 2\n"), testing::HasSubstr("not valid TOML: ")) << "no text";
+  EXPECT_THAT(error("a = 0x\n"), testing::HasSubstr("not valid TOML: "));
+  EXPECT_THAT(error("a = \"x\n"), testing::HasSubstr("not valid TOML: "));
+  EXPECT_THAT(error("base = “uno5”\n"), testing::HasSubstr("replace typographic quotes by \""));
 }
 
 TEST(Config, PointsAtASyntaxError) {

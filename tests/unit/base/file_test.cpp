@@ -41,9 +41,9 @@ TEST(File, ThatMayNeverEndOrNeverBeginIsNotRead) {
   const test::TemporaryFolder folder;
   const std::string pipe = (folder.path() / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe + ": cannot be read: it is a pipe, and must be a file");
+  EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe + ": cannot be read: expected a file, got a pipe");
   EXPECT_EQ(error_of([&] { sha256_of_file("/dev/zero"); }),
-            "/dev/zero: cannot be read: it is a device, and must be a file");
+            "/dev/zero: cannot be read: expected a file, got a device");
 }
 
 TEST(File, IsReadUpToALimit) {
@@ -52,7 +52,7 @@ TEST(File, IsReadUpToALimit) {
   write_file(file, std::string(2048, 'x'));
   EXPECT_EQ(read_file(file, 2048).size(), 2048u);
   EXPECT_EQ(error_of([&] { read_file(file, 2047); }),
-            file + ": is too large: at most 1 KiB of such a file are read");
+            file + ": the file is too large: expected at most 1 KiB");
 }
 
 TEST(File, ThatIsADeviceIsWrittenAndNotReplaced) {

@@ -18,7 +18,7 @@ TEST(MachineFault, IsWhatAMachineHasTooLittleOf) {
   };
   EXPECT_THAT(fault(EMFILE), HasSubstr("too many files are open: at most "));
   EXPECT_EQ(fault(ENOSPC), "there is no room left on the disk");
-  EXPECT_EQ(fault(EAGAIN), "no more processes can be started (ulimit -u)");
+  EXPECT_EQ(fault(EAGAIN), "cannot start more processes; raise the limit with ulimit -u");
   EXPECT_EQ(fault_of_machine(std::bad_alloc()), "there is not enough memory");
   EXPECT_EQ(fault(ENOENT), "");
   EXPECT_EQ(fault_of_machine(std::runtime_error("x")), "");
@@ -35,7 +35,7 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
             "the compiler failed: there is no room left on the disk");
   EXPECT_THAT(fault("cannot find -lgcc: Too many open files"), HasSubstr("too many files are open"));
   EXPECT_THAT(fault("arduino-ctags: cannot open temporary file : No such file or directory"),
-              HasSubstr("no temporary file can be made in "));
+              HasSubstr("cannot create a temporary file in "));
   EXPECT_EQ(fault("g++: fatal error: Killed signal terminated program cc1plus"),
             "the compiler failed: there is not enough memory");
   EXPECT_EQ(

@@ -49,6 +49,22 @@ TEST(WriteClaim, EndsWithItsProcessAndLeavesNothingBehind) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(WriteClaim, IsRefusedWhereTheFileCannotBeWritten) {
+  const test::TemporaryFolder folder;
+  const auto refusal = [](const fs::path& file) -> std::string {
+    try {
+      const WriteClaim claim(file);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_THAT(refusal(folder.path() / "none/a.csv"),
+              testing::HasSubstr("none does not exist; create it first"));
+  EXPECT_THAT(refusal(folder.path()), testing::HasSubstr("expected the name of a file, got a folder"));
+  EXPECT_EQ(refusal(folder.path() / "a.csv"), "");
+}
+
 TEST(WriteClaim, IsNotNeededForADevice) {
   const WriteClaim first("/dev/null");
   EXPECT_NO_THROW(WriteClaim("/dev/null"));

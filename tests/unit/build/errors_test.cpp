@@ -127,8 +127,11 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   write("Asm/fast.S", "nop\n");
   EXPECT_THAT(error_of("NoSuch"), HasSubstr("there is no such sketch"));
   EXPECT_THAT(error_of("Nothing"), HasSubstr("has no .ino file"));
-  EXPECT_THAT(error_of("Nothing/readme.txt"), HasSubstr("is no sketch: a folder, an .ino or a .cpp file is"));
-  EXPECT_THAT(error_of("Many"), HasSubstr("none is called Many.ino; name one of a.ino or b.ino"));
+  EXPECT_THAT(error_of("Nothing/readme.txt"),
+              HasSubstr("expected a sketch: a folder, an .ino or a .cpp file"));
+  EXPECT_THAT(
+      error_of("Many"),
+      HasSubstr("expected Many.ino, named like its folder, among the 2 .ino files, got a.ino and b.ino"));
   EXPECT_THAT(error_of("Asm"), StartsWith("fast.S: assembler sources are for the chip"));
   EXPECT_THAT(
       [this] {

@@ -99,7 +99,7 @@ TEST_F(HostileTest, ASketchMayBeCalledLikeAnOption) {
       EXPECT_EQ(said, "no error") << name;
     }
     write(std::string(name) + "/@ino.ino", "");
-    EXPECT_THAT(error_of(name), HasSubstr("several .ino files"));
+    EXPECT_THAT(error_of(name), HasSubstr("named like its folder, among the 2 .ino files"));
   }
 }
 

@@ -66,8 +66,8 @@ TEST_F(BuildReport, SaysHowFarTheRobotsBudgetAllows) {
   EXPECT_THAT(
       over_budget(image_, robot_),
       ElementsAre(
-          "My is over the budget: it takes 5480 bytes of flash, and the robot uno5 allows 5479",
-          "My is over the budget: it takes 165 bytes of RAM for variables, and the robot uno5 allows 164"));
+          "My is over the budget: it uses 5480 bytes of flash, and the robot uno5 allows 5479",
+          "My is over the budget: it uses 165 bytes of RAM for variables, and the robot uno5 allows 164"));
 }
 
 }  // namespace

@@ -52,10 +52,10 @@ TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
   }
   result.metrics.cross_track_rms_mm = 2.5000001;
   EXPECT_THAT(why_failed(limited, result),
-              Optional(std::string("cross_track_rms_mm was 2.5000001, and 2.5 at most is allowed")));
+              Optional(std::string("cross_track_rms_mm: expected at most 2.5, got 2.5000001")));
   result.metrics.cross_track_rms_mm = 0.123456;
   EXPECT_THAT(why_failed(limited, result),
-              Optional(std::string("cross_track_rms_mm was 0.1235, and it must be 1 at least")));
+              Optional(std::string("cross_track_rms_mm: expected at least 1, got 0.1235")));
 }
 
 TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {

@@ -127,29 +127,29 @@ TEST_P(RefusedChecksFile, IsToldWithLineAndColumn) {
 INSTANTIATE_TEST_SUITE_P(
     Each, RefusedChecksFile,
     ::testing::Values(
-        RefusedChecks{"", " holds no check"}, RefusedChecks{"check = 3", " holds no check"},
+        RefusedChecks{"", " expected at least one [[check]]"},
+        RefusedChecks{"check = 3", " expected at least one [[check]]"},
         RefusedChecks{"[[checks]]\nname = 'x'\n", "1:1: unknown key checks"},
         RefusedChecks{"[[check]]\nmap = 'oval'\n", "1:1: [[check]] lacks the key name"},
-        RefusedChecks{"[[check]]\nname = ''\n", "1:1: name is empty"},
-        RefusedChecks{"[[check]]\nname = 'x'\n[[check]]\nname = 'x'\n", "3:1: there are two checks “x”"},
+        RefusedChecks{"[[check]]\nname = ''\n", "1:1: name: expected what is checked, got an empty string"},
+        RefusedChecks{"[[check]]\nname = 'x'\n[[check]]\nname = 'x'\n", "3:1: duplicate check name “x”"},
         RefusedChecks{"[[check]]\nname = 'x'\nmpa = 'oval'\n",
-                      "3:7: unknown key mpa in [[check]]; did you mean map? known are name, map, robot"},
-        RefusedChecks{"[[check]]\nname = 'x'\nfor = 60\n",
-                      "3:7: for: “60” is not possible; it must be a time"},
+                      "3:7: unknown key mpa in [[check]]: expected name, map, robot"},
+        RefusedChecks{"[[check]]\nname = 'x'\nfor = 60\n", "3:7: for: expected a time above 0"},
         RefusedChecks{"[[check]]\nname = 'x'\nmap = ''\n", "3:7: map is empty"},
         RefusedChecks{"[[check]]\nname = 'x'\nsanitize = true\ndetect = true\n",
-                      "4:10: detect watches the sketch as it is flashed"},
+                      "4:10: detect and sanitize exclude each other"},
         RefusedChecks{"[[check]]\nname = 'x'\nsanitize = 1\n", "3:12: sanitize is a whole number"},
-        RefusedChecks{"[[check]]\nname = 'x'\nseed = -1\n", "3:8: seed: “-1” is not possible"},
-        RefusedChecks{"[[check]]\nname = 'x'\nseed = 1\nseeds = '1..2'\n", "3:8: seed is one"},
-        RefusedChecks{"[[check]]\nname = 'x'\nmin-rate = 2\n", "3:12: min-rate: “2” is not possible"},
+        RefusedChecks{"[[check]]\nname = 'x'\nseed = -1\n", "3:8: seed: expected a whole number"},
+        RefusedChecks{"[[check]]\nname = 'x'\nseed = 1\nseeds = '1..2'\n",
+                      "3:8: seed and seeds exclude each other"},
+        RefusedChecks{"[[check]]\nname = 'x'\nmin-rate = 2\n", "3:12: min-rate: expected a share"},
         RefusedChecks{"[[check]]\nname = 'x'\nmap = ['a', 'a']\n", "3:7: map a is given twice"},
         RefusedChecks{"[[check]]\nname = 'x'\nsure = true\n", "3:8: sure goes with min-rate"},
-        RefusedChecks{"[[check]]\nname = 'x'\nexpect = 'lsot'\n",
-                      "3:10: expect is “lsot”; it must be reached"},
-        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = 0\n",
-                      "3:14: collisions is a whole number; it must be"},
-        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = {}\n", "3:14: collisions needs min, max or both"},
+        RefusedChecks{"[[check]]\nname = 'x'\nexpect = 'lsot'\n", "3:10: expect: expected reached"},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = 0\n", "3:14: collisions: expected "},
+        RefusedChecks{"[[check]]\nname = 'x'\ncollisions = {}\n",
+                      "3:14: collisions requires min, max or both"},
         RefusedChecks{"[[check]]\nname = 'x'\ncollisions = { most = 0 }\n",
                       "3:23: unknown key most in collisions"},
         RefusedChecks{"[[check]]\nname = 'x'\ncollisions = { max = '0' }\n",
@@ -168,11 +168,11 @@ TEST_F(ChecksFile, SaysOfAllRunsWhatMustNeverAndAlwaysBe) {
   result.serial = "ready\n";
   EXPECT_EQ(why_failed(checks[0], result), std::nullopt);
   result.shown = "lcd: E 5";
-  EXPECT_EQ(why_failed(checks[0], result), "the sketch showed “E”, and never must");
+  EXPECT_EQ(why_failed(checks[0], result), "the sketch showed “E”, which it must never do");
   result.shown = result.serial = "";
-  EXPECT_EQ(why_failed(checks[0], result), "the sketch has not sent “ready”, and always must");
+  EXPECT_EQ(why_failed(checks[0], result), "the sketch has not sent “ready”, which it must always do");
   EXPECT_THAT([] { parse_checks("never = \"ERROR\"\n[[check]]\nname = \"a\"\n", "checks.toml"); },
-              Throws<InputError>(Property(&InputError::message, HasSubstr("never is “ERROR”; it must be"))));
+              Throws<InputError>(Property(&InputError::message, HasSubstr("never: expected "))));
 }
 
 }  // namespace

@@ -122,11 +122,11 @@ TEST(SweepTable, RefusesRowsThatItCannotGoOnWith) {
     }
     return std::string("not refused");
   };
-  EXPECT_THAT(refusal("t_us,x_mm\n"), HasSubstr("a.csv:1: this is not the header"));
-  EXPECT_THAT(refusal(sweep_header() + "a,b\n"), HasSubstr("a.csv:2: this is no row"));
-  EXPECT_THAT(refusal(sweep_header() + "\n"), HasSubstr("a.csv:2: this is no row"));
+  EXPECT_THAT(refusal("t_us,x_mm\n"), HasSubstr("a.csv:1: expected the header"));
+  EXPECT_THAT(refusal(sweep_header() + "a,b\n"), HasSubstr("a.csv:2: expected a row"));
+  EXPECT_THAT(refusal(sweep_header() + "\n"), HasSubstr("a.csv:2: expected a row"));
   EXPECT_THAT(refusal(sweep_header() + row(p, 0) + row(p, 0)),
-              HasSubstr("a.csv:3: this run has a row already"));
+              HasSubstr("a.csv:3: duplicate row: this run already has one"));
   SweepPlan other = p;
   other.combinations[0].fingerprint.parts[1] = "ffffffff";
   EXPECT_THAT(refusal(sweep_header() + row(other, 0)), HasSubstr("a.csv:2: the map has changed"));
@@ -146,7 +146,7 @@ TEST(SweepTable, AFlippedBitIsCalledDamageWhereverItIs) {
       read_sweep_rows(before + flipped, "a.csv", p);
       ADD_FAILURE() << "not noticed: " << flipped;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr("a.csv:3: this is no row of a sweep"),
+      EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr("a.csv:3: expected a row of a sweep"),
                                                HasSubstr("a.csv:3: this row is damaged: its checksum")))
           << flipped;
     }
@@ -173,7 +173,7 @@ TEST(SweepTable, ASecondSweepDoesNotWriteIntoTheFileOfTheFirst) {
         SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes);
         ADD_FAILURE() << "two writers";
       } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a.csv: is being written already, by another robosim"));
+        EXPECT_THAT(error.what(), HasSubstr("a.csv: this file is already being written, by another robosim"));
       }
     }
   }
@@ -253,7 +253,7 @@ TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {
   arguments.min_rate = 0.75;
   EXPECT_THAT(
       sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
-      HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate; that it is so in general they do not "
+      HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate, but they do not "
                 "show, as the interval begins below it. 12 seeds without a failure would (--sure asks for "
                 "that).\n"));
   arguments.min_rate = 0.5;

@@ -132,16 +132,17 @@ TEST(FloorImage, BadPicturesAreToldInASentence) {
     std::string png, message;
   };
   for (const Case& c :
-       {Case{"", "floor.png: is no PNG"}, Case{"GIF89a", "floor.png: is no PNG: it does not begin as one"},
-        Case{cut(20), "floor.png: this PNG is damaged: it ends too early"},
-        Case{cut(400), "floor.png: this PNG is damaged: it ends too early"},
-        Case{wrong_crc, "floor.png: this PNG is damaged: IDAT: CRC error"},
-        Case{huge_header, "floor.png: this PNG is damaged: IHDR: CRC error"},
+       {Case{"", "floor.png: this is not a PNG file"}, Case{"GIF89a", "floor.png: this is not a PNG file"},
+        Case{cut(20), "floor.png: the PNG is damaged: the file is truncated"},
+        Case{cut(400), "floor.png: the PNG is damaged: the file is truncated"},
+        Case{wrong_crc, "floor.png: the PNG is damaged: IDAT: CRC error"},
+        Case{huge_header, "floor.png: the PNG is damaged: IHDR: CRC error"},
         Case{png_of(9, 9, std::vector<std::string>(9, std::string(9, 'x')),
                     {8, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_ADAM7}),
-             "floor.png: is an interlaced PNG; save it without interlacing"},
+             "floor.png: the PNG is interlaced; save it without interlacing"},
         Case{grey_png(1, 1, noise),
-             "my.map:2:9: the picture is 1 x 1 mm large, less than the line is wide (10 mm): is pixel = \"1 "
+             "my.map:2:9: the picture is too small: expected at least the width of the line, 10 mm, got 1 x "
+             "1 mm; is pixel = \"1 "
              "mm\""}}) {
     write_file(folder / "floor.png", c.png);
     write_file(folder / "my.map", text_of(kPath));
@@ -167,7 +168,8 @@ TEST(FloorImage, AHugePictureIsRefusedByItsHeader) {
   }
   png += std::string("\0\1\0\0IDAT", 8);
   EXPECT_THAT(message_of([&] { FloorImage(png, "bomb.png", 0.001); }),
-              "bomb.png: has 100000 x 100000 pixels; at most 100000 a side and 50 million in all are read");
+              "bomb.png: the picture is too large: expected at most 100000 pixels a side and 50 million in "
+              "all, got 100000 x 100000");
 }
 
 TEST(FloorImage, BadKeysAreToldInASentence) {
@@ -179,23 +181,25 @@ TEST(FloorImage, BadKeysAreToldInASentence) {
   for (const Case& c :
        {Case{"+++\nfloor = \"gone.png\"\npixel = \"1 mm\"\n+++\n", "my.map:2:9: the picture gone.png "},
         Case{"+++\nfloor = \"../floor.png\"\npixel = \"1 mm\"\n+++\n",
-             "my.map:2:9: floor is \"../floor.png\"; a picture lies beside the map"},
+             "my.map:2:9: floor: expected the name of a picture next to the map, without folders, got "
+             "\"../floor.png\""},
         Case{"+++\nfloor = \"/etc/floor.png\"\npixel = \"1 mm\"\n+++\n", "without folders"},
-        Case{"+++\nfloor = \"floor.jpg\"\n+++\n", "allowed are stripes, raster or the name of a picture"},
-        Case{"+++\nfloor = \"floor.png\"\n+++\n", "my.map:2:9: a picture needs the side of a pixel"},
-        Case{"+++\npixel = \"1 mm\"\n+++\n..\n", "my.map:2:9: pixel is for floor"},
+        Case{"+++\nfloor = \"floor.jpg\"\n+++\n", "expected stripes, raster or the name of a picture"},
+        Case{"+++\nfloor = \"floor.png\"\n+++\n", "my.map:2:9: a picture requires the side of a pixel"},
+        Case{"+++\npixel = \"1 mm\"\n+++\n..\n", "my.map:2:9: pixel requires a picture"},
         Case{text_of(kPath, "pixel = \"1\"\n"), "my.map:3:9: "},
         Case{text_of(kPath, "pixel = \"1 m\"\n"), "my.map:3:9: "},
-        Case{text_of("size = [\"100 mm\", \"100 mm\"]\n" + kPath), "more than the floor: 100 x 100 mm"},
+        Case{text_of("size = [\"100 mm\", \"100 mm\"]\n" + kPath),
+             "the picture is larger than the floor: expected at most 100 x 100 mm"},
         Case{text_of() + "..\n__\n", "no error"},
-        Case{text_of() + ".\n.\n", "more than the floor: 100 x 200 mm"},
-        Case{text_of(kPath + "[[mark]]\nalong = \"10 mm\"\n"), "the picture is all that is painted"}}) {
+        Case{text_of() + ".\n.\n", "the picture is larger than the floor: expected at most 100 x 200 mm"},
+        Case{text_of(kPath + "[[mark]]\nalong = \"10 mm\"\n"), "everything painted is in the picture"}}) {
     write_file(folder / "my.map", c.text);
     EXPECT_THAT(message_of([&] { read_map(folder / "my.map"); }), HasSubstr(c.message)) << c.text;
   }
   write_file(folder / "my.map", text_of());
   EXPECT_THAT(message_of([&] { default_start(read_map(folder / "my.map")); }),
-              HasSubstr("no [[path]] says where its line goes"));
+              HasSubstr("the floor is a picture without a [[path]] for its line"));
 }
 
 }  // namespace

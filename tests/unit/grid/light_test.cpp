@@ -52,26 +52,27 @@ TEST(Lights, ThatMakeNoSenseAreRefused) {
   };
   const std::string at = "at = [\"1 m\", \"1 m\"]\n";
   const std::pair<std::string, const char*> refused[] = {
-      {"[light]\nlevel = 1", "m.map:2:1: light is a table; write [[light]]"},
+      {"[light]\nlevel = 1", "m.map:2:1: light: expected [[light]]"},
       {"[[light]]", "lacks the key level"},
-      {"[[light]]\nlevel = -1", "m.map:3:9: level is -1"},
+      {"[[light]]\nlevel = -1", "m.map:3:9: level: expected"},
       {"[[light]]\nlevel = \"3 V\"", "m.map:3:9: "},
-      {"[[light]]\nlevel = 1\n" + at, "m.map:2:1: a light is a lamp, with at and height; a patch of sun"},
-      {"[[light]]\nlevel = 1\nheight = \"1 m\"", "a light is a lamp"},
-      {"[[light]]\nlevel = 1\nheight = \"1 m\"\nradius = \"1 m\"\n" + at, "a light is a lamp"},
+      {"[[light]]\nlevel = 1\n" + at,
+       "m.map:2:1: invalid light: expected a lamp, with at and height; a patch of sun"},
+      {"[[light]]\nlevel = 1\nheight = \"1 m\"", "invalid light: expected a lamp"},
+      {"[[light]]\nlevel = 1\nheight = \"1 m\"\nradius = \"1 m\"\n" + at, "invalid light: expected a lamp"},
       {"[[light]]\nlevel = 1\nheight = \"1 m\"\nmoves = [\"1 mm/s\", \"1 mm/s\"]\n" + at,
-       "a light is a lamp"},
-      {"[[light]]\nlevel = 1\nradius = \"1 m\"\nmoves = \"1 mm/s\"\n" + at, "moves must be [X, Y]"},
+       "invalid light: expected a lamp"},
+      {"[[light]]\nlevel = 1\nradius = \"1 m\"\nmoves = \"1 mm/s\"\n" + at, "moves: expected [X, Y]"},
       {"[[light]]\nlevel = 1\nradius = \"1 m\"\nmoves = [\"1 mm\", \"1 mm\"]\n" + at, "mm/s"},
-      {"[[light]]\nlevel = 1\nflicker = 2", "flicker is 2"},
-      {"[[light]]\nlevel = 1\nfrequency = 50", "without a unit"},
+      {"[[light]]\nlevel = 1\nflicker = 2", "flicker: expected"},
+      {"[[light]]\nlevel = 1\nfrequency = 50", "expected a string with a unit"},
       {"[[light]]\nlevel = 1\ncolour = \"red\"", "unknown key colour"},
   };
   for (const auto& [text, message] : refused)
     EXPECT_THAT(complaint(text), testing::HasSubstr(message)) << text;
   std::string many;
   for (int i = 0; i < 65; ++i) many += "[[light]]\nlevel = 0\n";
-  EXPECT_THAT(complaint(many), testing::HasSubstr("more than 64 lights"));
+  EXPECT_THAT(complaint(many), testing::HasSubstr("too many lights: expected at most 64"));
 }
 
 }  // namespace

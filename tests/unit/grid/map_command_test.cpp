@@ -100,9 +100,9 @@ TEST_F(MapCommand, CheckGoesOnAfterAMapThatIsWrong) {
 
 TEST_F(MapCommand, CheckRefusesAGoalThatCannotBeReached) {
   EXPECT_EQ(check({file("a.map", "+++\ngoal = \"laps:2\"\n+++\n....\n")}), ExitStatus::bad_input);
-  EXPECT_THAT(errors_.str(), HasSubstr("a.map:2:8: goal is laps:2"));
+  EXPECT_THAT(errors_.str(), HasSubstr("a.map:2:8: goal laps:2 requires a single loop"));
   EXPECT_EQ(check({file("b.map", "+++\ngoal = \"station:3\"\n+++\n....\n")}), ExitStatus::bad_input);
-  EXPECT_THAT(errors_.str(), HasSubstr("there are 1 or 2"));
+  EXPECT_THAT(errors_.str(), HasSubstr("expected 1 or 2, got “3”"));
   EXPECT_EQ(check({file("c.map", "+++\n[stations]\ndock = [2, 0]\n[goal]\nx = 2\ny = 0\n+++\n....\n")}),
             ExitStatus::ok);
 }
@@ -181,7 +181,7 @@ TEST_F(MapCommand, GenerateOverwritesNothing) {
     generate_maps({"tree", 4, 5, 1, folder_.path().string()}, out_);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), StartsWith(mine + ": exists already, so nothing was written"));
+    EXPECT_THAT(error.what(), StartsWith(mine + ": exists already; nothing was written"));
   }
   EXPECT_EQ(read_file(mine), "...\n");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree-4-1.map"));

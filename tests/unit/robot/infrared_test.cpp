@@ -73,7 +73,8 @@ TEST(IrReceiver, RefusesWhatIsNoCommand) {
     bench.robot.check_send("ir", {"0x145"});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("send ir 0x145: allowed is a command from 0 to 255, such as 0x45"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("send ir: expected a command from 0 to 255, such as 0x45, got “0x145”"));
   }
 }
 

@@ -173,7 +173,7 @@ on = "tilt"
 )");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("on is \"tilt\", which is no servo of this robot; allowed is pan"));
+    EXPECT_THAT(error.what(), HasSubstr("on: unknown servo: expected pan, got “tilt”"));
   }
 }
 

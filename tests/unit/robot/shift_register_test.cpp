@@ -164,27 +164,26 @@ std::string error_of(const std::string& parts) {
 
 TEST(ShiftRegister, MistakesAreExplainedWithTheirLine) {
   const std::string chained = "[[part]]\nname = \"B\"\ntype = \"shift-register\"\nafter = ";
-  EXPECT_THAT(
-      error_of(kRegister + led("lamp", "REG7.Q1")),
-      HasSubstr("pin is \"REG7.Q1\", but there is no shift register or PWM driver REG7; there is REG1"));
-  EXPECT_THAT(error_of(led("lamp", "REG7.Q1")), HasSubstr("REG7; this robot has none"));
+  EXPECT_THAT(error_of(kRegister + led("lamp", "REG7.Q1")),
+              HasSubstr("pin: unknown shift register or PWM driver in \"REG7.Q1\": expected REG1"));
+  EXPECT_THAT(error_of(led("lamp", "REG7.Q1")), HasSubstr("in \"REG7.Q1\": the robot has none"));
   EXPECT_THAT(error_of(kRegister + led("lamp", "REG1.Q8")),
-              HasSubstr("the outputs of REG1 are REG1.Q0 to REG1.Q7"));
+              HasSubstr("expected an output of REG1, REG1.Q0 to REG1.Q7"));
   EXPECT_THAT(error_of(kRegister + led("lamp", "REG1.Q1") + led("other", "REG1.Q1")),
-              HasSubstr("pin REG1.Q1 is taken: pin of lamp uses it (r.toml:"));
+              HasSubstr("pin REG1.Q1 is already used by pin of lamp (r.toml:"));
   EXPECT_THAT(error_of(kRegister + "[[part]]\nname = \"b\"\ntype = \"button\"\npin = \"REG1.Q1\"\n"),
-              HasSubstr("an output of a shift register; it must be a pin of the board"));
+              HasSubstr("an output of a shift register"));
   EXPECT_THAT(error_of(kRegister + chained + "\"lamp\"\n"),
-              HasSubstr("after is \"lamp\", which is no shift register; there is REG1 or B"));
+              HasSubstr("after: unknown shift register: expected REG1 or B, got “lamp”"));
   EXPECT_THAT(error_of(kRegister + kSecond + chained + "\"REG1\"\n"),
-              HasSubstr("REG2 and B both stand after REG1; a register feeds one other"));
-  EXPECT_THAT(error_of(chained + "\"B\"\n"), HasSubstr("B stands after itself, round a circle"));
+              HasSubstr("REG2 and B both follow REG1"));
+  EXPECT_THAT(error_of(chained + "\"B\"\n"), HasSubstr("B follows itself in a circle"));
   EXPECT_THAT(error_of(chained + "\"C\"\n[[part]]\nname = \"C\"\ntype = \"shift-register\"\nafter = \"B\"\n"),
-              HasSubstr("r.toml:19:9: B stands after itself, round a circle"));
+              HasSubstr("r.toml:19:9: B follows itself in a circle"));
   EXPECT_THAT(error_of(chained + "\"REG1\"\npins = { data = 2, clock = 3, latch = 4 }\n" + kRegister),
-              HasSubstr("B stands after REG1: it has that one's clock and latch, and no pins"));
+              HasSubstr("pins excludes after: B follows REG1 and shares its clock and latch"));
   EXPECT_THAT(error_of("[[part]]\nname = \"B\"\ntype = \"shift-register\"\n"),
-              HasSubstr("B needs pins (data, clock, latch), or after"));
+              HasSubstr("B requires pins (data, clock, latch), or after"));
 }
 
 }  // namespace

@@ -75,11 +75,11 @@ TEST(TwoWireParts, ShareTheBusAndAnswerToTheirAddressAlone) {
 TEST(TwoWireParts, AreRefusedWhereTheBusIsNotToBeHad) {
   std::string file = kBareRobot + "[[part]]\nname = \"lcd\"\ntype = \"lcd-i2c\"\n";
   EXPECT_THAT(two_wire_error(file + "[[part]]\nname = \"go\"\ntype = \"button\"\npin = \"A4\"\n"),
-              HasSubstr("pin A4 is taken: sda of lcd uses it"));
+              HasSubstr("pin A4 is already used by sda of lcd"));
   EXPECT_THAT(two_wire_error(file + "address = 3\n"), HasSubstr("address"));
   file.replace(file.find("nano"), 4, "bluepill");
   EXPECT_THAT(two_wire_error(file),
-              AllOf(HasSubstr("lcd-i2c lcd needs a two-wire bus (I2C)"), HasSubstr("bluepill")));
+              AllOf(HasSubstr("lcd-i2c lcd requires a two-wire bus (I2C)"), HasSubstr("bluepill")));
 }
 
 TEST(LcdBehindAnExpander, ShowsWhatIsWrittenInHalvesWhereEFalls) {
@@ -267,9 +267,10 @@ TEST(Pca9685, HasSixteenChannelsToBeNamed) {
     return two_wire_error(file + "[[part]]\nname = \"led\"\ntype = \"led\"\npin = \"" + pin + "\"\n");
   };
   EXPECT_EQ(led("it.15"), "");
-  EXPECT_THAT(led("it.16"), HasSubstr("the outputs of it are it.0 to it.15"));
-  EXPECT_THAT(led("it.Q1"), HasSubstr("the outputs of it are it.0 to it.15"));
-  EXPECT_THAT(led("other.1"), HasSubstr("no shift register or PWM driver other; there is it"));
+  EXPECT_THAT(led("it.16"), HasSubstr("expected an output of it, it.0 to it.15"));
+  EXPECT_THAT(led("it.Q1"), HasSubstr("expected an output of it, it.0 to it.15"));
+  EXPECT_THAT(led("other.1"),
+              HasSubstr("unknown shift register or PWM driver in \"other.1\": expected it, got “other”"));
 }
 
 TEST(Tcs34725, TellsTheLineFromTheFloorAfterItsIntegration) {

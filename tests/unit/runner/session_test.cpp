@@ -260,7 +260,7 @@ TEST_F(SessionTest, AnswersWhatIsWrongWithARequestsFilesAndTexts) {
   };
   EXPECT_THAT(message_with(&wire::RunRequest::image, "/none.so"), HasSubstr("/none.so"));
   EXPECT_THAT(message_with(&wire::RunRequest::map, "/none.map"), HasSubstr("/none.map"));
-  EXPECT_THAT(message_with(&wire::RunRequest::robot, "uno9"), HasSubstr("no robot is called"));
+  EXPECT_THAT(message_with(&wire::RunRequest::robot, "uno9"), HasSubstr("there is no robot “uno9”"));
   EXPECT_THAT(message_with(&wire::RunRequest::start, "0,0,E"), HasSubstr("0,0"));
   EXPECT_THAT(message_with(&wire::RunRequest::goal, "win"), HasSubstr("win"));
   EXPECT_THAT(message_with(&wire::RunRequest::script, "at 1s pres start"), StartsWith("script:1:"));

@@ -219,25 +219,25 @@ TEST_F(BoardFaultsTest, TheClockRunsFastOrSlow) {
 }
 
 TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
-  EXPECT_EQ(refusal({"power", "surge"}), "power has no fault surge; there are ok, sag or brown-out");
-  EXPECT_EQ(refusal({"power", "sag"}), "fault power sag takes a voltage");
-  EXPECT_THAT(refusal({"power", "sag", "low"}),
-              HasSubstr("allowed is the battery's voltage, from 0V to 60V"));
-  EXPECT_THAT(refusal({"serial", "lost", "2"}), HasSubstr("allowed are a share of the bytes"));
-  EXPECT_THAT(refusal({"serial", "lost", "0th"}), HasSubstr("allowed are a share of the bytes"));
+  EXPECT_EQ(refusal({"power", "surge"}),
+            "unknown fault of power: expected ok, sag or brown-out, got “surge”");
+  EXPECT_EQ(refusal({"power", "sag"}), "fault power sag: expected a voltage after it");
+  EXPECT_THAT(refusal({"power", "sag", "low"}), HasSubstr("expected the battery's voltage from 0V to 60V"));
+  EXPECT_THAT(refusal({"serial", "lost", "2"}), HasSubstr("expected a share of the bytes"));
+  EXPECT_THAT(refusal({"serial", "lost", "0th"}), HasSubstr("expected a share of the bytes"));
   EXPECT_THAT(refusal({"eeprom", "flip", "1024", "0"}),
               HasSubstr("an address from 0 to 1023 and a bit from 0 to 7"));
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "8"}), HasSubstr("a bit from 0 to 7"));
-  EXPECT_EQ(refusal({"eeprom", "flip", "3"}), "fault eeprom flip takes an address and a bit");
-  EXPECT_EQ(refusal({"eeprom", "used", "3"}), "fault eeprom used takes nothing more");
-  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true), HasSubstr("no state that could end"));
+  EXPECT_EQ(refusal({"eeprom", "flip", "3"}), "fault eeprom flip: expected an address and a bit after it");
+  EXPECT_EQ(refusal({"eeprom", "used", "3"}), "fault eeprom used: expected nothing after it");
+  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true), HasSubstr("happens once and cannot end after a time"));
   EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
-  EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("allowed is how much too fast it runs"));
+  EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("expected how much too fast the clock runs"));
   EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");
   probe.reaches_eeprom = false;
   EXPECT_EQ(refusal({"clock", "drift", "5ppm"}), "accepted");
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}),
-              HasSubstr("eeprom: on this target scripts can neither break nor follow it"));
+              HasSubstr("eeprom: scripts can neither break nor follow it on this target"));
   EXPECT_THAT(probe.power, IsEmpty());
 }
 

@@ -170,8 +170,9 @@ TEST_F(Scripts, HoldTheRobotUpAndTiltItForATime) {
 
 TEST_F(Scripts, SayWhatATiltIs) {
   EXPECT_THAT(error_of("at 1s tilt 200deg back"), HasSubstr("from 1deg to 180deg"));
-  EXPECT_THAT(error_of("at 1s tilt 20deg up"), HasSubstr("ahead, back, left or right, not \"up\""));
-  EXPECT_THAT(error_of("at 1s tilt 20deg back in 1s for 1s"), HasSubstr("over and back again"));
+  EXPECT_THAT(error_of("at 1s tilt 20deg up"),
+              HasSubstr("the side of a tilt: expected ahead, back, left or right, got “up”"));
+  EXPECT_THAT(error_of("at 1s tilt 20deg back in 1s for 1s"), HasSubstr("goes over and back"));
 }
 
 TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {
@@ -218,23 +219,22 @@ TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
 
 TEST_F(Scripts, WaitAfterAStation) {
   // The oval has no stations: what waits is checked on the name first.
-  EXPECT_THAT(error_of("after station 1 wait 1s lift"), HasSubstr("s.txt:1: there is no station 1"));
+  EXPECT_THAT(error_of("after station 1 wait 1s lift"),
+              HasSubstr("s.txt:1: unknown station “1”: the map has no stations"));
 }
 
 TEST_F(Scripts, RefuseNamesAndCellsThatAreNotThere) {
   for (const char* place : {"9m,1mm,N", "10mm,1mm,NNE", "10mm,1mm", "10mm,-1mm,N", "10mm,x,N"})
     EXPECT_THAT(error_of(std::string("at 1s place ") + place), HasSubstr("s.txt:1")) << place;
-  EXPECT_THAT(error_of("at 1s place 9m,1mm,N"),
-              HasSubstr("is no place on the floor: allowed are a line cell as "
-                        "X,Y,DIR, and a point as 352mm,118mm,NE"));
+  EXPECT_THAT(error_of("at 1s place 9m,1mm,N"), HasSubstr("invalid place: expected a line cell as "
+                                                          "X,Y,DIR, or a point as 352mm,118mm,NE"));
   EXPECT_THAT(error_of("at 1s sweep 2m"), HasSubstr("from 1mm to 500mm"));
   EXPECT_THAT(error_of("at 1s fault S9 dead"),
-              HasSubstr("s.txt:1: there is no S9 that can break; there is left, right, S1"));
-  EXPECT_THAT(error_of("after eeprom 1 lift"), HasSubstr("s.txt:1: eeprom: on this target"));
-  EXPECT_THAT(error_of("at 1s obstacle 4"),
-              HasSubstr("s.txt:1: \"4\" is no cell of the map: allowed are COLUMN,ROW"));
-  EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("\"400,1\" is no cell"));
-  EXPECT_THAT(error_of("at 1s clear -1,1"), HasSubstr("is no cell"));
+              HasSubstr("s.txt:1: unknown part for a fault: expected left, right, S1"));
+  EXPECT_THAT(error_of("after eeprom 1 lift"), HasSubstr("s.txt:1: eeprom: scripts can"));
+  EXPECT_THAT(error_of("at 1s obstacle 4"), HasSubstr("s.txt:1: invalid cell: expected COLUMN,ROW"));
+  EXPECT_THAT(error_of("at 1s clear 400,1"), HasSubstr("invalid cell: expected COLUMN,ROW"));
+  EXPECT_THAT(error_of("at 1s clear -1,1"), HasSubstr("invalid cell"));
   EXPECT_THAT(seen.happenings, IsEmpty());
 }
 
@@ -270,9 +270,9 @@ TEST_F(Scripts, OfAHundredThousandEqualLinesTakeNoLongerForEachThanOfAFew) {
 
 TEST_F(Scripts, BeyondTheirLimitsAreRefusedAtTheLineThatIsTooMuch) {
   EXPECT_EQ(error_of(repeated("at 1s lift\n", kMostSteps + 1)),
-            "s.txt:100001: this is one too many: a script has at most 100000 lines");
+            "s.txt:100001: the script is too long: expected at most 100000 lines");
   EXPECT_EQ(error_of(repeated("after boot 2 lift\n", kMostAwaited + 1)),
-            "s.txt:1001: this is one too many: a script has at most 1000 lines that begin with after");
+            "s.txt:1001: the script is too long: expected at most 1000 lines that begin with after");
 }
 
 TEST_F(Scripts, ThatDoNothingChangeNothing) {

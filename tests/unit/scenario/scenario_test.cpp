@@ -113,7 +113,8 @@ TEST(Scenario, RefusesWhatLastsForLessThanATickWithOrWithoutASpread) {
       parse_scenario(line, "s.txt");
       ADD_FAILURE() << line;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("lasts for 1ms at least")) << line;
+      EXPECT_THAT(error.what(), testing::HasSubstr("the duration is too short: expected at least 1ms"))
+          << line;
     }
   }
 }
@@ -148,38 +149,59 @@ TEST(Scenario, ReadsOneLineByItself) {
 }
 
 TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
-  EXPECT_EQ(error_of("at 2s dance\n"),
-            "s.txt:1:7: unknown verb \"dance\"; known are press, release, send, place, lift, lower, cover, "
-            "obstacle, "
-            "clear, fault, power, sweep, tilt, paint, erase, door or light");
-  EXPECT_EQ(error_of("\nafter lunch press b"),
-            "s.txt:2:7: unknown event \"lunch\"; known are serial, station, boot, eeprom, and a part with a "
-            "text in quotes");
-  EXPECT_EQ(error_of("when 2s press b"),
-            "s.txt:1:1: a line begins with \"at TIME\" or \"after EVENT\", not with \"when\"");
-  EXPECT_THAT(error_of("at 2 press b"),
-              testing::StartsWith("s.txt:1:4: \"2\" is no time; it must be a number with a unit"));
-  EXPECT_EQ(error_of("at 2s press"), "s.txt:1:7: a part's name is missing at the end of the line");
-  EXPECT_EQ(error_of("at 2s release b now"),
-            "s.txt:1:17: \"now\" is too much; the line should end before it");
-  EXPECT_EQ(error_of("at 2s send \"abc"), "s.txt:1:12: a text in double quotes is not closed");
-  EXPECT_THAT(error_of("at 2s send \"\\q\""), testing::HasSubstr("unknown escape \\q"));
-  EXPECT_EQ(error_of("at 2s fault left dead for"),
-            "s.txt:1:23: a time such as 2s or 100ms is missing at the end of the line");
-  EXPECT_EQ(error_of("at 2s fault left dead for ever now"),
-            "s.txt:1:27: \"ever\" is no time; it must be a number with a unit: ns, us, ms, s, min, h or d");
-  EXPECT_EQ(error_of("at 2s obstacle 1,2 radius 9m"), "s.txt:1:27: \"9m\" is not a radius from 5mm to 500mm");
-  EXPECT_EQ(error_of("after eeprom 0 power off"),
-            "s.txt:1:14: \"0\" is not the number of a write: allowed are 1 to 1000000000000");
   EXPECT_EQ(
-      error_of("at 2s power off byte half"),
-      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
-      "\"half\"");
+      error_of("at 2s prees\n"),
+      "s.txt:1:7: unknown verb: expected press, release, send, place, lift, lower, cover, obstacle, "
+      "clear, fault, power, sweep, tilt, paint, erase, door or light, got “prees”; did you mean press?");
+  EXPECT_EQ(
+      error_of("\nafter seriel press b"),
+      "s.txt:2:7: unknown event: expected serial, station, boot, eeprom or a part with a text in quotes, "
+      "got “seriel”; did you mean serial?");
+  EXPECT_EQ(error_of("when 2s press b"),
+            "s.txt:1:1: unknown trigger: expected at TIME or after EVENT, got “when”");
+  EXPECT_THAT(error_of("aftr boot 2 lift"), testing::HasSubstr("did you mean after?"));
+  EXPECT_THAT(error_of("at 2 press b"),
+              testing::StartsWith("s.txt:1:4: invalid time: expected a number with a unit"));
+  EXPECT_EQ(error_of("at 2s press"), "s.txt:1:7: the line ends too early: expected a part's name");
+  EXPECT_EQ(error_of("at 2s release b now"), "s.txt:1:17: unexpected \"now\": expected the end of the line");
+  EXPECT_EQ(error_of("at 2s send \"abc"), "s.txt:1:12: unterminated text: expected a closing double quote");
+  EXPECT_THAT(error_of("at 2s send \"\\q\""), testing::HasSubstr("got \\q"));
+  EXPECT_EQ(error_of("at 2s fault left dead for"),
+            "s.txt:1:23: the line ends too early: expected a time such as 2s or 100ms");
+  EXPECT_EQ(error_of("at 2s fault left dead for ever now"),
+            "s.txt:1:27: invalid time: expected a number with a unit (ns, us, ms, s, min, h or d), got "
+            "\"ever\"");
+  EXPECT_EQ(error_of("at 2s obstacle 1,2 radius 9m"),
+            "s.txt:1:27: expected a radius from 5mm to 500mm, got \"9m\"");
+  EXPECT_EQ(error_of("after eeprom 0 power off"),
+            "s.txt:1:14: expected the number of a write from 1 to 1000000000000, got \"0\"");
+  EXPECT_EQ(
+      error_of("at 2s power off byte erasd"),
+      "s.txt:1:22: the half-written byte: expected old, new, erased or a value from 0 to 255, got “erasd”; "
+      "did you mean erased?");
   EXPECT_EQ(
       error_of("at 2s power off byte 256"),
-      "s.txt:1:22: the byte that was being written holds old, new, erased or a value from 0 to 255, not "
-      "\"256\"");
-  EXPECT_EQ(error_of("at 2s power down"), "s.txt:1:13: power is \"off\" or \"on\", not \"down\"");
+      "s.txt:1:22: the half-written byte: expected old, new, erased or a value from 0 to 255, got “256”");
+  EXPECT_EQ(error_of("at 2s power of"), "s.txt:1:13: power: expected off or on, got “of”; did you mean off?");
+  EXPECT_EQ(error_of("at 2s light all of"),
+            "s.txt:1:17: a light: expected on or off, got “of”; did you mean off?");
+}
+
+TEST(Scenario, MayBeginWithAByteOrderMark) {
+  const auto steps = parse_scenario(
+      "\xEF\xBB\xBF"
+      "at 2s lift\n",
+      "s.txt");
+  ASSERT_EQ(steps.size(), 1u);
+  EXPECT_EQ(steps[0].place.line, 1);
+  EXPECT_THAT(error_of("\xEF\xBB\xBF"
+                       "at 2s dance\n"),
+              testing::StartsWith("s.txt:1:7: unknown verb"));
+}
+
+TEST(Scenario, NamesAFileOfAnotherKind) {
+  EXPECT_EQ(error_of("+++\ngoal = \"tour\"\n+++\n"),
+            "s.txt: expected a script, got a map; give it with --map");
 }
 
 TEST(AFigureWithASpread, IsReadAsWrittenAndDrawnByItsShare) {
@@ -199,14 +221,15 @@ TEST(AFigureWithASpread, IsReadAsWrittenAndDrawnByItsShare) {
 }
 
 TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
-  EXPECT_THAT(error_of("at 2s+-3s lift"), testing::HasSubstr("s.txt:1:4: \"2s+-3s\" reaches below 0"));
-  EXPECT_THAT(error_of("at 2s+-3mm lift"), testing::HasSubstr("\"2s+-3mm\" is no figure with a spread"));
-  EXPECT_THAT(error_of("at 2s+- lift"), testing::HasSubstr("is no figure with a spread"));
+  EXPECT_THAT(error_of("at 2s+-3s lift"), testing::HasSubstr("s.txt:1:4: the spread of \"2s+-3s\" reaches below 0"));
+  EXPECT_THAT(error_of("at 2s+-3mm lift"),
+              testing::HasSubstr("invalid value with a spread: expected an amount"));
+  EXPECT_THAT(error_of("at 2s+- lift"), testing::HasSubstr("invalid value with a spread"));
   EXPECT_THAT(error_of("at 2s obstacle 1+-2,3"), testing::HasSubstr("\"1+-2\" reaches below 0"));
   EXPECT_THAT(error_of("at 2s obstacle 1,3 radius 499mm+-2mm"),
-              testing::HasSubstr("is not a radius from 5mm to 500mm"));
+              testing::HasSubstr("expected a radius from 5mm to 500mm"));
   EXPECT_THAT(error_of("at 2s tilt 20deg ahead in 1s+-500ms for 2s+-100ms"),
-              testing::HasSubstr("a tilt takes longer"));
+              testing::HasSubstr("a tilt goes over and back"));
 }
 
 }  // namespace

@@ -181,34 +181,34 @@ TEST_P(BadChange, IsOneSentenceWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lines, BadChange,
-    testing::Values(Bad{"at 1s paint", "the cell where it begins, as X,Y is missing"},
-                    Bad{"at 1s paint 4,4", "the cell where it ends, as X,Y is missing"},
-                    Bad{"at 1s paint 4,4 5,5", "4,4 and 5,5 are neither in one row nor in one column"},
-                    Bad{"at 1s paint 4,4 4,99", "\"4,99\" is no cell of the map"},
-                    Bad{"at 1s paint red 4,9", "\"red\" is no cell of the map"},
-                    Bad{"at 1s paint 4,4 4,9 for ever", "\"ever\" is no time"},
-                    Bad{"at 1s erase 4,4 4,9 now", "\"now\" is no time"},
-                    Bad{"at 1s erase 4,4 4,9 2s 3s", "\"3s\" is too much"},
-                    Bad{"at 1s door 4,4 4,9", "shut or open is missing"},
-                    Bad{"at 1s door 4,4 4,9 ajar", "a door is \"shut\" or \"open\", not \"ajar\""},
-                    Bad{"at 1s door 4,4 9,9 shut", "neither in one row nor in one column"},
-                    Bad{"at 1s door 4,4 shut", "shut or open is missing"},
-                    Bad{"at 1s door 4,4 4,4 shut", "a door is between two cells, and these are one"},
-                    Bad{"at 1s light", "a light's number, or all is missing"},
-                    Bad{"at 1s light all", "on or off is missing"},
-                    Bad{"at 1s light 1 dim", "a light is \"on\" or \"off\", not \"dim\""},
-                    Bad{"at 1s light 1 off", "the map has no light ([[light]])"},
-                    Bad{"at 1s obstacle 4,4 to", "the cell that it moves to, as X,Y is missing"},
-                    Bad{"at 1s obstacle 4,4 to 5,5", "how long it takes is missing: to X,Y in TIME"},
-                    Bad{"at 1s obstacle 4,4 to 5,5 in", "a time such as 2s or 100ms is missing"},
-                    Bad{"at 1s obstacle 4,4 to 5,5 in 10us", "an obstacle takes 1ms at least to move"},
-                    Bad{"at 1s obstacle 4,4 to 99,5 in 1s", "\"99,5\" is no cell of the map"}));
+    testing::Values(Bad{"at 1s paint", "expected the cell where it begins, as X,Y"},
+                    Bad{"at 1s paint 4,4", "expected the cell where it ends, as X,Y"},
+                    Bad{"at 1s paint 4,4 5,5", "expected two in one row or one column, got 4,4 and 5,5"},
+                    Bad{"at 1s paint 4,4 4,99", "invalid cell"}, Bad{"at 1s paint red 4,9", "invalid cell"},
+                    Bad{"at 1s paint 4,4 4,9 for ever", "got \"ever\""},
+                    Bad{"at 1s erase 4,4 4,9 now", "got \"now\""},
+                    Bad{"at 1s erase 4,4 4,9 2s 3s", "unexpected \"3s\""},
+                    Bad{"at 1s door 4,4 4,9", "the line ends too early: expected shut or open"},
+                    Bad{"at 1s door 4,4 4,9 ajar", "a door: expected shut or open, got “ajar”"},
+                    Bad{"at 1s door 4,4 9,9 shut", "in one row or one column"},
+                    Bad{"at 1s door 4,4 shut", "the line ends too early: expected shut or open"},
+                    Bad{"at 1s door 4,4 4,4 shut", "invalid door: expected two different cells"},
+                    Bad{"at 1s light", "expected a light's number, or all"},
+                    Bad{"at 1s light all", "the line ends too early: expected on or off"},
+                    Bad{"at 1s light 1 dim", "a light: expected on or off, got “dim”"},
+                    Bad{"at 1s light 1 off", "the map has no light to switch"},
+                    Bad{"at 1s obstacle 4,4 to", "expected the cell that it moves to, as X,Y"},
+                    Bad{"at 1s obstacle 4,4 to 5,5",
+                        "the duration of the move is missing: expected to X,Y in TIME"},
+                    Bad{"at 1s obstacle 4,4 to 5,5 in", "expected a time such as 2s or 100ms"},
+                    Bad{"at 1s obstacle 4,4 to 5,5 in 10us", "the move is too fast: expected at least 1ms"},
+                    Bad{"at 1s obstacle 4,4 to 99,5 in 1s", "invalid cell"}));
 
 TEST_F(ChangingWorld, HasALimit) {
   std::string script;
   for (int i = 0; i <= 100; ++i) script += "at 1s paint 4,4 4,9\n";
   EXPECT_THAT(error_of(script),
-              HasSubstr("s.txt:101: this is one too many: a script has at most 100 lines that paint"));
+              HasSubstr("s.txt:101: the script is too long: expected at most 100 lines that paint"));
 }
 
 }  // namespace

@@ -167,7 +167,15 @@ TEST(Parts, AreTouchedAndReadByTheirNames) {
   robot.release("start");
   robot.run_for(10_ms);
   EXPECT_FALSE(robot.is_on("start"));
-  EXPECT_THROW(robot.press("stop"), std::exception);
+  const int line = __LINE__ + 2;
+  try {
+    robot.press("strat");
+    FAIL() << "there is no such button";
+  } catch (const std::exception& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith(std::string(__FILE__) + ":" + std::to_string(line) +
+                                                  ": unknown button of robot"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("got “strat”; did you mean start?"));
+  }
   EXPECT_THROW(robot.reading("lamp"), std::exception);
   const double yaw = robot.pose().yaw_rad;
   robot.turn_round();

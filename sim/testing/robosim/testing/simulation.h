@@ -52,24 +52,32 @@ class Simulation {
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // Actions; they happen now. Parts have the names of the robot file. Unknown names throw.
-  void press(const std::string& button, Duration time = 100_ms);
-  void hold(const std::string& button);
-  void release(const std::string& button);
-  void send(const std::string& text);  ///< to the sketch's Serial
-  void cover(const std::string& sensor, Duration time);
-  void place(int column, int row, char facing);  ///< 'N', 'E', 'S' or 'W'
+  // Actions; they happen now. Parts have the names of the robot file. Unknown names throw InputError with the
+  // place of the call, which `file` and `at` are.
+  void press(const std::string& button, Duration time = 100_ms, const char* file = __builtin_FILE(),
+             int at = __builtin_LINE());
+  void hold(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
+  void release(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
+  /// Sends a text to the sketch's Serial.
+  void send(const std::string& text, const char* file = __builtin_FILE(), int at = __builtin_LINE());
+  void cover(const std::string& sensor, Duration time, const char* file = __builtin_FILE(),
+             int at = __builtin_LINE());
+  /// Puts the robot down; facing 'N', 'E', 'S' or 'W'.
+  void place(int column, int row, char facing, const char* file = __builtin_FILE(),
+             int at = __builtin_LINE());
   /// Lifts the robot and puts it down in place, facing the opposite direction (the nearest of N, E, S and W).
-  void turn_round();
-  void power_off(Duration time = 100_ms);
+  void turn_round(const char* file = __builtin_FILE(), int at = __builtin_LINE());
+  void power_off(Duration time = 100_ms, const char* file = __builtin_FILE(), int at = __builtin_LINE());
   /// Executes a line of the scenario language, without its time: "fault S2 stuck 1023".
-  void act(const std::string& line);
+  void act(const std::string& line, const char* file = __builtin_FILE(), int at = __builtin_LINE());
 
   // The present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
-  bool is_on(const std::string& part) const;  ///< an LED, a button
-  double reading(const std::string& part) const;
+  /// Whether an LED or a button is on.
+  bool is_on(const std::string& part, const char* file = __builtin_FILE(), int at = __builtin_LINE()) const;
+  double reading(const std::string& part, const char* file = __builtin_FILE(),
+                 int at = __builtin_LINE()) const;
   std::string station() const { return moment().station; }
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
   std::string serial() const;                         ///< all that the sketch has sent

@@ -1,0 +1,32 @@
+// What a user's file is, by its content: for messages about a file that was given for another.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim/base/error.h"
+
+namespace robosim {
+
+enum class FileKind { map, robot, checks, fleet, script, sketch, image, recording, log, table };
+
+/// Returns the kind that a file's content plainly shows, if any.
+std::optional<FileKind> kind_of(std::string_view text);
+
+/// Throws InputError if `text` plainly is of another kind than `wanted`: "a.map: expected a robot file, got a
+/// map; give it with --map". Call it where reading the file has failed.
+void refuse_other_kind(std::string_view text, FileKind wanted, const std::string& file);
+
+/// Returns what `read` makes of `text`. If that throws InputError, refuse_other_kind() comes first.
+template <class Read>
+auto read_as(FileKind wanted, std::string_view text, const std::string& file, Read read) {
+  try {
+    return read();
+  } catch (const InputError&) {
+    refuse_other_kind(text, wanted, file);
+    throw;
+  }
+}
+
+}  // namespace robosim
