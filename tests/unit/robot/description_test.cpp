@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Case{changed("board = \"nano\"", "bord = \"nano\""), "lacks the key board"},
         Case{changed("board = \"nano\"", "board = \"teensy\""), "board: expected uno"},
-        Case{changed("mass = \"300 g\"", "mass = 300"), "robot.toml:5:8: mass: expected a string with a unit"},
+        Case{changed("mass = \"300 g\"", "mass = 300"),
+             "robot.toml:5:8: mass: expected a string with a unit"},
         Case{changed("mass = \"300 g\"", "mass = \"300 kg\""), "mass: expected 0.02 to 5 kg, got 300 kg"},
         Case{changed("mass = \"300 g\"", "wieght = \"300 g\""), "lacks the key mass"},
         Case{kBareRobot + "standby = 99\n", "standby: expected a pin of board nano"},
@@ -188,8 +189,10 @@ TEST(Description, ABudgetIsWhatFirmwareMayTakeOfTheChip) {
   const Description robot = parse_description(kBareRobot + "[budget]\nflash = 28000\nram = 1500\n", "r.toml");
   EXPECT_EQ(robot.budget.flash_bytes, 28000);
   EXPECT_EQ(describe(robot).budget.ram_bytes, 1500);
-  EXPECT_THAT(message_of(kBareRobot + "[budget]\nflash = 31000\n"), HasSubstr("flash: expected a whole number from 1 to 30720, got 31000"));
-  EXPECT_THAT(message_of(kBareRobot + "[budget]\nram = 0\n"), HasSubstr("ram: expected a whole number from 1 to 2048, got 0"));
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nflash = 31000\n"),
+              HasSubstr("flash: expected a whole number from 1 to 30720, got 31000"));
+  EXPECT_THAT(message_of(kBareRobot + "[budget]\nram = 0\n"),
+              HasSubstr("ram: expected a whole number from 1 to 2048, got 0"));
   EXPECT_THAT(message_of(kBareRobot + "[budget]\nheap = 300\n"), HasSubstr("unknown key heap"));
   const Description run =
       parse_description(kBareRobot + "[budget]\nstack = 300\nloop = \"20 ms\"\n", "r.toml");

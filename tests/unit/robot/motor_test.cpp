@@ -57,7 +57,8 @@ TEST(MotorDriver, WindingsAndDiodesThatMakeNoSenseAreRefused) {
               HasSubstr("inductance"));
   EXPECT_THAT(refusal(chip, chip + "\ndiode = \"-1 V\""), HasSubstr("diode: expected 0 to 10 V, got -1 V"));
   EXPECT_THAT(refusal(chip, chip + "\ndiode = \"11 V\""), HasSubstr("diode: expected 0 to 10 V, got 11 V"));
-  EXPECT_THAT(refusal(chip, chip + "\ndiode = \"1 A\""), HasSubstr("diode: expected a number with a unit (mV or V), got \"1 A\""));
+  EXPECT_THAT(refusal(chip, chip + "\ndiode = \"1 A\""),
+              HasSubstr("diode: expected a number with a unit (mV or V), got \"1 A\""));
   EXPECT_THAT(refusal(chip, chip + "\ndiodes = \"1 V\""), HasSubstr("diodes"));
 }
 

@@ -230,7 +230,8 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "8"}), HasSubstr("a bit from 0 to 7"));
   EXPECT_EQ(refusal({"eeprom", "flip", "3"}), "fault eeprom flip: expected an address and a bit after it");
   EXPECT_EQ(refusal({"eeprom", "used", "3"}), "fault eeprom used: expected nothing after it");
-  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true), HasSubstr("happens once and cannot end after a time"));
+  EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true),
+              HasSubstr("happens once and cannot end after a time"));
   EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
   EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("expected how much too fast the clock runs"));
   EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");

@@ -221,7 +221,8 @@ TEST(AFigureWithASpread, IsReadAsWrittenAndDrawnByItsShare) {
 }
 
 TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
-  EXPECT_THAT(error_of("at 2s+-3s lift"), testing::HasSubstr("s.txt:1:4: the spread of \"2s+-3s\" reaches below 0"));
+  EXPECT_THAT(error_of("at 2s+-3s lift"),
+              testing::HasSubstr("s.txt:1:4: the spread of \"2s+-3s\" reaches below 0"));
   EXPECT_THAT(error_of("at 2s+-3mm lift"),
               testing::HasSubstr("invalid value with a spread: expected an amount"));
   EXPECT_THAT(error_of("at 2s+- lift"), testing::HasSubstr("invalid value with a spread"));
