@@ -105,12 +105,15 @@ TEST_P(DocumentsTest, EveryCommandRunsAsItIsWritten) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, DocumentsTest, ::testing::ValuesIn(pages()), [](const auto& info) {
-  std::string name = info.param;
+/// A test's name has letters, digits and underscores only.
+std::string name_of(const ::testing::TestParamInfo<std::string>& page) {
+  std::string name = page.param;
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, DocumentsTest, ::testing::ValuesIn(pages()), name_of);
 
 }  // namespace
 }  // namespace robosim::test
