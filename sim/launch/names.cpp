@@ -175,8 +175,6 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
   return choice;
 }
 
-namespace {
-
 std::string title_of(const std::string& name, const fs::path& folder) {
   if (name.find_first_not_of("./") != std::string::npos) return name;
   std::error_code error;
@@ -184,10 +182,7 @@ std::string title_of(const std::string& name, const fs::path& folder) {
   return title.empty() ? name : title;
 }
 
-}  // namespace
-
 std::string title_of(const SketchChoice& sketch) { return title_of(sketch.name, sketch.folder); }
-std::string title_of(const std::string& name) { return title_of(name, name); }
 
 build::Request request_of(const SketchChoice& sketch, const BoardSpec& board, const std::string& target,
                           const std::vector<std::string>& libraries) {

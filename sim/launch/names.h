@@ -47,7 +47,7 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
                            bool untrusted = false);
 /// Returns the name that users are shown: the sketch's name, or that of its folder if it is `.` or `..`.
 std::string title_of(const SketchChoice& sketch);
-std::string title_of(const std::string& name);
+std::string title_of(const std::string& name, const std::filesystem::path& folder);
 
 /// Returns the named map; else the only .map in the sketch's folder; else `oval`. Throws InputError.
 Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);

@@ -98,9 +98,11 @@ void Simulation::act(const std::string& line, const char* file, int at) {
   try {
     in_->shared->run->act(line, in_->number);
   } catch (const InputError& error) {
-    constexpr std::string_view kOnlyLine = "line 1: ";
+    // The place in the script, whose only line this is: "script:1: ".
+    constexpr std::string_view kOnlyLine = "1: ";
     std::string message = error.message();
-    if (message.starts_with(kOnlyLine)) message.erase(0, kOnlyLine.size());
+    const std::size_t place = message.find(kOnlyLine);
+    if (place < message.find(' ')) message.erase(0, place + kOnlyLine.size());
     throw InputError({file, at}, message);
   }
   in_->read = in_->state().serial_bytes;

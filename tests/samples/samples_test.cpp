@@ -84,7 +84,7 @@ TEST_P(Sample, DoesTheSameOnHostAndAvrButForWhatItSays) {
 TEST(Samples, AreAllOnTheirPage) {
   const std::string page = read_file(ROBOSIM_SAMPLES_PAGE);
   for (const std::string& name : samples()) {
-    EXPECT_THAT(page, HasSubstr("[`" + name + "`](../samples/" + name + "/" + name + ".ino)"));
+    EXPECT_THAT(page, HasSubstr("[`" + name + "`](../../samples/" + name + "/" + name + ".ino)"));
   }
 }
 

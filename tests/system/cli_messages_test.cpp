@@ -81,8 +81,10 @@ TEST_F(Newcomers, AreOfferedTheWordThatTheyMeant) {
   EXPECT_THAT(refusal({"robot", "show", "unno5"}), HasSubstr("did you mean uno5?"));
   EXPECT_THAT(refusal({"run", "PidFollower", "--robot", "uno5@nanno"}), HasSubstr("did you mean nano?"));
   EXPECT_THAT(refusal({"robot", "check", "./robot.toml"}), HasSubstr("did you mean l298n?"));
-  EXPECT_THAT(refusal({"run", "PidFollower", "--script", "script.txt"}),
-              HasSubstr("unknown button of robot “uno5”: expected start, got “strat”; did you mean start?"));
+  EXPECT_THAT(
+      refusal({"run", "PidFollower", "--script", "script.txt"}),
+      HasSubstr(
+          "unknown button of robot “uno5”: expected start or bumper, got “strat”; did you mean start?"));
 }
 
 TEST_F(Newcomers, LearnOfAMissingFolderBeforeTheRun) {

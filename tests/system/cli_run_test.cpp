@@ -205,7 +205,7 @@ TEST(Cli, AKitDrivesAheadAsItsLibraryDrivesIt) {
 TEST(Cli, AFullDiskIsNoticed) {
   const Ended full = robosim_command({"robot", "show", "uno5"}, ".", "/dev/full");
   EXPECT_EQ(full.status, 2);
-  EXPECT_THAT(full.err, HasSubstr("the standard output cannot be written"));
+  EXPECT_THAT(full.err, HasSubstr("cannot write to standard output"));
 }
 
 TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {

@@ -263,7 +263,7 @@ TEST(CliSweep, BadInputIsOneSentence) {
   EXPECT_THAT(sentence({"--start", "0,0,E"}), HasSubstr("is not on a line"));
   EXPECT_THAT(sentence({"--shard", "4/3"}), HasSubstr("--shard: expected PART/PARTS"));
   EXPECT_THAT(sentence({"--shard", "1/3", "--min-rate", "0.9"}), HasSubstr("give it with --merge"));
-  EXPECT_THAT(sentence({"--merge", "a.csv"}), HasSubstr("give --csv too"));
+  EXPECT_THAT(sentence({"--merge", "a.csv"}), HasSubstr("--merge requires --csv"));
   EXPECT_THAT(sentence({"--csv", "/nowhere/a.csv"}), HasSubstr("/nowhere/a.csv: cannot be written"));
 }
 
@@ -276,7 +276,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   };
   command({"sweep", "PidFollower", "--map", "oval", "--for", "3s", "--seeds", "1..3", "--csv", "runs.csv"});
   EXPECT_EQ(command({"report", "runs.csv", "--for", "3s"}),
-            "report.html is written, and a replay beside it\n");
+            "report.html is written, and a replay next to it; open it in a browser\n");
   EXPECT_THAT(
       read_file(folder / "report.html"),
       AllOf(HasSubstr("3 runs, 0 reached their goal"), HasSubstr("3 timeout"),
@@ -286,7 +286,8 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-2.html");
   EXPECT_EQ(replay.header().result.verdict, "timeout");
 
-  EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}), "other.html is written\n");
+  EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}),
+            "other.html is written; open it in a browser\n");
   EXPECT_THAT(read_file(folder / "other.html"),
               HasSubstr("3 of the runs came out otherwise when they were made again"));
 
@@ -296,7 +297,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   folder.write("Own/own.map", "S....\n");
   command({"sweep", "./Own", "--goal", "still", "--for", "50ms", "--seeds", "1..1", "--csv", "own.csv"});
   EXPECT_EQ(command({"report", "own.csv", "--goal", "still", "--for", "50ms", "--out", "own.html"}),
-            "own.html is written, and a replay beside it\n");
+            "own.html is written, and a replay next to it; open it in a browser\n");
   const Ended ended = robosim_command({"report", "report.html"}, folder.path());
   EXPECT_EQ(ended.status, 2);
   EXPECT_THAT(ended.err, HasSubstr("report.html:1: this is not valid XML: "));

@@ -42,7 +42,7 @@ TEST(CliTest, TellsOfEachCheckWhetherItPassedAndIfNotWhyAndWhatShowsIt) {
       ended.out,
       "passed  greets     oval · uno5  reached after 0.05 s\n"
       "FAILED  asks back  oval · uno5  reached after 0.05 s\n"
-      "        why: the sketch did not send “how are you” by its serial port after “hello”\n"
+      "        why: the sketch did not send “how are you” over its serial port after “hello”\n"
       "        see: robosim run . --map oval --goal none --for 50ms --seed 1 --view\n"
       "FAILED  is lost    oval · uno5  reached after 0.05 s\n"
       "        why: reached (expected: lost): 0.05 s of simulated time went by without a failure.\n"
@@ -82,11 +82,12 @@ TEST(CliTest, OfManySketchesEachHasALineAndNoneStopsTheOthers) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_THAT(
       ended.out,
-      MatchesRegex("pupils/anna  passed  2 of 2\n"
-                   "pupils/ben   ERROR   ben.ino:2:[^\n]*error: expected[^\n]*\n"
-                   "pupils/cleo  FAILED  1 of 2  greets: the sketch did not send “hello” by its serial port\n"
-                   "pupils/dan   ERROR   pupils/dan/: expected a sketch, got a folder[^\n]*\n"
-                   "1 of 4 sketches passed all checks\n"));
+      MatchesRegex(
+          "pupils/anna  passed  2 of 2\n"
+          "pupils/ben   ERROR   ben.ino:2:[^\n]*error: expected[^\n]*\n"
+          "pupils/cleo  FAILED  1 of 2  greets: the sketch did not send “hello” over its serial port\n"
+          "pupils/dan   ERROR   pupils/dan/: expected a sketch, got a folder[^\n]*\n"
+          "1 of 4 sketches passed all checks\n"));
 }
 
 TEST(CliTest, SaysTheSameForAnyNumberOfJobs) {
@@ -130,12 +131,13 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "of failures only";
 
   EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out,
-            "report.html is written, and a replay beside it\n");
+            "report.html is written, and a replay next to it; open it in a browser\n");
   EXPECT_THAT(read_file(folder / "Greets/report.html"),
               AllOf(HasSubstr("<a href=\"report-runs/Greets-fails.html\">fails</a>"),
                     HasSubstr("never left the line.")));
   folder.write("Greets/Greets.ino", "void setup() {}\nvoid loop() { delay(1); }\n");
-  EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out, "report.html is written\n");
+  EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out,
+            "report.html is written; open it in a browser\n");
   EXPECT_THAT(read_file(folder / "Greets/report.html"), HasSubstr("1 of the runs came out otherwise"));
 }
 

@@ -34,7 +34,7 @@ TEST_F(Machine, WithAStandardErrorThatIsClosedOrFullEndsWithTheSameStatus) {
   EXPECT_EQ(after("", run_ + " 2>&-").status, 0);
   const Ended silent = after("", run_ + " >&-");
   EXPECT_EQ(silent.status, 2);
-  EXPECT_THAT(silent.err, HasSubstr("the standard output cannot be written"));
+  EXPECT_THAT(silent.err, HasSubstr("cannot write to standard output"));
 }
 
 TEST_F(Machine, WithTooFewFilesIsToldSo) {

@@ -121,9 +121,7 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
   for (std::size_t i = 0; i < 30; ++i) {
     const std::string verdict = due[i];
     if (verdict == "outside") {
-      EXPECT_THAT(lines[i],
-                  AllOf(HasSubstr("  ERROR   "), testing::AnyOf(HasSubstr("is no file of the sketch"),
-                                                                HasSubstr("outside the sketch's"))));
+      EXPECT_THAT(lines[i], AllOf(HasSubstr("  ERROR   "), HasSubstr("outside of the sketch's folder")));
     } else {
       EXPECT_THAT(lines[i], HasSubstr(verdict));
     }
@@ -142,7 +140,7 @@ TEST_F(Untrusted, RunsAreOnTheChipOfTheRobotsBoardAndTheHostIsRefused) {
   const Ended host = robosim({"test", "--untrusted", "./S", "--checks", "checks.toml"});
   EXPECT_EQ(host.status, 2);
   EXPECT_THAT(host.err, StartsWith("robosim: checks.toml:1:1: target: expected avr, stm32 or none "
-                                   "its judge; with --untrusted it is avr or stm32"));
+                                   "(then it is the chip of the robot's board) with --untrusted, got host"));
 }
 
 TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOfItsFolder) {
@@ -153,8 +151,7 @@ TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOf
     return robosim({"test", "--untrusted", "./S"});
   };
   EXPECT_EQ(with("map = \"oval\"\nrobot = \"uno5\"").status, 0);
-  EXPECT_THAT(with("").err,
-              HasSubstr("the checks.toml in its own folder, which is as its author has left it"));
+  EXPECT_THAT(with("").err, HasSubstr("the checks.toml in its own folder, which its author wrote"));
   for (const char* line : {"map = \"../secret/secret.h\"", "map = \"/etc/passwd\"",
                            "robot = \"../secret/secret.h\"", "script = \"../secret/secret.h\"",
                            "libraries = \"../secret\"", "robot = \"../secret/secret.h@nano\""}) {

@@ -149,7 +149,7 @@ TEST(Verdicts, AScriptThatNamesUnknownThingsIsRefusedBeforeTheRun) {
               AllOf(HasSubstr("script:1"), HasSubstr("nose"), HasSubstr("start")));
   EXPECT_THAT(error_of("\nat 2s fault S2 melt"),
               AllOf(HasSubstr("script:2"), HasSubstr("melt"), HasSubstr("stuck")));
-  EXPECT_THAT(error_of("after station 9 press start"), HasSubstr("there is no station 9"));
+  EXPECT_THAT(error_of("after station 9 press start"), HasSubstr("unknown station “9”"));
 }
 
 }  // namespace

@@ -81,9 +81,9 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
         "class=\"left\">{}</td><td>{}</td>"
         "<td class=\"left\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"left bad\">{}</td>"
         "<td>{:.2f} .. {:.2f}</td></tr>\n",
-        markup_text(launch::title_of(first.sketch)), markup_text(first.map), markup_text(first.robot),
-        markup_text(first.target), share_bar(own_times.size(), which.size()), linked(shown, worst, name),
-        own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
+        markup_text(launch::title_of(first.sketch, first.sketch)), markup_text(first.map),
+        markup_text(first.robot), markup_text(first.target), share_bar(own_times.size(), which.size()),
+        linked(shown, worst, name), own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
         bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which), low, high);
   }
   body += "</table></div>\n";
@@ -100,8 +100,9 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
           "class=\"left bad\">{}</td><td>{:.2f} s</td><td class=\"why\">{}</td></tr>\n",
-          markup_text(launch::title_of(run.sketch)), markup_text(run.map), markup_text(run.target), run.seed,
-          linked(shown, i, markup_text(run.verdict)), run.time_s, markup_text(run.why));
+          markup_text(launch::title_of(run.sketch, run.sketch)), markup_text(run.map),
+          markup_text(run.target), run.seed, linked(shown, i, markup_text(run.verdict)), run.time_s,
+          markup_text(run.why));
   }
   if (!failures.empty())
     body += fmt::format(

@@ -7,7 +7,7 @@ namespace robosim::cli {
 Command parse_why(const std::vector<std::string>& words) {
   WhyArguments why;
   RunArguments& run = why.run;
-  Options options("why", "run a sketch, then trace its verdict back to the lines that caused it",
+  Options options("why", "run a sketch and trace its verdict to the lines that caused it",
                   "Runs it as robosim run does, on the board's AVR.");
   options.positional("[SKETCH]", run.sketch, kSketchHelp, PossibleValues::sketch());
   options.text("--map", run.map, "MAP", kMapHelp, PossibleValues::map());

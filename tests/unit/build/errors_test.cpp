@@ -126,7 +126,7 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   write("Asm/Asm.ino", kEmptySketch);
   write("Asm/fast.S", "nop\n");
   EXPECT_THAT(error_of("NoSuch"), HasSubstr("there is no such sketch"));
-  EXPECT_THAT(error_of("Nothing"), HasSubstr("has no .ino file"));
+  EXPECT_THAT(error_of("Nothing"), HasSubstr("got a folder without an .ino file"));
   EXPECT_THAT(error_of("Nothing/readme.txt"),
               HasSubstr("expected a sketch: a folder, an .ino or a .cpp file"));
   EXPECT_THAT(

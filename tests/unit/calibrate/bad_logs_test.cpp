@@ -70,25 +70,28 @@ TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
       {"one encoder", "t_us,count_left,S1\n", "log1.csv:1: the column count_right is missing"},
       {"no counts", "t_us,left,right\n",
        "log1.csv:1: a drive without the columns count_left and count_right"},
-      {"text", with_row("10000,abc"), "log1.csv:4: S1: expected a number"},
-      {"nothing", with_row("10000,"), "log1.csv:4: S1: expected a number"},
-      {"NaN", with_row("10000,nan"), "log1.csv:4: S1: expected a finite number"},
-      {"infinite", with_row("10000,inf"), "log1.csv:4: S1: expected a finite number"},
+      {"text", with_row("10000,abc"), "log1.csv:4: S1 is “abc”; it must be a number"},
+      {"nothing", with_row("10000,"), "log1.csv:4: S1 is “”; it must be a number"},
+      {"NaN", with_row("10000,nan"), "log1.csv:4: S1 is nan; it must be a finite number"},
+      {"infinite", with_row("10000,inf"), "log1.csv:4: S1 is inf; it must be a finite number"},
       {"cut off", with_row("10000"), "log1.csv:4: a row has 1 fields, but the column names of line 1 are 2"},
       {"too many", with_row("10000,1,2"), "log1.csv:4: a row has 3 fields"},
       {"backwards", with_row("4000,100"),
        "log1.csv:4: time goes back: t_us is 4000, and 5000 in the row before"},
       {"standing", with_row("5000,100"), "log1.csv:4: time goes back"},
-      {"before", "t_us,S1\n-5,100\n", "log1.csv:2: t_us: expected 0"},
+      {"before", "t_us,S1\n-5,100\n", "log1.csv:2: t_us is -5; it must be from 0"},
       {"a quote", with_row("10000,\"1"), "log1.csv:4: has a quote that is never closed"},
       {"below 0", with_row("10000,-1"), "log1.csv:4: S1 is -1; a reading is from 0 to 1023"},
       {"no code", sweep({100, 1400}), "S1 is "},
       {"one row", "t_us,S1\n0,100\n", "log1.csv:1: this sweep has 1 row; it must have 100 at least"},
-      {"PWM 300", "t_us,left,right,count_left,count_right\n0,300,0,0,0\n", "log1.csv:2: left: expected "},
-      {"PWM 1.5", "t_us,left,right,count_left,count_right\n0,1.5,0,0,0\n", "log1.csv:2: left: expected "},
+      {"PWM 300", "t_us,left,right,count_left,count_right\n0,300,0,0,0\n",
+       "log1.csv:2: left is 300; it must be"},
+      {"PWM 1.5", "t_us,left,right,count_left,count_right\n0,1.5,0,0,0\n",
+       "log1.csv:2: left is 1.5; it must be"},
       {"three counts", "# counts_per_period = 3\n" + sweep(),
-       "log1.csv:1: counts_per_period: expected 1, 2 or 4"},
-      {"no time", "# timing_step_us = x\n" + sweep(), "log1.csv:1: timing_step_us: expected a number"},
+       "log1.csv:1: counts_per_period is “3”; it must be 1, 2 or 4"},
+      {"no time", "# timing_step_us = x\n" + sweep(),
+       "log1.csv:1: timing_step_us is “x”; it must be a number"},
       {"always the same", sweep({500, 500}), "log1.csv:1: S1 reads nearly the same throughout this sweep"},
       {"beside the tape", sweep({100, 900, 5.45, 5.5}), "log1.csv:1: S1 is over the tape in less than 3 %"},
       {"only half over it", sweep({100, 900, 0.0, 6.0}, "S1", 101),
@@ -139,7 +142,7 @@ TEST(BadLogs, AreNotReadWhereTheyAreNot) {
 TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
   const auto watch = [](const std::string& text) { return answer({}, 0.0, text); };
   EXPECT_THAT(watch("supply = \"7 V\"\n"), HasSubstr("watch.toml: has no [[drive]]"));
-  EXPECT_THAT(watch("[[drive]]\npwm = 0\n"), HasSubstr("watch.toml:2:7: pwm: expected "));
+  EXPECT_THAT(watch("[[drive]]\npwm = 0\n"), HasSubstr("watch.toml:2:7: pwm is 0; it must be"));
   EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 s\"\n"), HasSubstr("watch.toml:1:1: [[drive]] "));
   EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 m\"\ndistance = \"1 m\"\n"),
               HasSubstr("watch.toml:3:8: time"));

@@ -122,7 +122,7 @@ TEST(Arguments, HelpAndVersionAreTexts) {
   EXPECT_THAT(parsed<PrintText>({"--version"}).text, HasSubstr("robosim 0."));
   EXPECT_THAT(parsed<PrintText>({"--help"}).text, HasSubstr("Exit status"));
   EXPECT_THAT(parsed<PrintText>({"run", "--help"}).text, HasSubstr("--profile PROFILE"));
-  EXPECT_THAT(parsed<PrintText>({"map", "--help"}).text, HasSubstr("--start"));
+  EXPECT_THAT(parsed<PrintText>({"map", "show", "--help"}).text, HasSubstr("--start X,Y,DIR"));
   EXPECT_THAT(parsed<PrintText>({"robot", "show", "-h"}).text, HasSubstr("ROBOT"));
 }
 

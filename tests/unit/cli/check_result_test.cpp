@@ -62,11 +62,11 @@ TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
   Check limited = check();
   limited.limits = {{figure("laps_s"), std::nullopt, 9.0}};
   wire::RunResult result = run("reached");
-  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s is not known")));
+  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s was not measured")));
   result.metrics.laps_s = {8.0, 8.5};
   EXPECT_EQ(why_failed(limited, result), std::nullopt);
   result.metrics.laps_s = {8.0, 9.5};
-  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s was 9.5")));
+  EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s: expected at most 9, got 9.5")));
 }
 
 TEST(WhyFailed, WhatADetectorHasSeenIsAFailure) {
@@ -74,10 +74,10 @@ TEST(WhyFailed, WhatADetectorHasSeenIsAFailure) {
   result.detected.push_back({"blind", "it drove on", "Look", {"loop", "Sketch.ino", 3}, 1.5, 2});
   const auto why = why_failed(check(), result);
   ASSERT_TRUE(why);
-  EXPECT_EQ(
-      *why,
-      "detected: it drove on in loop, Sketch.ino:3 (2 times, first at 1.50 s). Look (detect = false asks no "
-      "detectors)");
+  EXPECT_EQ(*why,
+            "detected: it drove on in loop, Sketch.ino:3 (2 times, first at 1.50 s). Look (detect = false "
+            "turns the "
+            "detectors off)");
   EXPECT_TRUE(is_of_detectors(*why));
 }
 
@@ -89,7 +89,7 @@ TEST(WhyFailed, SerialTextsFollowEachOther) {
   EXPECT_EQ(why_failed(talks, result), std::nullopt);
   result.serial = "go\nready\n";
   EXPECT_THAT(why_failed(talks, result),
-              Optional(HasSubstr("did not send “go” by its serial port after “ready”")));
+              Optional(HasSubstr("did not send “go” over its serial port after “ready”")));
 }
 
 TEST(WhyFailed, WhatPartsShowFollowsEachOther) {

@@ -101,9 +101,10 @@ TEST(Help, FitsInEightyColumns) {
 /// line begins with which leans on the line above it.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
-                           "what ", "how ", "file", "folder", "default", "if ", "name,", "number"})
+                           "what ", "how ", "file", "folder", "default", "if ", "name,"})
     if (text.starts_with(word)) return true;
-  return text.empty() || std::isupper(static_cast<unsigned char>(text[0])) || text.ends_with('.');
+  return text.empty() || std::isupper(static_cast<unsigned char>(text[0])) ||
+         (text.ends_with('.') && !text.ends_with("..."));
 }
 
 TEST(Help, BeginsEveryLineWithAVerb) {

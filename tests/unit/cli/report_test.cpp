@@ -107,7 +107,7 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
             HasSubstr("<a href=\"runs/Bo.html\">lost after 0.0 m, seed 2</a>"), HasSubstr("left, at 1 s")));
   EXPECT_THAT(page, AllOf(HasSubstr("&lt;b&gt;Bo"), Not(HasSubstr("<b>Bo"))));
   EXPECT_THAT(page, HasSubstr("<circle cx=\"100\" cy=\"300\"")) << "y is down in a picture";
-  EXPECT_THAT(page, HasSubstr("2 of the runs came out otherwise"));
+  EXPECT_THAT(page, HasSubstr("2 of the runs had another result"));
 }
 
 TEST(AReport, ShowsTheRunThatFailedSoonest) {

@@ -18,7 +18,7 @@ using ::testing::Not;
 
 Combination combination(const std::string& map) {
   Combination c;
-  c.inputs.sketch = "My, Sketch";
+  c.inputs.sketch = c.title = "My, Sketch";
   c.inputs.map = map;
   c.inputs.robot = "uno5";
   c.inputs.target = "host";
@@ -251,11 +251,11 @@ TEST(SweepReport, ShowsTheScoresOfACompetition) {
 TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {
   SweepArguments arguments;
   arguments.min_rate = 0.75;
-  EXPECT_THAT(
-      sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
-      HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate, but they do not "
-                "show, as the interval begins below it. 12 seeds without a failure would (--sure asks for "
-                "that).\n"));
+  EXPECT_THAT(sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
+              HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate, but they do not "
+                        "prove it in general, because the interval begins below it. 12 seeds without a "
+                        "failure would (--sure asks for "
+                        "that).\n"));
   arguments.min_rate = 0.5;
   EXPECT_THAT(sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
               Not(HasSubstr("These runs have that rate")));

@@ -278,7 +278,7 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   EXPECT_THAT(message("eye", "stuck", {}), ::testing::HasSubstr("one number"));
   EXPECT_THAT(message("eye", "stuck", {"much"}), ::testing::HasSubstr("from 0 to 1e+06"));
   EXPECT_THAT(message("eye", "swapped", {"eye"}), ::testing::HasSubstr("another"));
-  EXPECT_THAT(message("eye", "dead", {"3"}), ::testing::HasSubstr("nothing more"));
+  EXPECT_THAT(message("eye", "dead", {"3"}), ::testing::HasSubstr("expected nothing after it"));
   EXPECT_EQ(message("eye", "stuck", {"512"}), "accepted");
   place_beside_line(bench, 0.03);
   EXPECT_LT(bench.volts(kA0), 1.0) << "checking breaks nothing";

@@ -201,7 +201,7 @@ TEST(Docs, TablesOfKeysSayWhatTheDescriptionsSay) {
   const bool write = std::getenv("ROBOSIM_WRITE_DOCS") != nullptr;
   const std::vector<Table> all = tables();
   std::multiset<std::string> found;
-  for (const auto& entry : fs::directory_iterator(fs::path(ROBOSIM_SOURCE_DIR) / "docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROBOSIM_SOURCE_DIR) / "docs")) {
     if (entry.path().extension() != ".md") continue;
     const std::string page = read_file(entry.path());
     const std::string wanted = brought_up_to_date(page, all, found);
