@@ -69,7 +69,7 @@ TEST(CliClassic, TheTraceHoldsEveryMove) {
 TEST(CliClassic, AnUnknownDestinationIsRefusedWithTheStationsThatExist) {
   const Ended run = robosim_command({"classic", "c", "--to", "9"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("no station “9”"));
+  EXPECT_THAT(run.err, HasSubstr("unknown or unreachable station “9”"));
   EXPECT_THAT(run.err, HasSubstr("1, 2, 3, 4, 5, 6"));
   EXPECT_THAT(run.out, IsEmpty());
 }

@@ -236,7 +236,7 @@ TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {
 
   const Ended other = compare_two("C=host,avr");
   EXPECT_EQ(other.status, 2);
-  EXPECT_THAT(other.err, HasSubstr("there is no robot C; there is A or B"));
+  EXPECT_THAT(other.err, HasSubstr("unknown robot: expected A or B, got “C”"));
   const Ended both = compare_two("A=host,stm32");
   EXPECT_EQ(both.status, 0) << both.err;
   const nlohmann::json mixed = json_of(both)["runs"];

@@ -199,7 +199,7 @@ TEST(CliFleet, ARecordingHasRowsOfAllAndAPictureShowsAll) {
   const Ended plain = robosim_command(two_with({"--json"}));
   const Ended run =
       robosim_command(two_with({"--json", "--record", "r.csv", "--plot", "p.svg"}), folder.path());
-  EXPECT_EQ(run.out, plain.out) << "recorded or not";
+  EXPECT_EQ(run.out, plain.out + "r.html is written; open it in a browser\n") << "recorded or not";
   const std::string csv = read_file(folder / "r.csv");
   EXPECT_THAT(csv, StartsWith("t_us,robot,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right,S1,"));
   EXPECT_THAT(csv, AllOf(HasSubstr("\n10000,A,"), HasSubstr("\n10000,B,")));
@@ -212,7 +212,7 @@ TEST(CliFleet, APageIsReplayedHeldAgainstAnotherAndWrittenAsATrace) {
   const Folder folder;
   const Ended plain = robosim_command(two_with({}));
   const Ended run = robosim_command(two_with({"--record", "r.html"}), folder.path());
-  EXPECT_EQ(run.out, plain.out) << "recorded or not";
+  EXPECT_EQ(run.out, plain.out + "r.html is written; open it in a browser\n") << "recorded or not";
   ASSERT_EQ(robosim_command(two_with({"--record", "s.rec", "--seed", "2"}), folder.path()).status, 0);
   const Ended replay =
       robosim_command({"replay", "r.html", "--over", "s.rec", "--record", "r.perfetto.json"}, folder.path());
@@ -225,8 +225,8 @@ TEST(CliFleet, APageIsReplayedHeldAgainstAnotherAndWrittenAsATrace) {
   folder.write("log.csv", "t,x,y\n0,1,1\n1,2,2\n");
   const Ended log = robosim_command({"replay", "r.html", "--over", "log.csv"}, folder.path());
   EXPECT_EQ(log.status, 2);
-  EXPECT_THAT(log.err, HasSubstr("log.csv: no robot is in both runs: expected "
-                                 "it A or B"));
+  EXPECT_THAT(log.err,
+              HasSubstr("log.csv: no robot is in both runs: expected A or B, got one without a name"));
 }
 
 TEST(CliFleet, RobotsTalkByRadioFromHostToAvr) {
@@ -327,7 +327,7 @@ TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
   EXPECT_THAT(refusal({"--start", "B=2,2,E"}), HasSubstr("--start is given more than once for B"));
   EXPECT_THAT(refusal({"--start", "A=20,2,E"}), HasSubstr("robot B starts on top of robot A"));
   EXPECT_THAT(refusal({"--robot", "B="}), HasSubstr("--robot: B= lacks a value"));
-  EXPECT_THAT(refusal({"--gdb", "3333"}), HasSubstr("--gdb halts one robot's chip"));
+  EXPECT_THAT(refusal({"--gdb", "3333"}), HasSubstr("--gdb halts only one robot's chip"));
   EXPECT_THAT(refusal({"--script", "B=/none.txt"}), HasSubstr("/none.txt"));
   EXPECT_THAT(refusal({"--map", "ovall"}), HasSubstr("--map is given more than once"));
   EXPECT_THAT(refusal({"--robot", "B b=uno5"}), HasSubstr("“B b” cannot be a robot's name"));

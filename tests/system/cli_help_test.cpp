@@ -68,8 +68,8 @@ TEST(ManPages, AreGoodTroff) {
   for (const char* command : {"", "run", "map", "classic"}) {
     const auto words = *command ? std::vector<std::string>{"man", command} : std::vector<std::string>{"man"};
     const auto page = folder.write("page.1", robosim_command(words).out);
-    const Ended ended = robosim_command({"-man", "-ww", "-Tutf8", "-Kutf8", page.string()}, folder.path(),
-                                        nullptr, "/dev/null", "/usr/bin/groff");
+    const Ended ended = robosim_command({"-man", "-ww", "-Tutf8", "-Kutf8", "-P-cbou", page.string()},
+                                        folder.path(), nullptr, "/dev/null", "/usr/bin/groff");
     EXPECT_EQ(ended.status, 0);
     EXPECT_THAT(ended.err, IsEmpty());
     EXPECT_THAT(ended.out, HasSubstr("EXIT STATUS"));

@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Test", {"test"}, 2, "the current folder holds no sketch"},
         Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},
         Case{"CheckMap", {"map", "check", "bad.map"}, 2, "bad.map:2:2"},
-        Case{"Bare", {}, 0, "robosim wire my/Sketch --out my/Sketch/robot.toml"}),
+        Case{"Bare", {}, 0, "robosim run my/Sketch --map my.map"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Cli, AStockRobotsOwnTextIsFine) {
