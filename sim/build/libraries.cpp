@@ -1,6 +1,7 @@
 #include "sim/build/libraries.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -72,9 +73,13 @@ bool is_library(const fs::path& folder) {
          holds_headers(folder / "include");
 }
 
+/// A larger library.properties is none.
+constexpr std::uintmax_t kMostProperties_bytes = 256 << 10;
+
 /// Returns the value of a key in a file such as library.properties; empty if there is none.
 std::string property(const fs::path& file, const std::string& key) {
-  if (!is_file(file)) return {};
+  std::error_code none;
+  if (!is_file(file) || fs::file_size(file, none) > kMostProperties_bytes) return {};
   std::istringstream lines(read_file(file));
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty() && line.back() == '\r') line.pop_back();

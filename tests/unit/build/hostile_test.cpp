@@ -215,6 +215,14 @@ TEST_F(HostileTest, LinksThatLoopInALibraryAreTakenOnce) {
   EXPECT_EQ(error_of("Pupil", {folder_ / "shared"}), "no error");
 }
 
+TEST_F(HostileTest, LibraryPropertiesOfManyMegabytesAreNotRead) {
+  write("shared/Thing/Thing.h", "");
+  const fs::path properties = write("shared/Thing/library.properties", "name=Other\n");
+  EXPECT_EQ(LibraryFinder({folder_ / "shared"}).find("Thing.h")->name, "Other");
+  fs::resize_file(properties, 250'000'000);
+  EXPECT_EQ(LibraryFinder({folder_ / "shared"}).find("Thing.h")->name, "Thing");
+}
+
 TEST_F(HostileTest, HeadersThatIncludeEachOtherInALongChainTakeNoStack) {
   write("Pupil/Pupil.ino", "#include \"h0.h\"\n" + kEmptySketch);
   for (int i = 0; i < 3000; ++i)
