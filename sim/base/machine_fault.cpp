@@ -42,11 +42,21 @@ constexpr const char* kNoMemory = "there is not enough memory";
 constexpr const char* kNoRoom = "there is no room left on the disk";
 constexpr const char* kNoProcesses = "cannot start more processes; raise the limit with ulimit -u";
 
-/// Of a line that says what the sketch is blamed for, or quotes it.
+/// Returns whether the line begins with a word and a colon, as a program's own messages do.
+bool names_a_program(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(' ');
+  return begin != line.npos && line.find_first_of(" \"'(", begin) == line.find(": ", begin) + 1;
+}
+
+/// Returns whether the line has a place in a source, or quotes one. Compilers before gcc 9 indent what they quote by a
+/// blank alone.
 bool is_of_sketch(std::string_view line) {
-  return line.find("#error") != std::string_view::npos || line.find("#warning") != std::string_view::npos ||
-         line.find("static assertion") != std::string_view::npos ||
-         line.find(" | ") != std::string_view::npos;
+  static constexpr std::string_view kSigns[] = {": error: ", ": warning: ", ": note: "};
+  for (const std::string_view sign : kSigns)
+    if (const std::size_t at = line.find(sign);
+        at != line.npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9')
+      return true;
+  return (line.starts_with(' ') && !names_a_program(line)) || line.find(" | ") != line.npos;
 }
 
 bool has(std::string_view line, std::string_view text) { return line.find(text) != std::string_view::npos; }

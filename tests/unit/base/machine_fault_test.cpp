@@ -42,6 +42,14 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
       fault("S.ino:1:2: error: #error No space left on device\n    1 | #error No space left on device\n"),
       "");
   EXPECT_EQ(fault("S.ino:1:2: error: expected ';' before '}' token\n"), "");
+  // As gcc 5 for the AVR quotes a source, and as a text of the sketch is shown.
+  EXPECT_EQ(fault("S.ino:1:1: error: static assertion failed: cannot execute 'ld'\n static_assert(false, "
+                  "\"cannot execute "
+                  "'ld'\");\n ^\n"),
+            "");
+  EXPECT_EQ(fault("S.ino:1:9: note: #pragma message: Cannot allocate memory\n"), "");
+  EXPECT_EQ(fault("  avr-g++: fatal error: cannot execute 'as': execvp: No such file or directory\n"),
+            "the compiler failed: as is missing: sudo apt install binutils");
 }
 
 }  // namespace
