@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kGivenUp_s = 300.0;  ///< a command that takes longer is endless
+constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is endless
 constexpr double kLate_s = 10.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
 /// What names one of the limits that docs/explanation/security.md has, which may last longer than kLate_s.
@@ -120,6 +120,13 @@ class Place {
   std::map<std::string, std::string> before_;
 };
 
+/// Of wall time. On a machine that others use, too, little work may take long.
+double late_s() {
+  double load = 0.0;
+  ::getloadavg(&load, 1);
+  return kLate_s * (1.0 + load);
+}
+
 /// Byte sequences that a terminal carries out, or that show text in another order than it has.
 std::string carried_out(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -163,8 +170,7 @@ std::vector<std::string> judge(const Watched& watched, const Input& input, bool 
   const std::string texts = "\n" + watched.out + "\n" + watched.err;
   const bool named =
       std::any_of(std::begin(kLimits), std::end(kLimits), [&](const char* one) { return has(texts, one); });
-  // A machine that others use, too, may take long for little work.
-  if (!named && (watched.processor_s > kLate_s || watched.wall_s > 4 * kLate_s))
+  if (!named && (watched.processor_s > kLate_s || watched.wall_s > late_s()))
     found(fmt::format("late: {:.1f} s, {:.1f} s of processor time", watched.wall_s, watched.processor_s));
   for (const std::string& one : watched.left) found("process left: " + one);
   if (has("\n" + watched.err, std::string("\n") + kForged) ||
@@ -444,7 +450,7 @@ TEST_P(Requests, DoNoHarm) {
       found(std::string("answer with ") + bad);
   const bool named = std::any_of(std::begin(kLimits), std::end(kLimits),
                                  [&](const char* one) { return has(reply.text, one); });
-  if (!named && reply.wall_s > 4 * kLate_s) found(fmt::format("late: {:.1f} s", reply.wall_s));
+  if (!named && reply.wall_s > late_s()) found(fmt::format("late: {:.1f} s", reply.wall_s));
   if (memory.sum_kb() > kMostMemory_kb) found(fmt::format("memory {} MB", memory.sum_kb() >> 10));
   if (server().has_ended()) found("the server has ended");
   const Reply next = ask(
