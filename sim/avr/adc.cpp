@@ -96,13 +96,12 @@ void Adc::write_control(Address address, std::uint8_t value) {
   request();
 }
 
-// SBI and CBI, where an ATtiny85 has ADCSRA in their reach: they leave ADIF as it is (2586Q, the register
-// summary's notes).
+// SBI and CBI, which reach ADCSRA on an ATtiny85, do not change ADIF (2586Q, the register summary's notes).
 void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
 }
 
-// 24.4: the flags reach the converter by one line, whose rising edge starts it, be it by another choice.
+// 24.4: the flags reach the converter by one line, whose rising edge starts it, even by another selection.
 void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const int before = trigger();
@@ -124,7 +123,7 @@ void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (state_.converting && core_.now() < state_.start) select();
 }
 
-// The capacitor is led to another input, at once or when the conversion is over.
+// Connects the capacitor to another input, at once or after the conversion.
 void Adc::selects_another(std::uint8_t multiplexer, std::uint8_t control_b) {
   const auto now = adc_selection(core_.chip.adc, core_.at(at_.adc_multiplexer), core_.at(at_.adc_control_b));
   if (adc_selection(core_.chip.adc, multiplexer, control_b) != now) state_.charges_since = core_.now();

@@ -30,13 +30,13 @@ class Adc final : public Peripheral {
 
  private:
   struct State {
-    Cycle origin = 0;  ///< since when the prescaler counts
+    Cycle origin = 0;  ///< when the prescaler began to count
     Cycle start = 0;   ///< of the conversion
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
-    std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, as the conversion has them
+    std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, as latched by the conversion
     double held = 0.0;                            ///< V, on the converter's capacitor after its last sample
-    Cycle charges_since = 0;                      ///< from what is selected now
+    Cycle charges_since = 0;                      ///< from the present selection
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;

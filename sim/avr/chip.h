@@ -24,7 +24,7 @@ class UsbHost;
 
 class Chip {
  public:
-  /// `last_ram`: the last address of data memory, that of the chip or a later one.
+  /// `last_ram`: the last address of data memory, the chip's or a later one.
   Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
        std::int64_t oscillator_hz = 16'000'000);
   ~Chip();
@@ -35,39 +35,40 @@ class Chip {
 
   /// Runs until `until` or the end of the instruction that crosses it.
   Stop run_to(Cycle until);
-  /// run_to() comes back after each instruction, and after each jump of time in sleep.
+  /// Makes run_to() return after each instruction, and after each jump of time in sleep.
   void step_singly(bool singly) { singly_ = singly; }
 
   Cycle cycle() const { return core_.now(); }
   bool is_asleep() const { return power_.is_asleep(); }
   Cycle sleep_cycles() const { return power_.slept(cycle()); }
 
-  /// Interrupts that are enabled and may come though firmware touches no register any more; a bit a vector.
+  /// Returns the enabled interrupts that may come without further register accesses by firmware; one bit per
+  /// vector.
   std::uint64_t may_interrupt() const;
 
-  // --- from outside
-  /// The level of a pin (by its index in ChipSpec::pins) that edges are wanted of has changed.
+  // --- external inputs
+  /// Reports a changed level of a pin (by its index in ChipSpec::pins) whose edges are wanted.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
-  /// A whole frame has arrived at a UART, or a byte for the USB's serial line, which is behind those: at
-  /// `at`. It is lost where the receiver is off.
+  /// Delivers a whole frame to a UART, or a byte to the USB's serial line, whose number follows those: at
+  /// `at`. It is lost if the receiver is off.
   void receive(int line, std::uint16_t data, Cycle at);
-  /// Surroundings::called() shall be called at `cycle`; a new call replaces the old one.
+  /// Requests a call of Surroundings::called() at `cycle`; a new request replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
-  /// As by the reset pin or the power; `flags` are MCUSR's.
+  /// Resets the chip as by the reset pin or the power; `flags` are MCUSR's.
   void reset(std::uint8_t flags);
 
   Cpu& cpu() { return core_.cpu; }
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
   const Core& core() const { return core_; }
-  /// Loops that wait are left out, without a difference that firmware or its surroundings could see.
+  /// Returns the object that skips waiting loops, without any effect on firmware or its surroundings.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }
   Pins& pins() { return pins_; }
 
-  /// All that changes while the chip runs, but for what lies in the surroundings.
+  /// Saves all state that changes while the chip runs, except that of the surroundings.
   Kept::Copy save() const { return core_.kept.copy(); }
-  /// Of a chip that was made alike.
+  /// Restores the state of an equal chip.
   void restore(const Kept::Copy& saved);
 
  private:
@@ -87,7 +88,7 @@ class Chip {
   UsbHost* usb_host_ = nullptr;
   Events::Id call_ = 0;
   bool singly_ = false;
-  std::uint8_t reset_flags_ = 0;  ///< a peripheral wants a reset
+  std::uint8_t reset_flags_ = 0;  ///< a peripheral requests a reset
 };
 
 }  // namespace robosim::avr

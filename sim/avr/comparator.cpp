@@ -114,8 +114,7 @@ void Comparator::write(Address address, std::uint8_t value) {
   request();
 }
 
-// SBI and CBI, where an ATtiny85 has ACSR in their reach: they leave ACI as it is (2586Q, the register
-// summary's notes).
+// SBI and CBI, which reach ACSR on an ATtiny85, do not change ACI (2586Q, the register summary's notes).
 void Comparator::write_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write(address, bit == kAci ? value : static_cast<std::uint8_t>(value & ~kAci));
 }

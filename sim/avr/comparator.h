@@ -1,8 +1,8 @@
 // The analog comparator. Data sheet DS40002061B, chapter 23.
 //
 //   +      AIN0, or the bandgap (ACBG)
-//   - AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without AIN1
-//          has the bandgap there (ATmega32U4, 7766J, 23.2)
+//   -      AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without
+//          AIN1 has the bandgap there (ATmega32U4, 7766J, 23.2)
 //   ACO    1 if + is higher
 //   ACI    set by ACO's edges that ACIS selects: 0 any, 2 falling, 3 rising
 //   ACIC   timer 1 captures ACO's edges instead of ICP1's
@@ -53,7 +53,7 @@ class Comparator final : public Peripheral {
   void request();
   bool is_on() const;
   double negative_volts(Cycle at);
-  /// As pins' volts are told: Surroundings::supply_share().
+  /// Scaled like the pins' volts: Surroundings::supply_share().
   double bandgap() const { return core_.chip.adc.bandgap_volts / core_.outside.supply_share(); }
 
   Core& core_;

@@ -17,7 +17,7 @@ bool counts_down(const Instruction& first, const Instruction& second) {
          second.k == -2;
 }
 
-/// The operation that does the same, knowing more.
+/// Returns an equivalent operation that is specialised for its operands.
 Op quick(const Instruction& i) {
   if (i.op != Op::brbs && i.op != Op::brbc) return i.op;
   const bool set = i.op == Op::brbs;
@@ -39,7 +39,7 @@ constexpr unsigned key_of(Op first, Op second) {
   return static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
 }
 
-/// The operation that does both; the first, where there is none.
+/// Returns the operation that does both; the first, if there is none.
 Op both_of(Op first, Op second) {
   switch (key_of(first, second)) {
 #define ROBOSIM_AVR_CASE(x, one, other) \
@@ -52,7 +52,7 @@ Op both_of(Op first, Op second) {
   }
 }
 
-/// What an AVRe has not: MUL and its kin, JMP and CALL, program memory behind 64 KB.
+/// Returns whether an AVRe lacks it: MUL and similar ones, JMP and CALL, program memory after 64 KB.
 bool needs_large_core(Op op) {
   switch (op) {
     case Op::mul:
@@ -86,7 +86,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       plain_(chip.ram_address, kPlainRead | kPlainWrite) {
   for (const Address elsewhere : {reg::kSreg, reg::kSpL, reg::kSpH}) plain_[elsewhere] = 0;
   flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
-  // Most of a flash is erased, and alike: it is not looked at word by word.
+  // Most of a flash is erased, and equal: it is not examined word by word.
   const std::size_t words = flash_.size() / 2;
   words_ = static_cast<std::uint32_t>(words);
   std::size_t used = words;
@@ -323,7 +323,7 @@ bool Cpu::reads_number(std::uint32_t pc) const {
   return true;
 }
 
-// Not as one with what has a mark: run() stops there.
+// An instruction with a mark is not paired: run() stops there.
 Op Cpu::unmarked(std::uint32_t pc) const {
   const Op first = alone(pc);
   const auto none_marked = [&](std::uint32_t words) {
@@ -374,8 +374,7 @@ std::uint8_t Cpu::bits_read(std::uint32_t pc) const {
   if (next.op == Op::andi && next.a == reads.a) return next.b;
   if (next.op != Op::and_) return kAllBits;
   if (next.a == reads.a) return next.b == reads.a ? kAllBits : data[next.b];
-  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then takes the
-  // place of.
+  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then replaces.
   const Instruction& after = instruction(pc + reads.words + next.words);
   const bool replaced = after.op == Op::ldi && after.a == reads.a;
   return next.b == reads.a && replaced ? data[next.a] : kAllBits;

@@ -32,34 +32,34 @@ class Cpu {
   /// Bits of SREG.
   static constexpr std::uint8_t kC = 1, kZ = 2, kN = 4, kV = 8, kS = 16, kH = 32, kT = 64, kI = 128;
 
-  /// Why run(), or Chip::run_to(), came back.
+  /// The reason why run(), or Chip::run_to(), returned.
   enum class Stop : std::uint8_t {
-    reached,   ///< the cycle
-    sleep,     ///< SLEEP ran; the program counter is behind it
-    mark,      ///< the instruction at the program counter has a mark; run() again runs it
+    reached,   ///< the given cycle
+    sleep,     ///< SLEEP ran; the program counter is after it
+    mark,      ///< the instruction at the program counter has a mark; the next run() executes it
     break_,    ///< BREAK ran
     illegal,   ///< a reserved opcode; the program counter is at it
-    outside,   ///< the program counter is behind the flash: by a jump to outside_pc(), or by running on
-    bad_read,  ///< the instruction before has touched bad_address(), which has no memory
+    outside,   ///< the program counter is after the flash: by a jump to outside_pc(), or by running on
+    bad_read,  ///< the previous instruction has accessed bad_address(), which has no memory
     bad_write,
     spm,      ///< SPM ran
-    stopped,  ///< somebody called stop(); of a chip in single steps: an instruction has run
-    off,      ///< of a chip: it sleeps with interrupts off, and nothing but a reset will wake it
+    stopped,  ///< by stop(); for a chip in single steps: an instruction has run
+    off,      ///< for a chip: it sleeps with interrupts off, and only a reset will wake it
   };
 
-  /// `flash` holds whole words, at most all that the program counter reaches; `last_ram`: the last address of
-  /// data memory.
+  /// `flash` holds whole words, at most as many as the program counter reaches; `last_ram`: the last address
+  /// of data memory.
   Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram);
 
   // --- running
   /// Runs until `until`, or a few cycles later, or until something stops it.
   Stop run(Cycle until);
-  /// From within a hook: run() comes back after this instruction, though nothing stopped it.
+  /// From within a hook: makes run() return after this instruction, without a reason to stop.
   void look_up() { horizon_ = 0; }
-  /// The same, with Stop::stopped.
+  /// Likewise with Stop::stopped.
   void stop() { stop_with(Stop::stopped); }
 
-  /// WDR calls this, and whoever wants to knows that.
+  /// A listener for WDR.
   struct Call {
     void (*function)(void* self) = nullptr;
     void* self = nullptr;
@@ -76,30 +76,31 @@ class Cpu {
   // --- interrupts
   /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
   void enter(int vector);
-  /// Behind enter(): all of the handler at once, if it is the core's of timer 0 and nothing comes before
-  /// `until` that it must wait for (time_count.h).
+  /// After enter(): runs the whole handler at once, if it is the core's of timer 0 and nothing happens before
+  /// `until` that must precede its end (time_count.h).
   void count_time(Cycle until);
-  /// Where the processor goes on then, in words.
+  /// Returns where the processor continues then, in words.
   std::uint32_t entry_of(int vector) const;
-  /// Whether an interrupt may be taken now: I is set, and not by the instruction that has just run, behind
-  /// which one more runs (SEI, RETI, and what else sets I).
+  /// Returns whether an interrupt may be taken now. I must be set, and not by the last instruction, after
+  /// which one more runs (SEI, RETI, and others that set I).
   bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
-  /// Those that wait, a bit each: whoever sets I while one does has run() come back. Null: always.
+  /// The waiting ones, one bit each: an instruction that sets I while there is one makes run() return. Null:
+  /// always.
   const std::uint64_t* waiting = nullptr;
-  /// As after a reset: the program counter is 0, registers of I/O are 0, memory is kept.
+  /// Resets the processor: the program counter and I/O registers become 0, memory is retained.
   void reset();
 
   // --- registers and memory
-  /// What stands behind a register of I/O. Without hooks it keeps what is written. Hooks are called at the
-  /// cycle of the access, with everything due before it done (on_time).
+  /// The implementation of an I/O register. Without hooks it stores what is written. Hooks are called at the
+  /// cycle of the access, after all earlier events (on_time).
   struct Hook {
     std::uint8_t (*read)(void* self, Address address) = nullptr;
     void (*write)(void* self, Address address, std::uint8_t value) = nullptr;
-    /// SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it they
-    /// read and write.
+    /// For SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it
+    /// they read and write.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
-    /// Without it, a register with `read` has none.
+    /// Without it, a register with `read` has no outlook.
     Outlook (*outlook)(void* self, Address address, std::uint8_t bits) = nullptr;
     bool is_steady = false;
     void* read_self = nullptr;
@@ -107,8 +108,8 @@ class Cpu {
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
-  /// Outlook Owner::Method(Address, uint8_t bits): what reads will give, of which only these bits are looked
-  /// at. Asked with all done that was due before.
+  /// Registers Outlook Owner::Method(Address, uint8_t bits): predicts reads, of which only these bits matter.
+  /// Called after all earlier events.
   template <auto Method, typename Owner>
   void on_outlook(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -117,15 +118,15 @@ class Cpu {
     };
     hook.outlook_self = owner;
   }
-  /// Reading the register changes nothing, and between events and writes it gives the same.
+  /// Declares that reads of the register have no side effects, and are constant between events and writes.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   Outlook outlook(Address address, std::uint8_t bits) const;
-  /// Which bits of a register of I/O the instruction at `pc`, which reads it, looks at: it, or the one behind
-  /// it, may drop the others at once. kAllBits: that is not known.
+  /// Returns the relevant bits of an I/O register that the instruction at `pc` reads: it, or the following
+  /// one, may drop the others at once. kAllBits: unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 
-  /// uint8_t Owner::Method(Address)
+  /// Registers uint8_t Owner::Method(Address)
   template <auto Method, typename Owner>
   void on_read(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -133,7 +134,7 @@ class Cpu {
     hook.read_self = owner;
     plain_[address] &= static_cast<std::uint8_t>(~kPlainRead);
   }
-  /// void Owner::Method(Address, uint8_t value)
+  /// Registers void Owner::Method(Address, uint8_t value)
   template <auto Method, typename Owner>
   void on_write(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -143,8 +144,8 @@ class Cpu {
     hook.write_self = owner;
     plain_[address] &= static_cast<std::uint8_t>(~kPlainWrite);
   }
-  /// The same for a register that has an owner already: `owner` is called behind it. Both keep the register
-  /// as the first has left it, but for bits of their own.
+  /// Adds a second owner to a register: `owner` is called after the first. Both leave the register's value to
+  /// the first, except for their own bits.
   template <auto Method, typename Owner>
   void also_on_write(Address address, Owner* owner) {
     const Hook before = hooks_[address];
@@ -159,7 +160,8 @@ class Cpu {
     };
     hook.write_self = &shared_.back();
   }
-  /// void Owner::Method(Address): told before each write to the register, if somebody owns it by now.
+  /// Registers void Owner::Method(Address): called before each write to the register, if that has an owner
+  /// already.
   template <auto Method, typename Owner>
   void before_write(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -179,7 +181,7 @@ class Cpu {
     };
     hook.write_bit_self = &early_.back();
   }
-  /// void Owner::Method(Address, uint8_t value, uint8_t bit)
+  /// Registers void Owner::Method(Address, uint8_t value, uint8_t bit)
   template <auto Method, typename Owner>
   void on_write_bit(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -188,10 +190,10 @@ class Cpu {
     };
     hook.write_bit_self = owner;
   }
-  /// Called before a hook, where something may be due by this cycle: that is to be done first.
+  /// Called before a hook if an event may be due by this cycle, which must come first.
   Call on_time;
 
-  /// As firmware reads and writes, with all that follows.
+  /// Read and write like firmware, with all effects.
   std::uint8_t load(Address address);
   void store(Address address, std::uint8_t value);
 
@@ -203,11 +205,11 @@ class Cpu {
   std::uint32_t pc() const { return state.pc; }  ///< in words
   void set_pc(std::uint32_t words) { state.pc = words; }
   Cycle cycle() const { return state.cycle; }
-  /// Time passes without instructions: in sleep.
+  /// Lets time pass without instructions: in sleep.
   void skip_to(Cycle cycle) { state.cycle = cycle; }
-  /// Of the instruction that runs or ran last, in words.
+  /// Returns the address of the instruction that runs or ran last, in words.
   std::uint32_t last_pc() const { return state.last_pc; }
-  /// Where the last jump out of the flash led to, in words.
+  /// Returns the target of the last jump out of the flash, in words.
   std::uint32_t outside_pc() const { return state.outside_pc; }
   Address bad_address() const { return state.bad_address; }
   Address last_ram() const { return last_ram_; }
@@ -216,20 +218,20 @@ class Cpu {
   std::span<const std::uint8_t> flash() const { return flash_; }
   const Instruction& instruction(std::uint32_t pc) const { return original_[pc]; }
 
-  /// The registers, I/O and RAM. SREG and SP are not kept here.
+  /// The registers, I/O and RAM. SREG and SP are stored elsewhere.
   std::vector<std::uint8_t> data;
 
-  /// Whether it is the end of a loop that counts down, which run() runs through at once.
+  /// Returns whether it is the end of a loop that counts down, which run() executes at once.
   bool is_count(std::uint32_t pc) const;
 
   // --- marks: run() stops before an instruction
   void set_mark(std::uint32_t pc, bool set);
   bool has_mark(std::uint32_t pc) const { return marks_[pc] & kMark; }
-  /// Those of loops, which are told in the same way.
+  /// Sets heads of loops, which are reported in the same way.
   void set_head(std::uint32_t pc, bool set);
   bool is_head(std::uint32_t pc) const { return marks_[pc] & kHead; }
-  /// bool Owner::Method() is asked at a mark that is no head, with all of `state` as it is there: whether
-  /// run() runs on.
+  /// Registers bool Owner::Method(), called at a mark that is not a head, with `state` complete: returns
+  /// whether run() continues.
   template <auto Method, typename Owner>
   void on_mark(Owner* owner) {
     may_pass_ = [](void* self) { return (static_cast<Owner*>(self)->*Method)(); };
@@ -237,24 +239,24 @@ class Cpu {
   }
 
   // --- the stack
-  /// When the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever firmware
-  /// writes SPL or SPH (on_sp_written), these are called.
+  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever
+  /// firmware writes SPL or SPH (on_sp_written).
   Call on_sp_low;
   Call on_sp_written;
-  /// The last calls, returns and interrupts, the last first: addresses in words.
+  /// Returns the last calls, returns and interrupts, the last first: addresses in words.
   std::vector<std::uint32_t> last_jumps() const;
-  /// Interrupt handlers that are open.
+  /// Returns the number of open interrupt handlers.
   int open_handlers() const { return state.open_handlers; }
-  /// The processor enters a handler, but has not put the return address on the stack yet; and RETI has
-  /// returned from one, but has not enabled interrupts yet.
+  /// Called when the processor enters a handler, before it pushes the return address; and when RETI has
+  /// returned from one, before it enables interrupts.
   Call on_entered, on_left;
-  /// Another task goes on, on a stack of its own: it was in so many handlers.
+  /// Notes that another task continues, on its own stack: it was in `count` handlers.
   void set_open_handlers(int count);
   Cycle handler_cycles() const {
     return state.handler_cycles + (state.open_handlers > 0 ? state.cycle - state.handler_began : 0);
   }
 
-  /// All of the processor that changes while it runs, but for `data`.
+  /// All changing state of the processor, except `data`.
   struct State {
     Cycle cycle = 0;
     std::uint32_t pc = 0;
@@ -263,16 +265,16 @@ class Cpu {
     std::uint16_t sp_watch = 0;
     std::uint16_t sp_before = 0;  ///< before the last write to SPL or SPH
     std::uint8_t sreg = 0;
-    Cycle held_at = kNoCycle;  ///< one more instruction runs before an interrupt: none has since then
+    Cycle held_at = kNoCycle;  ///< one more instruction runs before an interrupt: none has run since then
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
-    std::uint32_t passing = ~0u;   ///< where the mark has been told
-    bool reads_signature = false;  ///< LPM reads the signature row in the place of flash
+    std::uint32_t passing = ~0u;   ///< where the mark was already reported
+    bool reads_signature = false;  ///< LPM reads the signature row instead of flash
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
     std::uint32_t interrupted_pc = 0;  ///< where the open handler, or the last one, interrupted the firmware
     std::uint8_t vector = 0;           ///< of that handler
-    Cycle last_io = 0;                 ///< last access to a register of I/O outside of handlers
+    Cycle last_io = 0;                 ///< last access to an I/O register outside of handlers
     std::uint32_t last_io_pc = 0;
     std::array<std::uint32_t, 32> jumps{};
     std::uint32_t jump_count = 0;
@@ -296,8 +298,8 @@ class Cpu {
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
-  /// Whether an OUT to SREG stands between the halves of the stack pointer: it is a function's that makes
-  /// room for its variables.
+  /// Returns whether an OUT to SREG is between the halves of the stack pointer: then a function reserves its
+  /// variables.
   bool is_in_prologue(std::uint32_t pc) const {
     if (pc == 0) return false;
     const Instruction& before = original_[pc - 1];
@@ -317,7 +319,7 @@ class Cpu {
       state.handler_cycles += state.cycle - state.handler_began;
     on_left();
   }
-  /// Where the program counter goes on: behind the flash, if `pc` is.
+  /// Returns the continuation of the program counter: after the flash, if `pc` is.
   std::uint32_t target_of(std::uint32_t pc) {
     if (pc < words_) return pc;
     state.outside_pc = pc;
@@ -330,27 +332,27 @@ class Cpu {
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
   std::uint32_t words_ = 0;                   ///< of flash; a power of two
-  std::vector<Instruction> original_, code_;  ///< code_: as run() has it
-  std::vector<Op> unmarked_;                  ///< by word: what code_ would have without marks in front of it
+  std::vector<Instruction> original_, code_;  ///< code_: modified for run()
+  std::vector<Op> unmarked_;                  ///< by word: the operation in code_ without marks before it
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   std::optional<TimeCount> time_count_;
   std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;          ///< by address
-  std::vector<std::uint8_t> plain_;  ///< by address: which accesses are those of memory
+  std::vector<std::uint8_t> plain_;  ///< by address: accesses without hooks
   struct Shared {
     void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
     void* first_self = nullptr;
     void (*second)(void* self, Address address, std::uint8_t value) = nullptr;
     void* second_self = nullptr;
   };
-  std::deque<Shared> shared_;  ///< by who has two owners
+  std::deque<Shared> shared_;  ///< registers with two owners
   struct Early {
-    Hook hook;  ///< as it was
+    Hook hook;  ///< the original one
     void (*tell)(void* self, Address address);
     void* self;
   };
-  std::deque<Early> early_;  ///< by whom somebody is told first
+  std::deque<Early> early_;  ///< registers with an early listener
   bool (*may_pass_)(void* self) = [](void*) { return false; };
   void* may_pass_self_ = nullptr;
   Cycle horizon_ = 0;

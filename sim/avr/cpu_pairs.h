@@ -80,7 +80,7 @@
     STORE(address, r[i->a], 1);        \
   }
 
-// In a handler that nothing interrupts, with room for its stack behind its variables.
+// For a handler that nothing interrupts, with room for its stack after its variables.
 #define CODE_OF_TIME_COUNT                                                                                \
   OPERATION(count_time, 0) {                                                                              \
     constexpr int kPushes = TimeCount::kPushes;                                                           \

@@ -9,7 +9,7 @@ Cpu::Stop Cpu::run(Cycle until) {
   stop_ = Stop::reached;
   horizon_ = until;
 
-  // What every instruction needs is kept in registers: stores to `r` could be stores to any member.
+  // Registers hold what every instruction needs: a store to `r` could be a store to any member.
   std::uint8_t* const r = data.data();
   const Instruction* const code = code_.data();
   const std::uint32_t words_of_flash = words_, wrap = words_ - 1;
@@ -387,7 +387,7 @@ choose:
   OPERATION(outside, 0) STOP(Stop::outside, 0);
 
 leave:
-  // The program counter is at the instruction that has not run yet.
+  // The program counter is at the next instruction, which has not run.
   state.cycle = end - static_cast<Cycle>(left);
   state.pc = static_cast<std::uint32_t>(i - code);
   state.sreg = flags.pack();

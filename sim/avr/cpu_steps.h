@@ -15,7 +15,7 @@ namespace robosim::avr {
 
 constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
-constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and BRNE that is taken
+constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and a taken BRNE
 
 /// Reads a word by bytes, as most words are written: a processor stalls if it reads a word right after such
 /// writes.
@@ -34,7 +34,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
 #else
 #define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
 #endif
-// NEXT(words): the operation is done; `left` has its cycles already.
+// NEXT(words): after the operation; `left` includes its cycles already.
 #define DISPATCH              \
   if (left <= 0) [[unlikely]] \
     goto leave;               \
@@ -43,8 +43,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   i += (words);     \
   DISPATCH
 #define OPERATION(name, cycles) L_##name : left -= (cycles);
-// From here on what the processor is holds in `state`, with the program counter behind the instruction;
-// RESUME goes on from there.
+// Stores the processor's state in `state`, with the program counter after the instruction; RESUME continues
+// from there.
 #define PUT(words)                                              \
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \
@@ -52,8 +52,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.pack();                                    \
   state.sp = sp
 #define RESUME goto resume
-// The same for what looks at no flag but I and T: the others stay where they are, and RESUME_WITH_FLAGS
-// takes them up again. `state.sreg` has them at the latest when run() comes back.
+// Likewise for code that reads no flags except I and T: the others stay in registers, and RESUME_WITH_FLAGS
+// restores them. `state.sreg` has them when run() returns, at the latest.
 #define PUT_PLACE(words)                                        \
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \
@@ -61,7 +61,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.packed_into(state.sreg);                   \
   state.sp = sp
 #define RESUME_WITH_FLAGS goto resume_with_flags
-// Registers without a hook for this (`read`, `write`), where no event is due: memory, but that last_io knows.
+// Registers without a hook for this (`read`, `write`), if no event is due: like memory, except for last_io.
 #define IS_PLAIN(way) (left > 0 && plain_[static_cast<std::size_t>(i->k)] & (way))
 #define NOTE_IO                                         \
   state.last_pc = static_cast<std::uint32_t>(i - code); \
@@ -69,7 +69,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.last_io = end - static_cast<Cycle>(left);     \
     state.last_io_pc = state.last_pc;                   \
   }
-// Where it sets I while an interrupt waits, that is entered behind the next instruction.
+// If it sets I while an interrupt waits, that is entered after the next instruction.
 #define OUT_SREG(note)                                         \
   {                                                            \
     const std::uint8_t value = r[i->a];                        \
@@ -116,7 +116,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     }                                    \
     RESUME_WITH_FLAGS;                   \
   }
-// The return address is behind the instruction.
+// The return address is after the instruction.
 #define CALL(words, target)                                                            \
   {                                                                                    \
     const auto back = static_cast<std::uint32_t>(i - code) + (words);                  \
@@ -134,7 +134,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.pc = target_of(to);                                                          \
     RESUME;                                                                            \
   }
-// RETI, where no other handler waits to be entered, and nobody wants to know.
+// RETI, if no other handler waits, and there is no listener.
 #define RETURN_FROM_HANDLER                                                                             \
   if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting && !on_left.function) { \
     state.cycle = end - static_cast<Cycle>(left);                                                       \
@@ -186,7 +186,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     set_pair(low, pointer);                                   \
     LOAD(i->a, pointer, 1);                                   \
   }
-// What is stored is the register before the pointer has moved, though it may be a part of it.
+// Stores the register's value from before the move of the pointer, even if it is a part of it.
 #define STORE_AND_STEP(low)              \
   {                                      \
     const Address pointer = pair(low);   \

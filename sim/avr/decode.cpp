@@ -96,7 +96,7 @@ Instruction decode_memory(Fields f, std::uint16_t next) {
   }
 }
 
-// 1001 0101 .... 1000 and 1001: what has no register
+// 1001 0101 .... 1000 and 1001: instructions without registers
 Instruction decode_control(Fields f) {
   switch (f.w) {
     case 0x9409:

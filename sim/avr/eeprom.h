@@ -26,9 +26,9 @@ class Eeprom final : public Peripheral {
 
  private:
   struct State {
-    Cycle unlocked_until = 0;  ///< EEMPE reads 1
+    Cycle unlocked_until = 0;  ///< EEMPE reads 1 before
     Cycle done_at = kNoCycle;
-    std::uint8_t mode = 0;  ///< EEPM of what is being written
+    std::uint8_t mode = 0;  ///< EEPM of the write in progress
     bool writing = false;
   };
 

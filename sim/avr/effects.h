@@ -12,13 +12,13 @@ namespace robosim::avr {
 struct Effects {
   enum class Memory : std::uint8_t { none, load, store };
 
-  std::uint32_t reads = 0, writes = 0;  ///< registers, a bit each
+  std::uint32_t reads = 0, writes = 0;  ///< registers, one bit each
   std::uint8_t flags_read = 0, flags_written = 0;
   Memory memory = Memory::none;
   Address address = 0;       ///< in data memory, the lowest of `bytes`
   std::uint8_t bytes = 0;    ///< of data memory
   std::uint8_t touched = 0;  ///< cycles from its beginning to the access
-  bool elsewhere = false;    ///< it does more than touch registers, flags and data memory
+  bool elsewhere = false;    ///< it has effects other than registers, flags and data memory
 };
 
 /// Calls `visit` with the number of each register.

@@ -25,12 +25,12 @@ class Events {
   struct State {
     std::array<Cycle, kMost> due;
     Cycle next = kNoCycle;
-    std::uint64_t scheduled = 0;  ///< a bit for each that is due some time
+    std::uint64_t scheduled = 0;  ///< one bit for each scheduled one
     State() { due.fill(kNoCycle); }
   };
 
-  /// `Method` of `owner` is called with the cycle that the event was due at; the processor may be a few
-  /// cycles ahead, in the middle of an instruction.
+  /// Registers an event that calls `Method` of `owner` with its due cycle. The processor may be a few cycles
+  /// ahead, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
     if (count_ == kMost) throw std::logic_error("a chip with more events than Events::kMost");
@@ -54,14 +54,14 @@ class Events {
   }
   void cancel(Id id) { schedule(id, kNoCycle); }
   void cancel_all() { state = {}; }
-  /// kNoCycle if it is not scheduled.
+  /// Returns its due cycle; kNoCycle if it is not scheduled.
   Cycle due(Id id) const { return state.due[id]; }
-  /// When the next one is due.
+  /// Returns when the next one is due.
   Cycle next() const { return state.next; }
-  /// An event that does nothing to the chip, and finds the same when it comes late, as long as no instruction
-  /// has run meanwhile.
+  /// Marks an event without effect on the chip as deferrable: its result does not change while no instruction
+  /// runs.
   void let_wait(Id id) { waits_ = id; }
-  /// When the next one is due that cannot wait.
+  /// Returns when the next one is due that cannot be deferred.
   Cycle next_urgent() const {
     if (waits_ == kNone || state.due[waits_] != state.next) return state.next;
     Cycle next = kNoCycle;
@@ -71,7 +71,7 @@ class Events {
     return next;
   }
 
-  /// Whatever is due by `now`, in the order of time.
+  /// Runs everything that is due by `now`, by time.
   void run(Cycle now) {
     while (state.next <= now) {
       const Cycle at = state.next;
@@ -93,7 +93,7 @@ class Events {
 
   static constexpr std::uint64_t bit(std::size_t id) { return std::uint64_t{1} << id; }
 
-  /// In the order in which they were added.
+  /// Visits them in the order in which they were added.
   template <typename Visit>
   void each_scheduled(Visit visit) const {
     for (std::uint64_t rest = state.scheduled; rest; rest &= rest - 1)

@@ -12,7 +12,7 @@ constexpr std::uint8_t flag_bit(std::size_t number) { return static_cast<std::ui
 constexpr std::uint8_t flag_bits(std::size_t count, unsigned from) {
   return static_cast<std::uint8_t>(((1u << count) - 1) << from);
 }
-/// Of a register, those that `mask` has.
+/// Replaces the bits of a register that are in `mask`.
 constexpr std::uint8_t replaced(std::uint8_t kept, std::uint8_t value, std::uint8_t mask) {
   return static_cast<std::uint8_t>((kept & ~mask) | (value & mask));
 }

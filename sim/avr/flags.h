@@ -11,11 +11,11 @@ namespace robosim::avr {
 
 struct Flags {
   unsigned carry = 0;     ///< 0 or 1
-  unsigned zero = 0;      ///< Z is set where this is 0
-  unsigned negative = 0;  ///< N in bit 7; bit 15: S, which is N xor V, has been set by itself
-  unsigned overflow = 0;  ///< the carries into each bit: V is that into bit 7, xor that out of it
+  unsigned zero = 0;      ///< Z is set if this is 0
+  unsigned negative = 0;  ///< N in bit 7; bit 15: S, which is N xor V, was set separately
+  unsigned overflow = 0;  ///< the carries into each bit: V is the one into bit 7, xor the one out of it
   unsigned half = 0;      ///< H in bit 4
-  unsigned others = 0;    ///< T and I, where they are in SREG
+  unsigned others = 0;    ///< T and I, at their positions in SREG
 
   void unpack(std::uint8_t sreg);
   constexpr void take_apart(unsigned sreg) {
@@ -31,11 +31,11 @@ struct Flags {
     return static_cast<std::uint8_t>(others | carry | (zero == 0 ? Cpu::kZ : 0u) | (negative >> 5 & Cpu::kN) |
                                      (v() >> 4 & Cpu::kV) | (sign() >> 3 & Cpu::kS) | (half << 1 & Cpu::kH));
   }
-  /// `sreg` with T and I as they are, and the others as they were.
+  /// Returns `sreg` with its own T and I, and these other flags.
   std::uint8_t packed_into(unsigned sreg) const {
     return static_cast<std::uint8_t>((sreg & ~unsigned{Cpu::kT | Cpu::kI}) | others);
   }
-  /// S in bit 7.
+  /// Returns S in bit 7.
   unsigned sign() const { return negative ^ negative >> 8 ^ v(); }
   void set(unsigned bits) { unpack(static_cast<std::uint8_t>(pack() | bits)); }
   void clear(unsigned bits) {
@@ -52,14 +52,14 @@ struct Flags {
     return arithmetic(d, s, wide);
   }
   std::uint8_t difference(unsigned d, unsigned s) { return difference_with(d, s, 0); }
-  /// Of the higher bytes of a number: Z is of all of them.
+  /// For the higher bytes of a number: Z covers all of them.
   std::uint8_t difference_with_carry(unsigned d, unsigned s) {
     const unsigned before = zero;
     const std::uint8_t result = difference_with(d, s, carry);
     zero |= before;
     return result;
   }
-  // A byte of a number, with higher ones behind it: of the flags, what those look at.
+  // For a byte of a number, before its higher ones: computes only the flags that those use.
   std::uint8_t sum_below(unsigned d, unsigned s) {
     const unsigned wide = d + s + carry;
     carry = wide >> 8;
@@ -82,20 +82,20 @@ struct Flags {
     overflow = 0;
     return static_cast<std::uint8_t>(result);
   }
-  /// INC and DEC.
+  /// For INC and DEC.
   std::uint8_t counted(unsigned value, bool overflows) {
     negative = zero = value & 0xFF;
     overflow = overflows ? 0x80 : 0;
     return static_cast<std::uint8_t>(value);
   }
-  /// To the right; `c` is the bit that fell out.
+  /// For shifts to the right; `c` is the bit that was shifted out.
   std::uint8_t shifted(unsigned result, unsigned c) {
     carry = c;
     negative = zero = result;
     overflow = result ^ c << 7;
     return static_cast<std::uint8_t>(result);
   }
-  /// ADIW and SBIW: bit 16 of `after` is the carry.
+  /// For ADIW and SBIW: bit 16 of `after` is the carry.
   void added_word(unsigned after, bool overflows) {
     carry = after >> 16 & 1;
     zero = after & 0xFFFF;
@@ -129,7 +129,7 @@ inline constexpr std::array<Flags, 256> kFlagsOf = [] {
 }();
 
 inline void Flags::unpack(std::uint8_t sreg) {
-  const Flags& of = kFlagsOf[sreg];  // one by one: they are kept in registers
+  const Flags& of = kFlagsOf[sreg];  // one by one: they are in registers
   carry = of.carry;
   zero = of.zero;
   negative = of.negative;

@@ -88,7 +88,7 @@ void HighSpeedTimer::clock_runs(bool runs, Cycle at) {
 
 // --- registers
 
-// The bits COM4A and COM4B are in TCCR4C again.
+// The bits COM4A and COM4B exist in TCCR4C, too.
 void HighSpeedTimer::write(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
@@ -197,7 +197,7 @@ Cycle HighSpeedTimer::tick_after(Cycle at, Cycle ticks) const {
   return state_.began + ((((at - state_.began) >> shift()) + ticks) << shift());
 }
 
-// Without PWM what was written to OCR4x holds at once: a moment in another mode takes it over.
+// Without PWM a value written to OCR4x takes effect at once, as by a moment in another mode.
 void HighSpeedTimer::set_mode() {
   Counting how{Counting::Kind::pwm, false, Counting::Top::capture};
   if (!has_pwm(kA) && !has_pwm(kB) && !has_pwm(kD)) {
@@ -239,7 +239,7 @@ void HighSpeedTimer::request(unsigned flags) {
     if (flags & flag.hit) core_.request(vector_of(flag.hit), true);
 }
 
-// The processor sees a flag with the tick that sets it, registers are read as they were before.
+// The processor sees a flag with the tick that sets it; registers read as before.
 void HighSpeedTimer::due(Cycle at) {
   count_to(at - 1);
   const bool ticks = ticks_come() && tick_after(state_.at, 1) == at;
@@ -254,7 +254,7 @@ void HighSpeedTimer::entered(int vector) {
   settle();
 }
 
-// What others see than the processor.
+// Returns the events with listeners other than the processor.
 std::uint8_t HighSpeedTimer::wanted() const {
   unsigned wanted = 0;
   for (std::size_t output = 0; output < kOutputs; ++output) {
@@ -294,7 +294,7 @@ void HighSpeedTimer::schedule() {
 
 // --- pins
 
-/// Whether it is no PWM and is told at each match.
+/// Returns whether it is not PWM and is reported at each match.
 bool HighSpeedTimer::switches(std::size_t output) const {
   return output_pins_[output] >= 0 && connection(output) != 0 && !has_pwm(output);
 }

@@ -40,9 +40,9 @@ class HighSpeedTimer final : public Peripheral {
     Cycle at = 0;     ///< all ticks up to this cycle are counted
     Cycle began = 0;  ///< a cycle at which the prescaler's count was 0
     std::array<std::uint16_t, kOutputs> compare{};
-    std::array<bool, kOutputs> taken{}, level{};  ///< level: as the last match left it; not of PWM
+    std::array<bool, kOutputs> taken{}, level{};  ///< level: after the last match; not for PWM
     std::uint8_t flags = 0, enables = 0, requested = 0,
-                 heard = 0;  ///< as Counter::Hit; heard: a bit an output
+                 heard = 0;  ///< as Counter::Hit; heard: one bit per output
     bool runs = true;
     bool drives_stale = false;
   };
@@ -60,7 +60,7 @@ class HighSpeedTimer final : public Peripheral {
     return core_.cpu.data[spec_.control + static_cast<unsigned>(offset)];
   }
   std::uint16_t with_high(std::uint8_t low) const;
-  /// COM of an output, and whether PWM is switched on for it.
+  /// Return COM of an output, and whether PWM is on for it.
   int connection(std::size_t output) const;
   bool has_pwm(std::size_t output) const;
 
@@ -71,7 +71,7 @@ class HighSpeedTimer final : public Peripheral {
   Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
   void set_mode();
   void count_to(Cycle to);
-  /// After a change: requests, pins, and the next event.
+  /// Updates requests, pins, and the next event after a change.
   void settle();
   void schedule();
   void due(Cycle at);
@@ -87,7 +87,7 @@ class HighSpeedTimer final : public Peripheral {
   bool wave_level(int pin);
   void wave_heard(int pin, bool heard);
   std::size_t output_of(int pin) const;
-  /// Pins that change, and the edges of those that somebody listens to.
+  /// Reports pins that change, and edges with a listener.
   void tell();
   void tell_drives();
 

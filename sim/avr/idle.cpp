@@ -8,7 +8,7 @@ namespace {
 constexpr int kExplored = 600;  // instructions at a time
 constexpr std::int64_t kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostLandings = 24;
-// What things cost, in cycles that could have been executed meanwhile.
+// Costs, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
 constexpr Cycle kWorthwhile = 200;
 
@@ -141,7 +141,7 @@ bool Idle::is_as_recorded(const Path::Pass& pass) const {
   return true;
 }
 
-/// How many passes from now on are as `pass` was, and end before `horizon`.
+/// Returns how many passes from now on equal `pass`, and end before `horizon`.
 Cycle Idle::passes_before(Cycle horizon, const Path::Pass& pass) const {
   const Cycle now = core_.now();
   if (horizon <= now) return 0;

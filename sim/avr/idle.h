@@ -24,32 +24,33 @@ class Idle {
  public:
   explicit Idle(Core& core) : core_(core), path_(core) { heads_.reserve(kMostHeads); }
 
-  /// Off: every instruction runs.
+  /// With false, every instruction runs.
   void allow(bool allowed);
   bool is_allowed() const { return allowed_; }
-  /// Cycles that no instruction has run for.
+  /// Returns the number of cycles for which no instruction has run.
   Cycle skipped() const { return skipped_; }
 
-  /// Before instructions run: whether they shall run one by one, with before() and after() around each.
+  /// Call it before instructions run: returns whether they must run one by one, with before() and after()
+  /// around each.
   bool watches() {
     return recorded_ || exploring_ > 0 || (executed() >= explore_at_ && allowed_ && begins_to_explore());
   }
   void before();
   void after();
-  /// The processor is at a head; what happens before `horizon` is known to it alone.
+  /// Called when the processor is at a head; only the processor has effects before `horizon`.
   void at_head(Cycle horizon);
-  /// A mark was visited, behind which the chip ran on.
+  /// Notes a mark at which the chip continued.
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
-  /// The chip has slept for so long. A loop with sleep in it is none that waits.
+  /// Notes that the chip has slept for that long. A loop with sleep does not count as waiting.
   void slept(Cycle cycles) {
     slept_ += cycles;
     if (exploring_ > 0) landings_.clear();
   }
-  /// Something came in between: an interrupt, a reset, an input.
+  /// Notes an event in between: an interrupt, a reset, an input.
   void interrupted() { recorded_ = nullptr; }
-  /// It is another cycle now, maybe an earlier one.
+  /// Notes a jump to another cycle, possibly an earlier one.
   void moved_in_time();
 
  private:
@@ -75,18 +76,18 @@ class Idle {
   Cycle passes_before(Cycle horizon, const Path::Pass& pass) const;
   void skip(const Path::Pass& pass, Cycle passes);
   void pay(Head& head, std::int64_t cycles);
-  /// Cycles in which instructions ran: what exploring costs is a share of them. It may go back in time.
+  /// Returns the cycles in which instructions ran: exploration costs a share of them. It may decrease.
   std::int64_t executed() const { return static_cast<std::int64_t>(core_.now() - skipped_ - slept_); }
 
   Core& core_;
   Path path_;
   bool allowed_ = true;
-  std::vector<Head> heads_;   ///< that do not move
-  Head* recorded_ = nullptr;  ///< whose pass is being recorded
+  std::vector<Head> heads_;   ///< their addresses are stable
+  Head* recorded_ = nullptr;  ///< the one whose pass is recorded
   int steps_ = 0;             ///< of that pass
-  int exploring_ = 0;         ///< instructions that are left
+  int exploring_ = 0;         ///< remaining instructions
   std::vector<Landing> landings_;
-  // By executed().
+  // In terms of executed().
   std::int64_t explore_at_ = 0, explore_every_ = 0;
   std::uint32_t pc_before_ = 0;
   Cycle cycle_before_ = 0;

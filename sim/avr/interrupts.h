@@ -15,7 +15,7 @@ class Interrupts {
  public:
   static constexpr int kMost = 64;
 
-  /// `vector`, if `wanted`, as a bit; 0 if not.
+  /// Returns `vector` as a bit if `wanted`, else 0.
   static constexpr std::uint64_t bit(int vector, bool wanted = true) {
     return wanted ? std::uint64_t{1} << vector : 0;
   }
@@ -25,8 +25,8 @@ class Interrupts {
   bool any() const { return state != 0; }
   int first() const { return std::countr_zero(state); }
 
-  /// `Method` of `owner` is called when the processor enters the vector: it clears the flag, where the data
-  /// sheet says that the hardware does.
+  /// Calls `Method` of `owner` when the processor enters the vector: it clears the flag if the data sheet
+  /// says that the hardware does.
   template <auto Method, typename Owner>
   void on_entry(int vector, Owner* owner) {
     entries_[static_cast<std::size_t>(vector)] = {
@@ -37,7 +37,7 @@ class Interrupts {
     if (entry.call) entry.call(entry.self, vector);
   }
 
-  std::uint64_t state = 0;  ///< a bit a vector
+  std::uint64_t state = 0;  ///< one bit per vector
 
  private:
   struct Entry {

@@ -8,16 +8,16 @@
 namespace robosim::avr {
 
 struct Outlook {
-  Cycle until = 0;         ///< of reads before this cycle; 0 = of none
-  std::uint8_t value = 0;  ///< of a read now
-  Cycle step = kNoCycle;   ///< the first read that gives one more ...
-  Cycle period = 0;        ///< ... and again one more, each so many cycles; 0 = never
+  Cycle until = 0;         ///< for reads before this cycle; 0 = none
+  std::uint8_t value = 0;  ///< of a read at present
+  Cycle step = kNoCycle;   ///< the first read with one more ...
+  Cycle period = 0;        ///< ... and the period of further increments; 0 = never
 
   bool counts() const { return period != 0; }
   std::uint8_t value_at(Cycle at) const {
     return static_cast<std::uint8_t>(counts() && at >= step ? value + 1 + (at - step) / period : value);
   }
-  /// The first read that gives `aim`, which is more than `value`.
+  /// Returns the first read with `aim`, which is more than `value`.
   Cycle reaches(int aim) const { return step + static_cast<Cycle>(aim - value - 1) * period; }
 };
 

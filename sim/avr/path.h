@@ -22,7 +22,7 @@ namespace robosim::avr {
 
 class Path {
  public:
-  /// What one pass needs, and does, besides what it computes.
+  /// The preconditions and effects of one pass, except its computations.
   struct Pass {
     struct Byte {
       Address address = 0;
@@ -31,32 +31,32 @@ class Path {
     struct Look {
       Address address = 0;
       std::uint8_t value = 0;
-      std::uint8_t bits = 0xFF;  ///< it looks at no others
-      bool counts = false;       ///< it is the counter: `value` may be up to `window` more
-      Cycle after = 0;           ///< the head, in cycles
+      std::uint8_t bits = 0xFF;  ///< relevant ones
+      bool counts = false;       ///< it is the counter: `value` may be larger by up to `window`
+      Cycle after = 0;           ///< cycles since the head
     };
-    std::vector<Byte> reads;  ///< registers and memory that it reads before it writes them
+    std::vector<Byte> reads;  ///< registers and memory that it reads before writing them
     std::uint8_t flags_read = 0, flags = 0;
     std::uint16_t sp = 0;
     std::vector<Look> looks;
     int window = 0;  ///< of the counter
     Cycle cycles = 0;
-    std::vector<std::uint32_t> jumps;  ///< calls and returns, as Cpu notes them
+    std::vector<std::uint32_t> jumps;  ///< calls and returns, as recorded by Cpu
     int visits = 0;                    ///< of marks
-    std::uint32_t visited = 0;         ///< the place, and when, from the head on
+    std::uint32_t visited = 0;         ///< the place, and the time since the head
     Cycle visited_after = 0;
     bool enables_interrupts = false;
   };
 
   explicit Path(Core& core);
 
-  /// The processor is at the head.
+  /// Begins at the head.
   void begin();
-  /// It is about to run one instruction. Returns whether that may belong to a pass that can be left out.
+  /// Called before one instruction runs. Returns whether it may belong to a pass that can be skipped.
   bool before();
   bool after();
   void visited(std::uint32_t pc);
-  /// It is at the head again: whether the pass leads to where it began. If so, `pass` is what it was.
+  /// Called at the head again: returns whether the pass leads to its initial state. If so, sets `pass`.
   bool ends(Pass& pass);
 
  private:
@@ -69,7 +69,7 @@ class Path {
   Core& core_;
   Ramp ramp_;
   Pass pass_;
-  std::vector<std::uint32_t> seen_;  ///< by address: the last pass that touched it
+  std::vector<std::uint32_t> seen_;  ///< by address: the last pass with an access
   std::uint32_t number_ = 0;
   std::uint8_t flags_written_ = 0;
   Cycle began_ = 0;
@@ -77,7 +77,7 @@ class Path {
   int steps_ = 0;
   Instruction instruction_;
   Effects effects_;
-  std::optional<std::uint8_t> looked_;  ///< what a register of I/O is to give
+  std::optional<std::uint8_t> looked_;  ///< expected value of an I/O register
   bool counter_ = false;                ///< which is the counter
 };
 

@@ -27,16 +27,16 @@ class Pins final : public Peripheral {
   void reset(Cycle at) override;
 
   // --- for peripherals that drive pins
-  /// From now on `drive` holds in place of the port's latch. `even_input`: also where DDRx says input (a
-  /// UART's transmitter); otherwise only while it says output (timers).
+  /// Makes `drive` replace the port's latch from now on. `even_input`: also if DDRx is input (a UART's
+  /// transmitter); otherwise only while it is output (timers).
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
-  /// Of a timer that may drive a pin so that the world is told a duty in place of edges.
+  /// A timer that may drive a pin with a waveform: the world gets a duty cycle instead of edges.
   struct Wave {
     bool (*level)(void* self, int pin) = nullptr;  ///< now
     void (*heard)(void* self, int pin,
-                  bool heard) = nullptr;  ///< each edge is to be told from now on, or no more
+                  bool heard) = nullptr;  ///< starts or stops reports of each edge
     void* self = nullptr;
   };
   template <auto Level, auto Heard, typename Owner>
@@ -46,7 +46,7 @@ class Pins final : public Peripheral {
         [](void* self, int number, bool heard) { (static_cast<Owner*>(self)->*Heard)(number, heard); },
         owner};
   }
-  /// The level of a pin that is taken for a wave may have changed.
+  /// Reports a possible level change of a pin that is treated as a wave.
   void wave_edge(int pin, bool level) {
     if (is_output(pin)) tell_listeners(pin, level, core_.now());
   }
@@ -56,7 +56,7 @@ class Pins final : public Peripheral {
     void (*call)(void* self, int pin, bool level, Cycle at) = nullptr;
     void* self = nullptr;
   };
-  /// `Method` of `owner` is called with (pin, level, cycle) whenever the level changes, while listening is
+  /// Registers `Method` of `owner`, called with (pin, level, cycle) at each level change while listening is
   /// on. Returns the listener's number, for listen().
   template <auto Method, typename Owner>
   int add_listener(int pin, Owner* owner) {
@@ -69,27 +69,27 @@ class Pins final : public Peripheral {
     return static_cast<int>(listeners_.size() - 1);
   }
   void listen(int listener, bool on);
-  /// The level of a pin that somebody listens to, as they know it.
+  /// Returns the level of a pin that was last reported to its listeners.
   bool heard_level(int pin) const { return state_.heard_level[static_cast<std::size_t>(pin)]; }
 
-  /// The level of a pin now, whoever drives it.
+  /// Returns the level of a pin now, from any driver.
   bool level(int pin);
-  /// Volts at a pin, whoever drives it; -1 = no pin, 0 V.
+  /// Returns the volts at a pin, from any driver; -1 = no pin, 0 V.
   double volts(int pin, Cycle at);
-  /// Surroundings::convert().
+  /// Calls Surroundings::convert().
   double convert(int pin, double before, Cycle from, Cycle at);
-  /// From outside: the level of a pin that somebody listens to has changed.
+  /// Handles an external level change of a pin with a listener.
   void edge(int pin, bool level, Cycle at);
 
-  /// The last pin whose input was read by an instruction, and when; -1 = none yet.
+  /// Return the last pin whose input was read by an instruction, and when; -1 = none yet.
   int last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
 
-  /// The chip's pin at a bit of a port, by its letter; -1 = none.
+  /// Returns the chip's pin at a bit of a port, by its letter; -1 = none.
   int at(char port, int bit) const;
-  /// The same by the data sheet's name for it.
+  /// Returns the pin by its name in the data sheet.
   int named(std::string_view name) const;
-  /// The one that is an analog input; -1 = none.
+  /// Returns the pin of an analog input; -1 = none.
   int analog(int channel) const { return analog_at_[static_cast<std::size_t>(channel)]; }
 
  private:
@@ -99,7 +99,7 @@ class Pins final : public Peripheral {
     Listener listener;
   };
   struct PortState {
-    std::uint8_t seen = 0;  ///< levels found at the last look
+    std::uint8_t seen = 0;  ///< levels at the last read
     std::uint8_t latch_before = 0, direction_before = 0;
     Cycle changed_at = 0;
   };
@@ -112,7 +112,7 @@ class Pins final : public Peripheral {
     std::array<PortState, kMostPorts> ports{};
     std::array<Taken, kMostPins> taken{};
     std::array<bool, kMostPins> heard_level{};
-    std::uint64_t listening = 0;  ///< a bit a listener
+    std::uint64_t listening = 0;  ///< one bit per listener
     bool some_off = false;        ///< a bit of DIDRn is set
     int last_read = -1;
     Cycle last_read_at = 0;

@@ -59,7 +59,7 @@ std::uint8_t Power::read_divisor(Address address) {
   return static_cast<std::uint8_t>(core_.at(address) | (unlocked ? kClockChangeEnable : 0));
 }
 
-// 9.12.2: CLKPCE alone first, the divisor within four cycles. CLKPCE again does not make them more.
+// 9.12.2: CLKPCE alone first, then the divisor within four cycles. Another CLKPCE does not extend them.
 void Power::write_divisor(Address address, std::uint8_t value) {
   const Cycle now = core_.now();
   const bool unlocked = now <= state_.divisor_unlocked_until;

@@ -27,18 +27,18 @@ class Power final : public Peripheral {
 
   explicit Power(Core& core);
 
-  /// `bit` of PRR, at `reduction`, stops the peripheral, as does a sleep mode that stops `clock`. Without a
-  /// bit: -1.
+  /// Connects a peripheral to its clock: `bit` of PRR, at `reduction`, stops it, as does a sleep mode that
+  /// stops `clock`. Without a bit: -1.
   void supply(Peripheral& peripheral, Clock clock, Address reduction, int bit);
 
   void reset(Cycle at) override;
 
-  /// SLEEP has run. False where SE is not set: it does nothing.
+  /// Handles SLEEP. Returns false if SE is not set: then it has no effect.
   bool sleep(Cycle at);
   bool is_asleep() const { return state_.asleep; }
-  /// An interrupt wakes the chip: the processor runs on when the start-up time is over.
+  /// Handles an interrupt that wakes the chip: the processor continues after the start-up time.
   void wake(Cycle at);
-  /// Cycles slept.
+  /// Returns the cycles slept.
   Cycle slept(Cycle now) const { return state_.slept + (state_.asleep ? now - state_.slept_from : 0); }
 
  private:
@@ -52,7 +52,7 @@ class Power final : public Peripheral {
     bool asleep = false;
     bool io_runs = true, adc_runs = true;
     Cycle slept_from = 0, slept = 0;
-    std::uint64_t stopped = 0;  ///< a bit a supplied peripheral
+    std::uint64_t stopped = 0;  ///< one bit per supplied peripheral
     Cycle start_up = 0;         ///< when it wakes
     Cycle divisor_unlocked_until = 0;
   };

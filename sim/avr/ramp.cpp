@@ -12,7 +12,7 @@ constexpr std::uint8_t kSigned = Cpu::kV | Cpu::kS;
 constexpr std::uint8_t kArithmetic = kC | kZ | kN | kSigned | Cpu::kH;
 
 constexpr std::uint8_t kPointers = 26;  // X, Y, Z
-// Lines that are longer than what sketches compute with are held.
+// Lines beyond the range of typical sketches are held.
 constexpr std::int64_t kMost = std::int64_t{1} << 48, kSteepest = std::int64_t{1} << 24;
 constexpr int kBytes = 5;
 
@@ -55,7 +55,7 @@ bool Ramp::agrees(std::uint32_t registers) const {
 
 // --- holding
 
-/// The line without its low bits stays what it is.
+/// Requires that the line without its low bits stays unchanged.
 void Ramp::keep(const Line& line, int bits) {
   if (line.step == 0) return;
   const std::int64_t within = low_bits(line.now, bits);
@@ -152,7 +152,7 @@ void Ramp::follow(const Instruction& instruction, const Effects& effects) {
   compute(effects);
 }
 
-/// Whatever it computes, it is the same at all n.
+/// Computes a result that is equal for all n.
 void Ramp::compute(const Effects& effects) {
   hold_registers(effects.reads);
   hold_flags(effects.flags_read);
@@ -197,7 +197,7 @@ void Ramp::store(const Instruction& instruction, const Effects& effects) {
   }
 }
 
-/// The line of a number whose bytes below k are those of `line`, and whose byte k that is.
+/// Returns the line of a number whose bytes below k are those of `line`, and whose byte k is `byte`.
 std::optional<Ramp::Line> Ramp::extended(const Line& line, const Operand& byte, std::uint8_t constant,
                                          int k) {
   if (!byte) {
@@ -231,13 +231,13 @@ std::optional<Ramp::Chain> Ramp::begun(const Instruction& instruction, const Ope
   chain.subtracts = is_difference(instruction.op);
   chain.k = left ? left->k : right->k;
   if (left && right && (left->k != right->k || chain.k != 0 || carry)) return std::nullopt;
-  // The bytes below, which the Line has and the processor leaves aside, would borrow.
+  // The lower bytes, which are in the Line but not in the processor's operation, would borrow.
   if (right && chain.subtracts && chain.k != 0) return std::nullopt;
   const auto line = [&](std::uint8_t value) { return Line{std::int64_t{value} << (8 * chain.k), 0}; };
   chain.left = left ? left->line : line(cpu_.data[instruction.a]);
   chain.right = right ? right->line : line(constant);
   if (carry) {
-    // It is added to the constant, which must remain a byte.
+    // The carry is added to the constant, which must remain a byte.
     if (right || constant == 0xFF) return std::nullopt;
     chain.right.now += size_of(8 * chain.k);
   }

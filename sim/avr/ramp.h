@@ -27,21 +27,21 @@ class Ramp {
  public:
   explicit Ramp(const Cpu& cpu) : cpu_(cpu) {}
 
-  /// Nothing depends on the counter yet.
+  /// Begins: nothing depends on the counter yet.
   void begin();
-  /// An instruction, which has these effects, is about to run.
+  /// Follows an instruction with these effects, which is about to run.
   void follow(const Instruction& instruction, const Effects& effects);
-  /// It has read the counter into this register, which holds v0 now.
+  /// Notes that it has read the counter into this register, which holds v0 now.
   void counter_read(unsigned reg);
   bool has_counter() const { return has_counter_; }
-  /// Whether these registers, a bit each, hold what the Lines say. If not, this file is wrong.
+  /// Returns whether these registers, one bit each, match the Lines. If not, this file is wrong.
   bool agrees(std::uint32_t registers) const;
 
-  /// What lies in memory there, and these flags, shall be as they are now.
+  /// Requires that this memory, and these flags, keep their present values.
   void hold(Address address);
   void hold_flags(unsigned flags);
 
-  /// The largest n at which all is as at n = 0.
+  /// Returns the largest n for which everything is as at n = 0.
   std::int64_t window() const { return window_; }
 
  private:
@@ -52,12 +52,12 @@ class Ramp {
     Line line;
     int k = 0;
   };
-  using Operand = std::optional<Byte>;  ///< none = it is the same at all n
+  using Operand = std::optional<Byte>;  ///< none = equal for all n
   struct Chain {
     bool subtracts = false;
-    bool whole = false;  ///< Z tells of all bytes, down to byte 0
+    bool whole = false;  ///< Z covers all bytes, down to byte 0
     Line left, right, result;
-    int k = 0;  ///< the byte that was made last
+    int k = 0;  ///< the last computed byte
   };
 
   void keep(const Line& line, int bits);
@@ -79,8 +79,8 @@ class Ramp {
   const Cpu& cpu_;
   bool has_counter_ = false;
   std::array<Operand, 32> registers_;
-  std::vector<std::pair<Address, Operand>> memory_;  ///< what the pass has stored
-  std::optional<Chain> chain_;                       ///< none = the flags are the same at all n
+  std::vector<std::pair<Address, Operand>> memory_;  ///< stored values of the pass
+  std::optional<Chain> chain_;                       ///< none = the flags are equal for all n
   std::int64_t window_ = 0;
 };
 

@@ -13,7 +13,7 @@
 namespace robosim::avr {
 
 struct Round {
-  std::vector<bool> reads;     ///< by address in data memory, registers left out
+  std::vector<bool> reads;     ///< by address in data memory, without registers
   bool interruptible = false;  ///< somewhere in it, the I flag is set
 };
 

@@ -62,7 +62,7 @@ std::uint8_t Spi::read(Address address) {
   return core_.at(address);
 }
 
-// With a flag set, reading it prepares to clear it.
+// With a flag set, a read prepares its clearing.
 Outlook Spi::outlook(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
@@ -126,7 +126,7 @@ void Spi::look_at_select() {
   request();
 }
 
-// Table 19-1: a master's MISO is an input, its other pins are outputs where the port says so.
+// Table 19-1: a master's MISO is an input, its other pins are outputs if the port sets them so.
 void Spi::drive() {
   const bool master = is_master();
   if (master) {

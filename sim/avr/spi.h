@@ -26,7 +26,7 @@ class Spi final : public Peripheral {
  private:
   struct State {
     std::uint8_t sending = 0, received = 0;
-    std::uint8_t seen = 0;  ///< flags that SPSR was read with
+    std::uint8_t seen = 0;  ///< flags at the last read of SPSR
     bool shifting = false;
     bool takes_pins = false;
     bool runs = true;

@@ -9,7 +9,7 @@ struct Word {
   std::uint16_t value, mask = 0xFFFF;
 };
 constexpr Word kAddress{0, 0};  // of a variable
-// What may differ: how much is added and compared, by the clock of the board.
+// Variable parts: the summands and limits, which depend on the board's clock.
 constexpr std::uint16_t kConstant = 0xF0F0, kSmall = 0xFF30;
 
 // clang-format off
@@ -38,7 +38,7 @@ constexpr Word kHandler[] = {
 // clang-format on
 static_assert(std::size(kHandler) == TimeCount::kWords);
 
-// Where its instructions are, in words from its beginning.
+// The places of its instructions, in words from its beginning.
 constexpr std::size_t kLoadMillis = 11, kLoadFraction = 19, kStep = 21, kLimit = 23, kFew = 25, kCarried = 29,
                       kMany = 31, kStoreFraction = 34, kStoreMillis = 36, kLoadOverflows = 44, kOne = 52,
                       kStoreOverflows = 55;
@@ -58,7 +58,7 @@ bool is_apart(int a, int a_bytes, int b, int b_bytes) { return a + a_bytes <= b 
 std::optional<TimeCount> time_count_of(std::span<const std::uint8_t> flash, std::span<const Instruction> code,
                                        int first_ram, int last_ram) {
   if (flash.size() < 2 * TimeCount::kWords || !is_handler(flash)) return std::nullopt;
-  // Four bytes, the lowest first.
+  // Compares four bytes, the lowest first.
   const auto are_of = [&](std::size_t place, int address) {
     for (int byte = 0; byte < 4; ++byte)
       if (code[place + 2 * static_cast<std::size_t>(byte)].k != address + byte) return false;

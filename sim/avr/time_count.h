@@ -20,13 +20,13 @@ namespace robosim::avr {
 struct TimeCount {
   static constexpr std::uint32_t kWords = 74;  ///< RETI is the last of them
   static constexpr int kPushes = 9;
-  static constexpr std::int64_t kCycles = 89;  ///< up to RETI; where the fraction carries, one more
+  static constexpr std::int64_t kCycles = 89;  ///< up to RETI; one more with a carry of the fraction
 
-  std::uint16_t millis = 0, overflows = 0, fraction = 0;  ///< where these lie in memory
-  int last = 0;                                           ///< the last address of them
+  std::uint16_t millis = 0, overflows = 0, fraction = 0;  ///< their addresses in memory
+  int last = 0;                                           ///< the last of these addresses
   std::uint8_t step = 0, limit = 0, carried_step = 0, few = 0, many = 0, one = 0;
 
-  /// Pushes and counts, in memory. Returns the cycles that all takes up to RETI.
+  /// Pushes and counts, in memory. Returns the number of cycles up to RETI.
   std::int64_t count(std::uint8_t* data, std::uint16_t sp, std::uint8_t sreg) const {
     std::uint8_t* to = data + sp;
     const auto push = [&](std::uint8_t value) { *to-- = value; };

@@ -45,18 +45,18 @@ class Timer final : public Peripheral {
   void clock_runs(bool runs, Cycle at) override;
   std::uint64_t may_interrupt() const override;
 
-  /// Up to the tick at `at`, and its flags.
+  /// Counts up to the tick at `at`, including its flags.
   void count_to(Cycle at);
-  /// After a change: requests, pins, and the next event.
+  /// Updates requests, pins, and the next event after a change.
   void settle();
 
   const Counter& counter() const { return state_.counter; }
 
-  /// The comparator's output, at `level`, is captured in place of ICPn's edges (ACIC), or no longer.
+  /// Starts or stops to capture the comparator's output, at `level`, instead of ICPn's edges (ACIC).
   void capture_comparator(bool is, bool level, Cycle at);
   void comparator_changed(bool level, Cycle at);
 
-  // --- for those that share TIFR and TIMSK: bits as these have them
+  // --- for timers that share TIFR and TIMSK: bits in their positions
   std::uint8_t flags_in_register();
   void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
   void enable_in_register(std::uint8_t flags);
@@ -72,29 +72,28 @@ class Timer final : public Peripheral {
 
   struct Output {
     bool taken = false;
-    bool level = false;  ///< as the last match left it; not of PWM
+    bool level = false;  ///< after the last match; not for PWM
     PinDrive drive;
   };
   struct State {
     Counter counter;
     Cycle at = 0;  ///< all ticks up to this cycle are counted
     std::uint8_t control_a = 0, control_b = 0,
-                 enables = 0;  ///< TCCRnA, TCCRnB and TIMSKn, as an ATmega has them
+                 enables = 0;  ///< TCCRnA, TCCRnB and TIMSKn, in an ATmega's layout
     std::uint8_t flags = 0, requested = 0, watched = 0;
     std::uint8_t temp = 0;  ///< the high byte between the two accesses
     bool runs = true;       ///< it has a clock: PRR, sleep
-    int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no clock from it
+    int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = not clocked by it
     bool drives_stale = false;
     std::uint8_t tones = 0,
-                 heard = 0;  ///< bits of channels: told as a tone; listened to by somebody in the chip
+                 heard = 0;  ///< bits of channels: reported as a tone; with a listener in the chip
     std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
     bool wants_captures = false, captures_comparator = false;
     bool comparator = false;  ///< its output
     Cycle pll_locked_at = kNoCycle;
-    /// A flag that comes again and again, its interrupt enabled, and nobody wants to know anything else; 0 =
-    /// none.
+    /// A periodic flag whose interrupt is enabled, if there are no other listeners; 0 = none.
     std::uint8_t beat = 0;
     std::uint8_t beat_flags = 0;  ///< all that it may set
     int beat_vector = 0;
@@ -120,7 +119,7 @@ class Timer final : public Peripheral {
   void write_temp(Address address, std::uint8_t value);
   std::uint8_t in_register(std::uint8_t flags) const;
   std::uint8_t of_register(std::uint8_t flags) const;
-  // of an ATtiny85's timer 1: timer_pll.cpp
+  // for an ATtiny85's timer 1: timer_pll.cpp
   void hook_pll_registers();
   void write_pll_control(Address address, std::uint8_t value);
   void write_pll_general(Address address, std::uint8_t value);
@@ -130,7 +129,7 @@ class Timer final : public Peripheral {
   void take_pll_control();
   int pll_shift() const;
   std::uint16_t with_temp(std::uint8_t low) const;
-  /// Data memory holds what was read or written last; returns the low byte.
+  /// Stores the last read or written value in data memory; returns the low byte.
   std::uint8_t show(Address address, std::uint16_t value);
   void clear_flags(std::uint8_t flags);
   bool is_wide() const { return spec_.bits == 16; }
@@ -148,7 +147,7 @@ class Timer final : public Peripheral {
   void set_enables(std::uint8_t enables);
   void count_ticks(Cycle to);
   Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
-  bool ticks_come() const;  ///< from the prescaler, as things stand
+  bool ticks_come() const;  ///< from the prescaler, at present
   void set_flags(std::uint8_t hits, Cycle at);
   void due(Cycle at);
   void entered(int vector);

@@ -5,7 +5,7 @@
 namespace robosim::avr {
 namespace {
 
-// Within so many ends every counter has come into its regular period: on to MAX, then a new TOP, then twice
+// After this number of ends every counter is in its regular period: on to MAX, then a new TOP, then twice
 // around.
 constexpr int kTurnsUntilRegular = 8;
 
@@ -61,7 +61,7 @@ std::uint8_t Counter::tick() {
   return pwm ? hits | take_over() : hits;
 }
 
-// Ticks until the value is one whose leaving is more than a match.
+// Returns the ticks until a value whose leaving is more than a match.
 std::uint16_t Counter::straight() const {
   if (hidden_) return 0;
   if (down_) return value_;

@@ -34,7 +34,7 @@ namespace robosim::avr {
 
 class Counter {
  public:
-  /// What happened, as the bits of TIFRn.
+  /// The events of a tick, as the bits of TIFRn.
   enum Hit : std::uint8_t {
     kOverflow = 0x01,
     kMatchA = 0x02,
@@ -49,14 +49,14 @@ class Counter {
   const Counting& how() const { return how_; }
   bool counts_down() const { return down_; }
   std::uint16_t top() const { return static_cast<std::uint16_t>(top_of(how_, compare_[0], capture_)); }
-  /// In force; what was written to OCRnx may wait until it is.
+  /// Returns the effective value; one written to OCRnx may be pending.
   std::uint16_t compare(std::size_t channel) const { return compare_[channel]; }
   bool waits() const {
     return compare_[0] != written_[0] || compare_[1] != written_[1] || compare_[2] != written_[2];
   }
   std::uint16_t capture() const { return capture_; }
 
-  /// `channels`: how many OCRnx it has.
+  /// `channels`: the number of OCRnx.
   void count(const Counting& how, std::uint16_t max, std::uint8_t channels = 2);
   void set_value(std::uint16_t value) {
     value_ = value;
@@ -65,24 +65,24 @@ class Counter {
   void write_compare(std::size_t channel, std::uint16_t value);
   void set_capture(std::uint16_t value) { capture_ = value; }
 
-  /// So many ticks. Returns what happened, as a sum of Hit.
+  /// Advances by `ticks`. Returns the events, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
-  // As most counters are most of the time: up to TOP and around, with nothing that was just written.
+  // The usual state of most counters: up to TOP and around, without a recent write.
   bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
-  /// As advance(), of a regular counter, where nobody wants to know what happened.
+  /// Like advance(), for a regular counter whose events have no listener.
   void pass(Cycle ticks) {
     const Cycle period = top() + Cycle{1}, value = value_ + ticks;
     value_ = static_cast<std::uint16_t>(value < period       ? value
                                         : value < 2 * period ? value - period
                                                              : value % period);
   }
-  /// How often a channel matches in so many ticks.
+  /// Returns the number of matches of a channel in `ticks`.
   Cycle matches(std::size_t channel, Cycle ticks) const;
-  /// What the next tick will return.
+  /// Returns the result of the next tick.
   std::uint8_t next_hits() const;
-  /// The tick, from 1, at which something of `wanted` happens next; kNoCycle = never.
+  /// Returns the tick, from 1, of the next event in `wanted`; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
-  /// So many ticks it surely counts up, one each.
+  /// Returns the number of ticks for which it surely counts up, one each.
   Cycle ticks_upwards() const { return down_ ? 0 : straight(); }
 
  private:
@@ -92,10 +92,9 @@ class Counter {
   };
   static constexpr int kManyTurns = std::numeric_limits<int>::max();
 
-  /// Until something of `wanted` has happened, but at most so many ticks, and so many ticks that leave an
-  /// end.
+  /// Runs until an event in `wanted`, but at most `most` ticks, and at most `turns` ticks that leave an end.
   Ran run(Cycle most, std::uint8_t wanted, int turns);
-  /// Once around at most. The same as run() does in steps.
+  /// Advances by at most one period, with the results of run() in steps.
   std::uint8_t advance_regularly(unsigned ticks);
   std::uint8_t hits_at_end() const;
   std::uint8_t tick();

@@ -43,13 +43,13 @@ class EdgesUnderWay {
 class NoiseCanceler {
  public:
   enum class Verdict : std::uint8_t { passes, takes_back };
-  /// The level that is there when it is switched on.
+  /// Sets the level at which it is switched on.
   void begin(bool level) {
     behind_ = before_ = level;
     since_ = 0;
   }
-  /// A change of the pin's level at its input: it passes, unless it ends one that was too short, which it
-  /// takes back.
+  /// Handles a level change at its input. It passes, unless it ends a level that was too short, which is then
+  /// withdrawn.
   Verdict change(bool level, Cycle at) {
     if (at - since_ >= kCancelerCycles) behind_ = before_;
     before_ = level;
@@ -58,7 +58,7 @@ class NoiseCanceler {
   }
 
  private:
-  bool behind_ = false;  ///< its output, as far as it has settled
+  bool behind_ = false;  ///< its output, as far as settled
   bool before_ = false;  ///< the pin
   Cycle since_ = 0;
 };

@@ -1,4 +1,4 @@
-// The pins of a timer: what it drives (DS40002061B, 15.6, 16.8, 18.6), and what it listens to (16.6, 17.2).
+// The pins of a timer: its outputs (DS40002061B, 15.6, 16.8, 18.6), and its inputs (16.6, 17.2).
 #include <algorithm>
 
 #include "sim/avr/timer.h"
@@ -32,7 +32,7 @@ void Timer::force(std::uint8_t control) {
     if (control & kForceA >> channel) match(channel);
 }
 
-// Whether the level of a pin is told at each match.
+// Returns whether the level of a pin is reported at each match.
 bool Timer::changes_at_match(std::size_t channel) const {
   const Counter& counter = state_.counter;
   if (!drives(channel)) return false;
@@ -43,7 +43,7 @@ bool Timer::changes_at_match(std::size_t channel) const {
   return is_external() || 2 * kLowestTone_hz * period > core_.clock_hz;
 }
 
-// The level of a pin with PWM when the clock stops.
+// Returns the level of a pin with PWM when the clock stops.
 bool Timer::pwm_level(std::size_t channel) const {
   const Counter& counter = state_.counter;
   const std::uint16_t compare = counter.compare(channel), value = counter.value();
@@ -74,7 +74,7 @@ std::size_t Timer::channel_of(int pin) const {
                                   output_pins_.begin());
 }
 
-// Of a pin that is told as PWM or as a tone.
+// Returns the level of a pin that is reported as PWM or as a tone.
 bool Timer::level_of(std::size_t channel) const {
   return state_.tones >> channel & 1 ? state_.outputs[channel].level : pwm_level(channel);
 }
@@ -144,7 +144,7 @@ void Timer::pulsed(int, bool level, Cycle at) {
   schedule();
 }
 
-// 16.6.1: a change of the source is an edge, if the two differ.
+// 16.6.1: a change of the source is an edge, if their levels differ.
 void Timer::capture_comparator(bool is, bool level, Cycle at) {
   if (is == state_.captures_comparator) return;
   const bool before = capture_level();

@@ -1,15 +1,16 @@
-// Timer 1 of an ATtiny85, where it differs from the others. Data sheet 2586Q, chapter 12.
+// The differences of an ATtiny85's timer 1 from the others. Data sheet 2586Q, chapter 12.
 //
 //   TCCR1    CTC1, PWM1A, COM1A, CS13 to CS10: the clock divided by 2^(CS - 1)
 //   GTCCR    PWM1B, COM1B, FOC1B, FOC1A; PSR1 and timer 0's are Prescalers'
 //   OCR1C    TOP with PWM, and with CTC1; 0xFF after a reset
 //   PLLCSR   PLLE: the PLL, which is locked (PLOCK) 100 us later; PCKE: the timer's clock is its 64 MHz
 //
-// What these say is kept as an ATmega's TCCRnA and TCCRnB would say it. PWM for one channel is taken as PWM
-// for both. The 64 MHz are 4, 8 ... cycles of the processor's clock, whichever is nearest; a timer that would
-// be faster than the processor counts once a cycle. Not modelled: the cycle and a half by which the timer's
-// clock synchronises what is written (figure 12-2), the inverted outputs and their dead times (chapter 14),
-// ATtiny15 mode.
+// Their values are stored in the layout of an ATmega's TCCRnA and TCCRnB. PWM for one channel is treated as
+// PWM for both. The 64 MHz are 4, 8 ... cycles of the processor's clock, whichever is nearest. A timer that
+// would be faster than the processor counts once per cycle.
+//
+// Not modelled: the cycle and a half by which the timer's clock synchronises writes (figure 12-2), the
+// inverted outputs and their dead times (chapter 14), ATtiny15 mode.
 #include <algorithm>
 #include <bit>
 
@@ -41,7 +42,7 @@ void Timer::take_pll_control() {
                      general = core_.at(core_.chip.at.timers);
   const bool pwm = (control | general) & kPwm;
   unsigned a = control & kConnection, b = general & kConnection;
-  // COM = 1 has the inverted output besides.
+  // COM = 1 has the inverted output in addition.
   if (pwm && a == 0x10) a = 0x20;
   if (pwm && b == 0x10) b = 0x20;
   const unsigned mode = pwm ? 3 : control & kCtc ? 2 : 0;
@@ -93,7 +94,7 @@ std::uint8_t Timer::read_pll(Address address) {
                                    (core_.now() >= state_.pll_locked_at ? kPllLocked : 0));
 }
 
-// How much faster the PLL is than the processor, as a power of two.
+// Returns the ratio of the PLL's to the processor's clock, as a power of two.
 int Timer::pll_shift() const {
   if (!spec_.top || !(core_.cpu.data[core_.chip.at.pll] & kPllClock)) return 0;
   return std::countr_zero(std::bit_ceil(static_cast<std::uint64_t>(kPll_hz / core_.clock_hz)));

@@ -25,13 +25,13 @@ class Prescalers final : public Peripheral {
   enum Which : std::uint8_t { kShared, kOwn };
 
   explicit Prescalers(Core& core);
-  /// `timer` is told before and after a prescaler is set.
+  /// Adds a timer, which is called before and after a prescaler is set.
   void add(Timer& timer) { timers_.push_back(&timer); }
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
 
-  /// A cycle at which the count was 0.
+  /// Returns a cycle at which the count was 0.
   Cycle began(Which which) const { return state_.began[which]; }
   bool is_held(Which which) const { return state_.held[which]; }
 

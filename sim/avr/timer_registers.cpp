@@ -126,7 +126,7 @@ std::uint8_t Timer::read_flags(Address address) {
   return core_.at(address) = state_.flags;
 }
 
-// What a tick sets is read from the cycle behind it on.
+// Flags that a tick sets are read from the cycle after it on.
 Outlook Timer::outlook_of_flags(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
@@ -207,7 +207,7 @@ std::uint8_t Timer::read_capture(Address address) {
   return show(address, value);
 }
 
-// 16.11.7: it can be written only where it is TOP.
+// 16.11.7: writable only if it is TOP.
 void Timer::write_capture(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs || state_.counter.how().top != Counting::Top::capture) return;

@@ -17,9 +17,9 @@ namespace robosim::avr {
 
 class Triggers {
  public:
-  static constexpr int kNone = 0;  ///< the reset's vector: nobody waits
+  static constexpr int kNone = 0;  ///< the reset's vector: not awaited
 
-  /// bool Owner::Method(int vector, bool awaited): from now on the flag is awaited, or no longer. Says
+  /// Offers a flag by bool Owner::Method(int vector, bool awaited): starts or stops waiting for it. Returns
   /// whether it is set now.
   template <auto Method, typename Owner>
   void offer(int vector, Owner* owner) {
@@ -29,19 +29,19 @@ class Triggers {
                                                  },
                                                  owner};
   }
-  /// The flag was not set before.
+  /// Reports that the flag is set, and was not before.
   void raised(int vector, Cycle at) const {
     if (vector == state.awaited && started_.call) started_.call(started_.self, at);
   }
   bool is_awaited(int vector) const { return vector == state.awaited; }
 
-  // --- for the one that waits
-  /// void Owner::Method(Cycle)
+  // --- for the waiting peripheral
+  /// Registers void Owner::Method(Cycle)
   template <auto Method, typename Owner>
   void on_trigger(Owner* owner) {
     started_ = {[](void* self, Cycle at) { (static_cast<Owner*>(self)->*Method)(at); }, owner};
   }
-  /// Says whether the flag is set already.
+  /// Starts to wait; returns whether the flag is set already.
   bool await(int vector) {
     if (vector == state.awaited) return tell(vector, true);
     tell(state.awaited, false);

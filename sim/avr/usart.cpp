@@ -144,7 +144,7 @@ void Usart::write_control(std::uint8_t value) {
   tell();
 }
 
-// 20.6.5: TXEN = 0 counts when nothing is left to send.
+// 20.6.5: TXEN = 0 takes effect when nothing is left to send.
 void Usart::take_pins() {
   const auto update = [this](int pin, bool taken, bool& before, const PinDrive& drive) {
     if (pin < 0 || taken == before) return;

@@ -30,7 +30,7 @@ class Usart final : public Peripheral {
   void clock_runs(bool runs, Cycle at) override;
   std::uint64_t may_interrupt() const override;
 
-  /// A frame has arrived as a whole, at `at`.
+  /// Delivers a whole frame, at `at`.
   void receive(std::uint16_t data, Cycle at);
 
  private:
@@ -44,10 +44,10 @@ class Usart final : public Peripheral {
     bool shifting = false;
     bool overrun = false;
     bool drives = false;   ///< TxD
-    bool listens = false;  ///< to RxD, which is an input whatever the port says
+    bool listens = false;  ///< to RxD, which is an input regardless of the port
     bool runs = true;
     Core::Held held;
-    Cycle told = 0;  ///< the frame that the surroundings know of; 0 = off
+    Cycle told = 0;  ///< the frame duration that was reported to the surroundings; 0 = off
   };
 
   std::uint8_t read(Address address);

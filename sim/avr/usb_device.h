@@ -32,7 +32,7 @@ class UsbDevice final : public Peripheral {
     std::array<std::uint8_t, kMostBytes> bytes{};
     std::uint8_t count = 0;
   };
-  /// To a packet, or to the wish for one.
+  /// The answer to a packet, or to a request for one.
   enum class Answer : std::uint8_t { later, stall, done };
 
   explicit UsbDevice(Core& core);
@@ -47,7 +47,7 @@ class UsbDevice final : public Peripheral {
   void setup(const std::array<std::uint8_t, 8>& request);
   Answer take(std::size_t endpoint, Packet& packet);
   Answer give(std::size_t endpoint, const Packet& packet);
-  /// Called when is_attached() may have changed, and when there is something to take.
+  /// Called when is_attached() may have changed, and when there is data for the host.
   Cpu::Call on_attachment, on_filled;
 
  private:
@@ -55,9 +55,9 @@ class UsbDevice final : public Peripheral {
   struct Endpoint {
     std::uint8_t control = 0, direction = 0, layout = 0, enables = 0;  ///< UECONX, UECFG0X, UECFG1X, UEIENX
     std::uint8_t flags = 0;    ///< of UEINTX, without FIFOCON and RWAL
-    std::uint8_t waiting = 0;  ///< banks that the host is to take, or that are to be read
+    std::uint8_t waiting = 0;  ///< banks for the host, or to be read
     std::uint8_t read = 0;     ///< bytes of the first of them
-    bool armed = false;        ///< of the control endpoint: `filling` is to be taken
+    bool armed = false;        ///< for the control endpoint: `filling` is ready for the host
     std::array<Packet, 2> banks{};
     Packet filling;
 
@@ -74,7 +74,7 @@ class UsbDevice final : public Peripheral {
   };
   struct State {
     std::array<Endpoint, kEndpoints> endpoints{};
-    Cycle locked_at = kNoCycle;  ///< the PLL
+    Cycle locked_at = kNoCycle;  ///< of the PLL
     std::uint16_t frame = 0;
   };
 

@@ -88,7 +88,7 @@ void UsbHost::act(Cycle at) {
     case Phase::asking:
       ask();
       if (state_.stage == Stage::setup)
-        next_ns = kMillisecond_ns;  // a new address counts after 2 ms at the latest
+        next_ns = kMillisecond_ns;  // a new address takes effect after 2 ms at the latest
       break;
     case Phase::open:
       return move_bytes(at);
@@ -172,7 +172,7 @@ void UsbHost::answered() {
   core_.outside.listens(line(), core_.cycles(kByte_ns), core_.now());
 }
 
-// The serial port: an interface of class 2, and the endpoints of one of class 10.
+// Reads the serial port: an interface of class 2, and the endpoints of one of class 10.
 void UsbHost::read_descriptors() {
   const auto& have = state_.descriptors;
   state_.configuration = have[5];

@@ -25,7 +25,7 @@ class UsbHost final : public Peripheral {
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
 
-  /// A byte for the device.
+  /// Sends a byte to the device.
   void receive(std::uint8_t byte);
 
  private:
@@ -42,7 +42,7 @@ class UsbHost final : public Peripheral {
     std::uint16_t received = 0;
     std::array<std::uint8_t, kMostDescriptors> descriptors{};
     std::array<std::uint8_t, kMostWaiting> waiting{};
-    std::uint16_t first = 0, count = 0;  ///< of what waits
+    std::uint16_t first = 0, count = 0;  ///< of the waiting bytes
     Core::Held held_act, held_frame;
   };
   struct Request {

@@ -9,10 +9,10 @@ namespace robosim::avr {
 
 class Visitor {
  public:
-  /// Returns whether the chip runs on; otherwise Chip::run_to() comes back. `pc` in words.
+  /// Returns whether the chip continues; otherwise Chip::run_to() returns. `pc` in words.
   virtual bool visited(std::uint32_t pc, Cycle at) = 0;
-  /// It ran on at `pc` in a loop that waits, passes of which were left out: visits at `first` and then every
-  /// `period`, `count` in all.
+  /// Reports skipped passes of a waiting loop at `pc`: visits at `first` and then every `period`, `count` in
+  /// all.
   virtual void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) = 0;
 
  protected:

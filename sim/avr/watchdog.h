@@ -30,7 +30,7 @@ class Watchdog final : public Peripheral {
  private:
   struct State {
     Cycle origin = 0;          ///< when it began to count
-    Cycle unlocked_until = 0;  ///< WDCE reads 1
+    Cycle unlocked_until = 0;  ///< WDCE reads 1 before
   };
 
   std::uint8_t read(Address address);
