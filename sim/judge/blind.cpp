@@ -9,9 +9,9 @@ namespace robosim::judge {
 namespace {
 
 constexpr double kSamePower = 0.02;
-// In which a sketch turns what it has seen into powers of its motors.
+// The time in which a sketch converts a reading to commands of its motors.
 constexpr int kTicksToSteer = 3;
-// Who looks once, or never, does not steer by the line.
+// A sketch with one read or none does not steer by the line.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
 

@@ -29,24 +29,24 @@ namespace robosim::judge {
 
 class Blind {
  public:
-  /// lever_m: how far its sensors are ahead of its axle.
+  /// lever_m: distance of its sensors ahead of its axle.
   Blind(exec::Executor& executor, double lever_m, double line_m);
 
   void look(const Steering& now);
-  /// At the end of the run.
+  /// Returns the findings at the end of the run.
   std::vector<exec::Detected> found() const;
 
  private:
-  /// From one look of the sketch's at a sensor to the next.
+  /// From one sensor read of the sketch to the next.
   struct Stretch {
     SimTime began = 0;
     double from_m = 0.0;
     bool saw_line = false;
-    bool planned = false;  ///< the motors' powers were changed meanwhile
+    bool planned = false;  ///< the motors' commands were changed meanwhile
     double left = 0.0, right = 0.0;
     int ticks = 0;
     bool is_too_long = false;
-    exec::Activity busy;  ///< with what, when it became too long
+    exec::Activity busy;  ///< the sketch's activity when it became too long
   };
 
   void end(const Steering& now);

@@ -18,22 +18,22 @@ struct Goal;
 
 class Contest {
  public:
-  /// Nothing where the goal is no competition's. Throws InputError where its rules miss something on this
-  /// map. `start`: where the robot begins.
+  /// Selects the rules; none if the goal is not a competition's. Throws InputError if this map lacks what its
+  /// rules need. `start`: where the robot begins.
   Contest(const Goal& goal, const grid::Map& map, Vec2 start);
 
   explicit operator bool() const { return !std::holds_alternative<std::monostate>(rules_); }
   void look(const Glance& now, Events& events);
   bool reached() const;
-  /// Whether the time is up that the rules give.
+  /// Returns whether the time limit of the rules is over.
   bool over(SimTime t) const;
-  /// The robot is lost or stuck. True if the rules go on; then somebody puts it somewhere.
+  /// Handles a robot that is lost or stuck. Returns true if the rules continue; then a manual move follows.
   bool give_up(Events& events);
-  /// Where a hand puts the robot now, once.
+  /// Returns the target of a manual move now, once.
   std::optional<Pose> take_hand();
-  /// One clause: how far it has come, or what it has scored.
+  /// Returns one clause: the progress, or the score.
   std::string summary() const;
-  /// Score, its parts and the run's time, where there are any yet.
+  /// Sets score, its parts and the run's time, as far as they exist.
   void score(wire::Metrics& metrics) const;
 
  private:

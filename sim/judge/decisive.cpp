@@ -1,4 +1,4 @@
-// Where those begin who ask why.
+// Finds the decisive moment of a run, from which `robosim why` starts.
 #include "sim/judge/explain.h"
 
 namespace robosim::judge {

@@ -10,13 +10,13 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kGone = 0.01;     // m from its place: it has left
+constexpr double kGone = 0.01;     // m from its place: it has started
 constexpr double kPenalty = 5.0;   // s
 constexpr double kAcross = 0.02;   // m between points of a line across the lane
 constexpr double kHalfLane = 0.2;  // m
 constexpr SimTime kStandsBehind = 500 * kMillisecond;
 
-// Whether the outline has reached a line across the lane.
+// Returns whether the outline has reached a line across the lane.
 bool has_reached(const world::Body& body, Vec2 middle, Vec2 direction) {
   if (dot(body.pose().position - middle, direction) >= 0.0) return true;
   for (double across = -kHalfLane; across <= kHalfLane; across += kAcross)

@@ -32,7 +32,7 @@ class DragRace {
   double score_s() const;
 
   Vec2 finish_;     ///< the middle of the line, m
-  Vec2 limit_;      ///< where the braking distance ends
+  Vec2 limit_;      ///< the end of the braking distance
   Vec2 direction_;  ///< a unit vector
   std::optional<Vec2> origin_;
   SimTime began_ = kNever, passed_ = kNever, at_rest_since_ = kNever;

@@ -32,9 +32,9 @@ class EepromWear {
  public:
   static constexpr const char* kName = "eeprom_wear";
 
-  /// The firmware has started.
+  /// Notes that the firmware has started.
   void powered_on() { cells_.clear(); }
-  /// `executor` is asked for the line where this write makes a finding.
+  /// Handles a write. `executor` returns the line if this write makes a finding.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
   std::vector<exec::Detected> found() const;
@@ -43,7 +43,7 @@ class EepromWear {
   struct Cell {
     SimTime began = 0, last = 0;
     std::int64_t writes = 0, needless = 0;
-    double lasts_s() const;  ///< until it is used up, if this goes on
+    double lasts_s() const;  ///< time until it is worn out at this rate
   };
   struct Found {
     std::uint16_t address = 0;

@@ -11,7 +11,7 @@ namespace {
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
 
-// A robot that is so long in one place is told to be there.
+// A robot that is in one place for this long is reported to be there.
 constexpr SimTime kInOnePlaceAfter = 5 * kSecond;
 
 std::string cell_of(const grid::Map& map, Vec2 p) {
@@ -28,7 +28,7 @@ std::string place_of(const exec::SourceLine& where) {
   return text;
 }
 
-// As sketches write it: "4", "A1".
+// Returns a pin as sketches write it: "4", "A1".
 std::string number_or_name(const Evidence& e, Pin pin) {
   const bool analog = e.board && pin < e.board->pin_count && e.board->pins[pin].name[0] == 'A';
   return analog ? e.board->pins[pin].name : std::to_string(pin);
@@ -41,12 +41,12 @@ std::string pin_name(const Evidence& e, Pin pin) {
   return fmt::format("pin {} (nothing is wired to it)", name);
 }
 
-// Whether the last call was a read, so that the sketch is at that read.
+// Returns whether the last call was a read, so that the sketch is at that read.
 bool is_at_read(const exec::Activity& a) {
   return a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
 }
 
-// The pin that the sketch seems to wait for: the one it read last, where that is all it does.
+// Returns the pin for which the sketch seems to wait: the one it read last, if it does nothing else.
 Pin awaited_pin(const Evidence& e) {
   if (is_at_read(e.activity)) return e.activity.pin;
   const bool drives = e.left_command != 0.0 || e.right_command != 0.0;
@@ -59,7 +59,7 @@ bool drives_in_one_place(const Evidence& e) {
          e.t - e.judge->last_driven() < kPause;
 }
 
-// "; the sketch waits …", for a run whose time is up.
+// Returns "; the sketch waits …", for a run whose time is up.
 std::string waiting(const Evidence& e) {
   if (!e.power.on) return "";
   const exec::Activity& a = e.activity;
@@ -79,7 +79,8 @@ std::string waiting(const Evidence& e) {
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
-// "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw it in the half second before `t`.
+// Returns "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw it in the half second before
+// `t`.
 std::string left_line(const Evidence& e, SimTime t) {
   constexpr SimTime kJustNow = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
@@ -87,7 +88,8 @@ std::string left_line(const Evidence& e, SimTime t) {
   return fmt::format("left the line at {} near {}", seconds(seen->at), cell_of(*e.map, seen->position));
 }
 
-// "; the robot left the line at …, and has stood near … since …": what became of it before its time was up.
+// Returns "; the robot left the line at …, and has stood near … since …": what happened before its time was
+// up.
 std::string whereabouts(const Evidence& e) {
   std::string text = left_line(e, e.t);
   const bool drives = drives_in_one_place(e);
@@ -100,7 +102,7 @@ std::string whereabouts(const Evidence& e) {
   return text.empty() ? "" : "; the robot " + text;
 }
 
-// What to do about that which a check has found.
+// Returns the fix for a finding of a check.
 std::string advice(const Evidence& e) {
   const std::string& check = e.crash->check;
   const bool too_large =
@@ -116,7 +118,7 @@ std::string list_of_pins(const std::vector<int>& pins) {
   return text;
 }
 
-// "S2 was stuck at 1023 by the script"
+// Returns "S2 was stuck at 1023 by the script"
 std::string told(const ScriptFault& fault) {
   using robot::Failure;
   const std::string value = fault.arguments.size() > 1 ? fault.arguments[1] : "";
@@ -139,7 +141,7 @@ std::string told(const ScriptFault& fault) {
   return fmt::format("{} {} by the script", fault.part, happened());
 }
 
-// The script's fault that was there at `t`, or had just ended; the last to begin if there were several.
+// Returns the script's fault that was active at `t`, or had just ended; the last to begin of several.
 const ScriptFault* fault_at(const Evidence& e, SimTime t) {
   constexpr SimTime kAfterEffect = kSecond;
   const ScriptFault* last = nullptr;
@@ -148,13 +150,14 @@ const ScriptFault* fault_at(const Evidence& e, SimTime t) {
   return last;
 }
 
-// ", 0.30 s after S2 was stuck at 1023 by the script"; empty if the script broke nothing then.
+// Returns ", 0.30 s after S2 was stuck at 1023 by the script"; empty without a fault then.
 std::string after_fault(const Evidence& e, SimTime t) {
   const ScriptFault* fault = fault_at(e, t);
   return fault ? fmt::format(", {} after {}", seconds(t - fault->began), told(*fault)) : "";
 }
 
-// "; the board has had no power since 7.28 s: its battery is empty"; empty if that explains no such verdict.
+// Returns "; the board has had no power since 7.28 s: its battery is empty"; empty if that does not explain
+// the verdict.
 std::string for_want_of_power(const Evidence& e) {
   const bool ran_down = e.power.charge && (e.power.empty() || (!e.power.on && e.power.switched_on));
   const bool may_come_of_it = e.verdict == Verdict::lost || e.verdict == Verdict::stuck ||
@@ -164,7 +167,7 @@ std::string for_want_of_power(const Evidence& e) {
   return text.empty() ? "" : "; " + text;
 }
 
-// What else is there to say at the end of a sentence.
+// Returns further causes for the end of a sentence.
 std::string causes(const Evidence& e) {
   const std::string power = for_want_of_power(e);
   if (e.verdict == Verdict::lost || e.verdict == Verdict::reached) return power;
@@ -255,7 +258,7 @@ bool turns_wheel(const robot::WiredPin& wired) {
   return wired.type == "motor" || wired.type == "motors" || wired.type == "wheel-servo";
 }
 
-// Of a motor that is driven one way the input for the other way is low.
+// For a motor that is driven in one direction, the input for the other one is low.
 bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   if (wired.role == "phase") return true;
   if (wired.role != "in1" && wired.role != "in2") return false;
@@ -265,7 +268,8 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups move some drivers' inputs.
+// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups affect some drivers'
+// inputs.
 std::string forgotten_outputs(const Evidence& e) {
   std::vector<int> pins;
   for (const robot::WiredPin& wired : e.wiring) {
@@ -286,7 +290,7 @@ bool has_left_line(const Evidence& e) {
           !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
 }
 
-// N of the delay(N) that the sketch is in, if it is a long one; else 0.
+// Returns N of the delay(N) that the sketch is in, if it is long; else 0.
 int long_delay(const Evidence& e) {
   constexpr int kLong_ms = 50;
   int ms = 0;
@@ -294,14 +298,14 @@ int long_delay(const Evidence& e) {
   return ms >= kLong_ms ? ms : 0;
 }
 
-// Its sensors were not looked at for half a second before it lost the line, nor later.
+// Returns whether its sensors were not read for half a second before it lost the line, nor later.
 bool reads_no_more(const Evidence& e) {
   constexpr SimTime kLong = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// Before it lost the line, which none of the script's faults is to blame for.
+// Before it lost the line, without any fault of the script to blame.
 bool steered_away(const Evidence& e) {
   constexpr double kClearly = 0.1;
   return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e);

@@ -30,24 +30,24 @@ struct Evidence {
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
   int int_bits = 32;                 ///< of the firmware's int
-  std::string exceeded;              ///< the budget that was
-  const BoardSpec* board = nullptr;  ///< whose names pins have; null = their numbers
+  std::string exceeded;              ///< the exceeded budget
+  const BoardSpec* board = nullptr;  ///< for the names of pins; null = their numbers
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once
   std::vector<bool>
-      was_pulled_up;        ///< per pin: its pull-up was on, as by digitalWrite(pin, HIGH) of an input
-  bool pin_level = false;   ///< what the pin that the sketch looks at reads now
-  bool in_contact = false;  ///< the body touches what stops it
-  std::string stopped_by = "a wall or the map's edge";  ///< what it touches then
+      was_pulled_up;        ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
+  bool pin_level = false;   ///< the present level of the pin that the sketch reads
+  bool in_contact = false;  ///< the body touches an obstruction
+  std::string stopped_by = "a wall or the map's edge";  ///< that obstruction
   double left_command = 0.0, right_command = 0.0;       ///< of the motors, -1..1, at the end
-  SimTime sensors_read = kNever;  ///< when the sketch last looked at a floor sensor; kNever = it never did
-  double line_side = 0.0;  ///< where the line was when it was last seen to a side: left of the middle, m
-  double steered = 0.0;    ///< then: the mean difference of the commands, towards the line; below 0: away
-  bool moved = false;      ///< a wheel turned
+  SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
+  double line_side = 0.0;         ///< the line's last position off the middle: left of it, m
+  double steered = 0.0;  ///< then: the mean difference of the commands, towards the line; below 0: away
+  bool moved = false;    ///< a wheel turned
   world::Toppled toppled = world::Toppled::no;
-  Vec2 at;                          ///< where it is
-  std::vector<ScriptFault> faults;  ///< of the script so far, in the order of time
+  Vec2 at;                          ///< the robot's place
+  std::vector<ScriptFault> faults;  ///< of the script so far, by time
   Power power;
 };
 

@@ -12,13 +12,13 @@ namespace robosim::judge {
 
 struct Steering {
   SimTime t = 0;
-  SimTime sent_at = -1;     ///< when the last byte of Serial was; -1 = never
+  SimTime sent_at = -1;     ///< time of Serial's last byte; -1 = none
   double distance_m = 0.0;  ///< path of its axle so far
   double travel_m = 0.0;    ///< of its wheels, so far
   double left = 0.0, right = 0.0;
   bool sees_line = false;
-  bool on_its_own = true;   ///< switched on, and in nobody's hand
-  bool asks_floor = false;  ///< firmware has looked at a floor sensor in this tick
+  bool on_its_own = true;   ///< switched on, and not moved manually
+  bool asks_floor = false;  ///< firmware has read a floor sensor in this tick
 };
 
 /// Returns the call in which firmware waits; empty if there is none, or it returns at once.
@@ -28,10 +28,9 @@ class FloorLooks {
  public:
   FloorLooks(const robot::Robot& robot, exec::Executor& executor);
 
-  /// Whether looks can be seen: there are floor sensors, and each is on a pin of the board.
+  /// Returns whether reads are visible: there are floor sensors, and each is on a pin of the board.
   bool are_known() const { return !pins_.empty(); }
-  /// When firmware has last looked at one, as of `now`; now where interrupts wait for their edges. -1 =
-  /// never.
+  /// Returns when firmware last read one, as of `now`; now if interrupts wait for their edges. -1 = never.
   SimTime last(SimTime now) const;
 
  private:

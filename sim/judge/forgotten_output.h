@@ -32,17 +32,17 @@ class ForgottenOutput {
 
   ForgottenOutput(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring);
 
-  /// Of every pin, while `executor` runs.
+  /// Handles changes of every pin, while `executor` runs.
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t, exec::Executor& executor);
-  /// At the end of the run, `now`.
+  /// Returns the findings at the end of the run, `now`.
   std::vector<exec::Detected> found(SimTime now) const;
 
  private:
   struct Driven {
     robot::WiredPin wired;
     bool was_output = false;
-    std::optional<SimTime> pulled_up;  ///< first
-    wire::SourceLine where;            ///< then
+    std::optional<SimTime> pulled_up;  ///< first time
+    wire::SourceLine where;            ///< at that time
   };
 
   std::vector<Driven> pins_;

@@ -201,7 +201,7 @@ void Progress::compete(const Glance& now, Events& events) {
   reached_ = contest_.reached();
 }
 
-// As if it had looked at all places, and the body covered none.
+// Sets the result for a body that covers no place.
 void Progress::find_nothing() {
   if (goal_.kind == Goal::Kind::tour) left_start_ = true;
   if (goal_.kind == Goal::Kind::tour || goal_.kind == Goal::Kind::laps) reached_ = false;
@@ -214,7 +214,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
   if (may_depart(pose)) {
-    // Not where it comes home.
+    // Except where it returns to the start.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }
@@ -239,10 +239,10 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   search_places(body);
 }
 
-// How far it may go before it can cover any of the places that it has yet to come to: most looks are on the
-// way from one to the next.
+// Computes how far it may move before it can cover any of its remaining places: most checks are between two
+// of them.
 void Progress::search_places(const world::Body& body) {
-  constexpr double kSure = 1e-3;  // m, for what is rounded
+  constexpr double kSure = 1e-3;  // m, for rounding errors
   searched_at_ = body.pose().position;
   double nearest = std::numeric_limits<double>::infinity();
   const auto add = [&](Vec2 place) { nearest = std::min(nearest, square(place - searched_at_)); };

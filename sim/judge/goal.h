@@ -21,8 +21,8 @@ struct Goal {
     laps,         ///< every node of the loop passed in order, `laps` times, either way round
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], and to rest between them
-    ukmars,       ///< the same, over the goal line
-    drag_race,    ///< along a straight, and to a stop behind the goal line
+    ukmars,       ///< likewise, over the goal line
+    drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
     line_maze,    ///< to the disc, `tries` times
     still,        ///< no wheel turned for 1 s after having moved
@@ -53,54 +53,53 @@ struct Waypoint {
 /// covered its centre.
 class Progress {
  public:
-  /// Throws InputError if the goal makes no sense on this map: laps without a loop, a station that is not
-  /// there.
+  /// Throws InputError if the goal is impossible on this map: laps without a loop, an unknown station.
   Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes, const grid::Network& network,
            const grid::Start& start);
 
-  /// Called once a tick with the time at its end. Stations visited and laps done are appended to
-  /// `events`. Where no rule asks for more, places are looked at only once the body has moved some way.
+  /// Called once per tick with the time at its end. Appends visited stations and completed laps to `events`.
+  /// Unless the rules need more, places are checked only once the body has moved some distance.
   void update(const world::Body& body, SimTime t, Events& events) {
     if (!passes_by(body)) look(body, t, events);
   }
 
-  /// The update of a body that does not pass by.
+  /// Updates for a body that does not pass by.
   void look(const world::Body& body, SimTime t, Events& events);
-  /// Whether an update would find and change nothing. Asked in each tick, and therefore inline.
+  /// Returns whether an update would change nothing. Called in each tick, and therefore inline.
   [[gnu::always_inline]] bool passes_by(const world::Body& body) const {
     return !takes_time_ && is_near(body.pose()) && !at_rest(body) &&
            !(is_around_origin_ && may_depart(body.pose()));
   }
-  /// Whether the next updates would find what the last one found, while the body stays where it is.
+  /// Returns whether further updates would have the same result while the body stays in place.
   bool is_settled(const world::Body& body) const;
   bool reached() const { return reached_; }
-  /// One clause: what is still missing, or what was done.
+  /// Returns one clause: what is missing, or what was achieved.
   std::string summary() const;
 
   const std::vector<Waypoint>& stations() const { return stations_; }
-  /// Indices into stations() in the order in which they were first visited.
+  /// Returns indices into stations() in the order of the first visit.
   const std::vector<int>& visited() const { return visited_; }
-  /// Duration of each complete lap, s. The first begins where the body leaves the place where it was put, by
-  /// 1 cm: waiting and calibrating on the spot do not count.
+  /// Returns the duration of each complete lap, s. The first begins when the body leaves its start by 1 cm:
+  /// waiting and calibrating on the spot do not count.
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
-  /// Its rules, if it is a competition's.
+  /// Returns the competition's rules, if it is one.
   Contest& contest() { return contest_; }
   const Contest& contest() const { return contest_; }
-  /// What a competition's rules give so far.
+  /// Adds the present score of a competition.
   void score(wire::Metrics& metrics) const { contest_.score(metrics); }
 
  private:
-  // How far a lap in one direction has come.
+  // The progress of a lap in one direction.
   struct Lap {
     std::size_t next = 1;
     SimTime began = 0;
     int complete = 0;
   };
 
-  // Places are looked at when the body has moved by kCheckEvery, m, has turned by acos of kCheckTurn (1.1
-  // degrees), or has stopped. The first lap begins kDeparture from where the body was put, m.
+  // Places are checked when the body has moved by kCheckEvery, m, has turned by acos of kCheckTurn (1.1
+  // degrees), or has stopped. The first lap begins at the distance kDeparture from the start, m.
   static constexpr double kCheckEvery = 4e-3, kCheckTurn = 0.9998, kDeparture = 0.01;
   // Slower counts as at rest, m/s and rad/s.
   static constexpr double kRestSpeed = 1e-3, kRestTurn = 0.01;
@@ -116,14 +115,14 @@ class Progress {
   bool may_depart(const Pose& pose) const {
     return laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture;
   }
-  /// Whether the body covers none of the places that it has yet to come to.
+  /// Returns whether the body covers none of its remaining places.
   bool is_far_from_places(Vec2 position) const {
     return square(position - searched_at_) < free_reach_ * free_reach_;
   }
   void find_nothing();
   void search_places(const world::Body& body);
   void visit_places(const world::Body& body, Events& events);
-  /// Where a lap goes next.
+  /// Returns the next point of a lap.
   Vec2 loop_point(const Lap& lap, bool backwards) const;
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
   void compete(const Glance& now, Events& events);
@@ -145,13 +144,13 @@ class Progress {
   Contest contest_;
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
-  std::optional<Vec2> origin_;  ///< where the body was at first
-  Vec2 checked_at_{1e9, 1e9};   ///< nowhere near, before the first look
+  std::optional<Vec2> origin_;  ///< the body's first place
+  Vec2 checked_at_{1e9, 1e9};   ///< far away, before the first check
   Vec2 checked_heading_;
-  bool takes_time_;               ///< rules or goal ask for a look in each tick
-  bool is_around_origin_ = true;  ///< it may depart before it is looked at again
+  bool takes_time_;               ///< rules or goal need a check in each tick
+  bool is_around_origin_ = true;  ///< it may depart before the next check
   Vec2 searched_at_;              ///< while the body is less than free_reach_, m, from there,
-  double free_reach_ = 0.0;       ///< it covers no place that it has yet to come to
+  double free_reach_ = 0.0;       ///< it covers none of its remaining places
   bool reached_ = false;
 };
 

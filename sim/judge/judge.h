@@ -14,7 +14,7 @@ constexpr double kLostAfter = 1.0;                     ///< m of wheel travel wi
 constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
 constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
-constexpr double kSamePlace = 0.1;             ///< m around which a robot may turn and is in one place
+constexpr double kSamePlace = 0.1;             ///< m, radius in which a robot may turn and is in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
 /// Sketches pulse their motors; a shorter pause does not end "driven".
 constexpr SimTime kPulsePause = 200 * kMillisecond;
@@ -23,7 +23,7 @@ constexpr SimTime kPulsePause = 200 * kMillisecond;
 struct Situation {
   SimTime t = 0;
   const Pose* pose = nullptr;
-  double wheel_travel_m = 0.0;  ///< mean of both wheels' |path| so far
+  double wheel_travel_m = 0.0;  ///< mean path of both wheels so far
   bool sees_line = false;       ///< any reflectance sensor's footprint on a line
   bool driven = false;          ///< a motor is commanded
   bool lifted = false;          ///< picked up: neither lost nor stuck
@@ -38,8 +38,8 @@ class Judge {
   /// `senses`: whether the robot has reflectance sensors; without any it cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
-  /// toppled, lost, stuck, hung or ended; nothing while all is well. A sketch that is silent, and may yet go
-  /// on, is well. Called in each tick, and therefore inline.
+  /// Returns toppled, lost, stuck, hung or ended; nothing in a normal state. A silent sketch that may
+  /// continue is normal. Called in each tick, and therefore inline.
   [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);
     if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]
@@ -47,15 +47,17 @@ class Judge {
     return std::nullopt;
   }
 
-  /// When a sensor last saw the line, and where the robot was; nothing where none has seen one yet.
+  /// When a sensor last saw the line, and the robot's place then; nothing if none has seen one yet.
   struct Seen {
     SimTime at = 0;
     Vec2 position;
   };
   const std::optional<Seen>& line_last_seen() const { return line_seen_; }
-  /// Since when it has moved less than kStuckMove and turned less than a degree, or has not been driven.
+  /// Returns since when it has moved less than kStuckMove and turned less than a degree, or has not been
+  /// driven.
   SimTime stuck_since() const { return anchored_at_; }
-  /// Since when the robot's axle has been within kSamePlace of which place, and when a motor was last driven.
+  /// Return since when the robot's axle has been within kSamePlace of a place, that place, and when a motor
+  /// was last driven.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
   SimTime last_driven() const { return last_driven_; }
@@ -63,7 +65,7 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
-  /// By value: a situation that nobody points to stays in registers.
+  /// By value: a situation without pointers to it stays in registers.
   static std::optional<Verdict> verdict(Situation now, bool is_lost, bool is_stuck);
 
   bool senses_;

@@ -14,13 +14,13 @@ class LostPwm {
  public:
   explicit LostPwm(const BoardSpec& board) : board_(&board), asked_(board.pin_count), calls_(board) {}
 
-  /// Of every pin, while `executor` runs.
+  /// Handles changes of every pin, while `executor` runs.
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t, exec::Executor& executor);
   std::vector<exec::Detected> found() const { return calls_.found(); }
 
  private:
   const BoardSpec* board_;
-  std::vector<int> asked_;  ///< by pin: how often
+  std::vector<int> asked_;  ///< by pin: number of examined changes
   exec::LostPwmCalls calls_;
 };
 

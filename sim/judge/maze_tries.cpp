@@ -12,9 +12,9 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kLeft = 0.01;            // m from where it was put: a try begins
-constexpr double kAtStart = 0.05;         // m: put so near, it is on the start
-constexpr double kByHand = 0.02;          // m in a tick
+constexpr double kLeft = 0.01;            // m from its start: a try begins
+constexpr double kAtStart = 0.05;         // m: within it, the robot is on the start
+constexpr double kByHand = 0.02;          // m in a tick: a manual move
 constexpr SimTime kStopped = kSecond;     // on the disc
 constexpr double kOffForStopping = 10.0;  // s
 

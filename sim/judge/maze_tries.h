@@ -50,7 +50,7 @@ class MazeTries {
   int tries_;
   std::vector<Vec2> disc_;  ///< points of it
   Phase phase_ = Phase::waiting;
-  int done_ = 0;  ///< tries that are over
+  int done_ = 0;  ///< completed tries
   std::vector<Try> finished_;
   std::optional<Vec2> seen_at_;
   Vec2 waited_at_;

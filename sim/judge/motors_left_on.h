@@ -22,16 +22,16 @@ class MotorsLeftOn {
   explicit MotorsLeftOn(exec::Executor& executor) : executor_(&executor) {}
 
   void look(const Steering& now);
-  /// At the end of the run.
+  /// Returns the findings at the end of the run.
   const std::vector<exec::Detected>& found() const { return found_; }
 
  private:
-  /// From when the line was seen last.
+  /// From the last time that the line was seen.
   struct Stretch {
-    bool counts = false;  ///< it was seen, nobody has had the robot in hand since, and it is not told yet
+    bool counts = false;  ///< it was seen, no manual move followed, and it is not reported yet
     SimTime began = 0;
     double from_m = 0.0;
-    double unchanged_from_m = 0.0;  ///< since when powers are as they are and no sensor is asked
+    double unchanged_from_m = 0.0;  ///< since when commands are unchanged and no sensor is read
     double left = 0.0, right = 0.0;
   };
 

@@ -22,7 +22,7 @@ enum class Verdict {
   toppled,      ///< it tipped over, or fell off an edge
   hung,         ///< no API call for 2 s, motors driven
   ended,        ///< no API call for 2 s, motors off: it parked itself
-  crashed,      ///< the firmware cannot go on
+  crashed,      ///< the firmware cannot continue
   over_budget,  ///< a budget of the robot file is exceeded (chip targets)
   timeout,      ///< simulated time is up
   interrupted,  ///< by the user
@@ -35,9 +35,9 @@ using wire::Metrics;
 
 /// A hint on what to examine next.
 struct NextStep {
-  /// What it takes: a run on the host, a look at the run, a script.
+  /// The means for it: a run on the host, watching the run, a script.
   enum class By { none, host, watching, script };
-  std::string text;  ///< empty where the verdict says it all
+  std::string text;  ///< empty if the verdict is clear enough
   By by = By::none;
 };
 
@@ -45,8 +45,8 @@ struct NextStep {
 struct Decisive {
   SimTime t = 0;
   std::string text;            ///< "the robot left the line near column 20, row 4"; empty = there is none
-  bool motors = false;         ///< it is to be asked why they were driven as they were
-  bool place = false;          ///< why the firmware is where it is
+  bool motors = false;         ///< asks why they were driven as they were
+  bool place = false;          ///< asks why the firmware is at its place
   SimTime off_since = kNever;  ///< its motors have been off ever since; kNever = they were driven at the end
 };
 
@@ -55,7 +55,7 @@ struct Outcome {
   std::string why;  ///< one sentence a first-year student understands
   NextStep next;
   Decisive decisive;
-  std::vector<wire::Cause> because;  ///< back from the verdict, where somebody asks
+  std::vector<wire::Cause> because;  ///< back from the verdict, if requested
   Goal goal;
   SimTime time = 0;  ///< simulated, at the end
   Metrics metrics;
@@ -66,9 +66,9 @@ struct Outcome {
   std::optional<exec::Resources> resources;  ///< of a chip
   wire::Usage usage;
   std::vector<wire::RunEvent> events;  ///< the last few
-  std::string serial;                  ///< all that the firmware sent, up to kSerialKept bytes
-  std::string shown;                   ///< what parts told, a line each, up to kShownKept bytes and a line
-  Pose end;                            ///< where the robot is
+  std::string serial;                  ///< the firmware's output, up to kSerialKept bytes
+  std::string shown;                   ///< reports of parts, one per line, up to kShownKept bytes and a line
+  Pose end;                            ///< the robot's pose
   std::uint64_t eeprom_writes = 0;     ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
 };

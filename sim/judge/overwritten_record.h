@@ -25,9 +25,9 @@ class OverwrittenRecord {
  public:
   static constexpr const char* kName = "overwritten_record";
 
-  /// The firmware has started.
+  /// Notes that the firmware has started.
   void powered_on() { row_ = {}; }
-  /// Each byte whose writing begins at `t`; `executor` is asked for the line where it makes a finding.
+  /// Handles each byte whose write begins at `t`; `executor` returns the line if it makes a finding.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
   std::vector<exec::Detected> found() const;
@@ -37,7 +37,7 @@ class OverwrittenRecord {
     std::uint16_t address = 0;
     SimTime began = 0, last = 0;
     std::int64_t writes = 0;
-    wire::SourceLine where = {};  ///< of the one that made it a finding
+    wire::SourceLine where = {};  ///< of the write that made it a finding
     SimTime found = 0;
   };
 

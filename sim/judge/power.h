@@ -11,11 +11,11 @@ namespace robosim::judge {
 struct Power {
   bool on = true;                ///< the chip runs
   bool switched_on = true;       ///< by the script
-  SimTime since = 0;             ///< when it last came or went
-  int resets = 0;                ///< for want of voltage
+  SimTime since = 0;             ///< the last change
+  int resets = 0;                ///< because of low voltage
   std::optional<double> charge;  ///< of a [battery], 0..1; below 0 it collapses
   double volts = 0.0;            ///< V of the battery, under load
-  double needed = 0.0;           ///< V that the battery must have for the chip to run
+  double needed = 0.0;           ///< V of the battery that the chip needs to run
 
   bool empty() const { return charge && *charge <= 0.0; }
 };

@@ -22,15 +22,15 @@ class Race {
   Race(const grid::Map& map, Finish finish);
 
   void look(const Glance& now, Events& events);
-  /// Whether it has passed the goal line and, if that is asked, been at rest in the area for 2 s; else the
-  /// run ends 2 s later.
+  /// Returns whether it has passed the goal line and, if required, rested in the area for 2 s; else the run
+  /// ends 2 s later.
   bool reached() const { return rested_; }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;
 
  private:
-  /// From the start line to the goal line, s: the score. A line is passed when the body's outline first
-  /// covers the middle of it, as a gate of light would see it.
+  /// Returns the time from the start line to the goal line, s: the score. A line is passed when the body's
+  /// outline first covers its middle, as in a light gate.
   double time_s() const { return static_cast<double>(ended_ - began_) * 1e-9; }
   void advance(const Glance& now, Events& events);
   bool rests(const Glance& now);
@@ -45,7 +45,7 @@ class Race {
   std::size_t next_ = 0;
   SimTime began_ = 0, ended_ = kNever;
   SimTime at_rest_since_ = kNever;
-  bool rested_ = false;  ///< it is all done
+  bool rested_ = false;  ///< everything is done
 };
 
 }  // namespace robosim::judge

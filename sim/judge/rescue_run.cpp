@@ -22,10 +22,10 @@ constexpr SimTime kRestAtEnd = 5 * kSecond;
 constexpr int kLacksToGoOn = 3;
 constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
 constexpr int kThingPoints = 10, kLineObstaclePoints = 20, kSeesawPoints = 20;
-constexpr double kUneven = 0.003, kBump = 0.010;  // m, the highest there are
+constexpr double kUneven = 0.003, kBump = 0.010;  // m, the upper limits
 constexpr double kRounding = 1e-6;                // m
 
-// Where paths are, in squares of kAlong.
+// The places of paths, in squares of kAlong.
 class PathPoints {
  public:
   explicit PathPoints(const grid::Map& map) {
@@ -44,7 +44,7 @@ class PathPoints {
     std::sort(points_.begin(), points_.end(), before);
   }
 
-  /// Whether another path is at p, or the first one at another place than `along`.
+  /// Returns whether another path is at p, or the first one at another place than `along`.
   bool meet(Vec2 p, double along) const {
     for (std::int64_t x = square(p.x) - 1; x <= square(p.x) + 1; ++x)
       for (std::int64_t y = square(p.y) - 1; y <= square(p.y) + 1; ++y)
@@ -186,7 +186,7 @@ void RescueRun::count(const char* part, int points, int times, Events& events) {
                                 static_cast<double>(points * times), "points"});
 }
 
-// It is on this tile, and so has passed those before it.
+// Handles the arrival on this tile, after those before it.
 void RescueRun::arrive(std::size_t step, Events& events) {
   for (std::size_t i = at_; i < step; ++i) {
     Step& passed = steps_[i];
@@ -204,7 +204,7 @@ void RescueRun::arrive(std::size_t step, Events& events) {
   const bool is_end = step + 1 == steps_.size();
   if ((!steps_[step].checkpoint && !is_end) || step <= checkpoint_) return;
   const int each = std::max(kTilePoints - kTileLess * lacks_here_, 0);
-  // The start tile has its own points.
+  // The start tile has separate points.
   const auto tiles = static_cast<int>(step - std::max<std::size_t>(counted_to_, 1) + 1);
   if (each > 0) count("tile", each, tiles, events);
   counted_to_ = step + 1;
@@ -258,7 +258,7 @@ void RescueRun::look(const Glance& now, Events& events) {
     else if (!is_in(steps_[at_], at) && !(at_ > 0 && is_in(steps_[at_ - 1], at)) && !is_near_obstacle(at))
       give_up(events);
     else if (is_near_obstacle(at))
-      // Round an obstacle it may come back to the line a tile farther on.
+      // Around an obstacle it may return to the line a tile farther on.
       for (std::size_t i = at_ + 2; i <= std::min(at_ + 3, last); ++i)
         if (is_in(steps_[i], at)) {
           arrive(i, events);

@@ -51,9 +51,9 @@ class RescueRun {
   void look(const Glance& now, Events& events);
   bool reached() const { return reached_; }
   bool over(SimTime t) const { return t >= time_limit_; }
-  /// Makes it a lack of progress that the robot is lost, or stuck.
+  /// Counts a lost or stuck robot as a lack of progress.
   void give_up(Events& events);
-  /// Where the captain puts the robot now, once.
+  /// Returns the captain's new place for the robot now, once.
   std::optional<Pose> take_hand();
   std::string summary() const;
   void score(wire::Metrics& metrics) const;
@@ -66,7 +66,7 @@ class RescueRun {
     int intersections = 0, obstacles = 0, seesaws = 0;
     bool gap = false, bump = false, ramp = false;
     bool checkpoint = false;
-    bool done = false;  ///< what stands there has counted
+    bool done = false;  ///< its elements have counted
   };
   void make_steps();
   int column_of(Vec2 at) const;
@@ -89,7 +89,7 @@ class RescueRun {
   std::vector<Step> steps_;
   std::vector<Vec2> obstacles_;
   std::size_t at_ = 0;              ///< the last step it was on
-  std::size_t counted_to_ = 0;      ///< tiles before this have counted, or never will
+  std::size_t counted_to_ = 0;      ///< earlier tiles have counted, or never will
   std::size_t checkpoint_ = 0;      ///< the last one: 0 = the start
   int lacks_here_ = 0, lacks_ = 0;  ///< since the last checkpoint, and in all
   std::vector<wire::ScorePart> parts_;

@@ -13,7 +13,7 @@ namespace robosim::judge {
 struct ScriptFault {
   std::string part;                       ///< a part of the robot, or power, serial, eeprom, clock
   std::vector<std::string> arguments;     ///< the kind of fault, then its arguments: {"stuck", "1023"}
-  std::optional<robot::Failure> failure;  ///< of a part; nothing where it is the board's
+  std::optional<robot::Failure> failure;  ///< of a part; unset for a fault of the board
   SimTime began = 0;
   SimTime ended = kNever;  ///< repaired, or replaced by another fault of the same part
 };

@@ -8,7 +8,7 @@ namespace robosim::judge {
 namespace {
 
 constexpr SimTime kLongWait = 15 * kMillisecond;
-constexpr int kMostAsked = 200;  // what a sketch is doing costs to find out
+constexpr int kMostAsked = 200;  // finding a sketch's activity is slow
 constexpr int kFewWaits = 10;
 constexpr double kOfItsTime = 0.3;
 

@@ -24,16 +24,16 @@ class SlowSerial {
   explicit SlowSerial(exec::Executor& executor) : executor_(&executor) {}
 
   void look(const Steering& now);
-  /// At the end of the run.
+  /// Returns the findings at the end of the run.
   std::vector<exec::Detected> found() const;
 
  private:
   void end(const Steering& now);
 
   exec::Executor* executor_;
-  SimTime began_ = 0;  ///< the last look at a floor sensor, as of the tick
+  SimTime began_ = 0;  ///< tick of the last read of a floor sensor
   double from_m_ = 0.0;
-  bool waits_ = false;               ///< in this stretch a call of Serial was seen waiting
+  bool waits_ = false;               ///< a call of Serial has waited in this stretch
   SimTime driven_ = 0, waited_ = 0;  ///< of all stretches
   int asked_ = 0, times_ = 0;
   double longest_s_ = 0.0, furthest_m_ = 0.0;

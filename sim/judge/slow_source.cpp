@@ -29,7 +29,7 @@ void SlowSource::converted(Pin pin, double volts, SimTime t, exec::Executor& exe
     if (std::abs(last_.volts) > std::abs(here.worst.volts)) here.worst = last_;
   }
   last_ = {std::abs(volts) >= kNoticed * board_->supply_volts ? pin : kNoPin, volts, t};
-  if (last_.pin != kNoPin) of(last_, executor);  // while it is where it reads
+  if (last_.pin != kNoPin) of(last_, executor);  // while it is at the place of the read
 }
 
 std::vector<exec::Detected> SlowSource::found() const {

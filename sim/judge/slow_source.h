@@ -25,14 +25,14 @@ class SlowSource {
  public:
   explicit SlowSource(const BoardSpec& board) : board_(&board) {}
 
-  /// Of every pin that is converted, while `executor` runs: RobotPort::watch_adc.
+  /// Handles every conversion of a pin, while `executor` runs: RobotPort::watch_adc.
   void converted(Pin pin, double volts, SimTime t, exec::Executor& executor);
   std::vector<exec::Detected> found() const;
 
  private:
   struct Reading {
     Pin pin = kNoPin;
-    double volts = 0.0;  ///< that it is off by
+    double volts = 0.0;  ///< its error
     SimTime at = 0;
   };
   struct Found {
@@ -44,7 +44,7 @@ class SlowSource {
   Found& of(const Reading& reading, exec::Executor& executor);
 
   const BoardSpec* board_;
-  Reading last_;              ///< kNoPin = it was good
+  Reading last_;              ///< kNoPin = it was right
   std::vector<Found> found_;  ///< by pin
 };
 

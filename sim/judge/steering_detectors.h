@@ -11,11 +11,11 @@ namespace robosim::judge {
 
 class SteeringDetectors {
  public:
-  /// lever_m: how far its sensors are ahead of its axle.
+  /// lever_m: distance of its sensors ahead of its axle.
   SteeringDetectors(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
       : floor_(robot, executor), blind_(executor, lever_m, line_m), left_on_(executor), serial_(executor) {}
 
-  /// Once a tick. Nothing is found where it cannot be told whether firmware looks at the floor.
+  /// Called once per tick. Nothing is found if reads of the floor are not visible.
   void look(Steering now) {
     if (!floor_.are_known()) return;
     now.asks_floor = floor_.last(now.t) >= before_;
@@ -24,7 +24,7 @@ class SteeringDetectors {
     left_on_.look(now);
     serial_.look(now);
   }
-  /// At the end of the run.
+  /// Returns the findings at the end of the run.
   std::vector<exec::Detected> found() const {
     std::vector<exec::Detected> all = blind_.found();
     for (const auto& some : {left_on_.found(), serial_.found()})

@@ -35,12 +35,12 @@ class TornRecord {
  public:
   static constexpr const char* kName = "torn_record";
 
-  /// The firmware has started.
+  /// Notes that the firmware has started.
   void powered_on() { end_of_burst(); }
-  /// Each byte whose writing begins at `t`, since the run began.
+  /// Handles each byte whose write begins at `t`, since the run began.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
-  /// At the end of the run.
+  /// Returns the findings at the end of the run.
   std::vector<exec::Detected> found() const;
 
  private:
@@ -50,13 +50,13 @@ class TornRecord {
     std::uint8_t before = 0, value = 0;
     SimTime at = 0;
   };
-  /// What one line writes.
+  /// The writes of one line.
   struct Record {
     wire::SourceLine where;
     std::uint16_t first = 0, last = 0;  ///< addresses
     bool changed_singly = false;
-    bool is_other = false;    ///< something that is looked at in vain: large, or written along with others
-    std::vector<Write> torn;  ///< the first writes, one after the other, that a cut can separate
+    bool is_other = false;    ///< not a candidate: large, or written along with others
+    std::vector<Write> torn;  ///< the first consecutive writes that a cut can separate
     std::int64_t times = 0;
   };
   using Line = std::pair<std::string, int>;
@@ -65,8 +65,8 @@ class TornRecord {
   void take(Record& record);
 
   std::map<Line, Record> records_;
-  std::vector<Write> burst_;  ///< writes that came one right after the other
-  std::optional<Line> by_;    ///< whose they are; nothing: of several
+  std::vector<Write> burst_;  ///< consecutive writes
+  std::optional<Line> by_;    ///< their line; unset: several
   std::uint64_t writes_ = 0;
 };
 

@@ -7,7 +7,7 @@
 namespace robosim::judge {
 namespace {
 
-// Noise moves a reading by less than this; what a line does to it is more.
+// Noise changes a reading by less than this; a line changes it by more.
 constexpr double kSteady = 0.1;  // share of the supply
 
 /// A part, or an element of an array.
@@ -15,7 +15,7 @@ struct Unit {
   std::string name;
   std::vector<Pin> pins;
   bool reports;  ///< firmware reads it
-  bool obeys;    ///< firmware drives it, and reads nothing of it
+  bool obeys;    ///< firmware drives it, and does not read it
 };
 
 bool reports(const std::string& type) {
@@ -43,7 +43,7 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
   return units;
 }
 
-// Its serial line may have used it.
+// Returns whether its serial line may have used it.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
 std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {
