@@ -1,5 +1,5 @@
-// Firmware without a compiler: a line follower written against the board itself. Its runs are pure Robosim,
-// and so bit-identical for every compiler and machine; what a sketch adds is its image, which is gcc's.
+// Firmware without a compiler: a line follower written directly against the board. Its runs depend only on
+// Robosim, and so are bit-identical for every compiler and machine; a sketch's also depend on gcc's image.
 #pragma once
 
 #include "hal/board/board_spec.h"
@@ -12,7 +12,7 @@ namespace robosim::test {
 /// analog sensors.
 class BuiltInDriver final : public exec::Executor {
  public:
-  /// `period`: simulated time between two looks at all sensors.
+  /// `period`: simulated time between two reads of all sensors.
   explicit BuiltInDriver(SimTime period = 5 * kMillisecond) : period_(period) {}
 
   RobotPort& board() override { return board_; }

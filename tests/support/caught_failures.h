@@ -1,4 +1,4 @@
-// For tests of what fails tests.
+// Helpers for tests of failing tests.
 #pragma once
 
 #include <gtest/gtest-spi.h>
@@ -10,7 +10,7 @@
 
 namespace robosim::test {
 
-/// The messages of the failures in `body`, which do not fail the test that calls this.
+/// Returns the messages of the failures in `body`, which do not fail the calling test.
 inline std::vector<std::string> caught_failures(const std::function<void()>& body) {
   ::testing::TestPartResultArray results;
   {

@@ -1,4 +1,4 @@
-// A sketch that shows what of it depends on a board's clock and supply, for every target that runs it:
+// A sketch that shows its dependence on a board's clock and supply, for every target that runs it:
 //
 //   pin 12   high for 100 ms by delay(), low, then high while ten bytes leave at 57600 baud
 //   prints   F_CPU in MHz, A7, microseconds of ten analogRead(), and of a thousand digitalRead()
@@ -46,17 +46,17 @@ struct ClockedBoard {
 };
 inline constexpr ClockedBoard kProMinis[] = {{"promini8", 8, 3.3}, {"promini16", 16, 5.0}};
 
-/// Fourteen clocks of the ADC each: both clocks give it 125 kHz.
+/// Fourteen clocks of the ADC each: both clocks of the chip give it 125 kHz.
 inline constexpr double kTenReads_us = 1120;
 
-/// What a target judges for itself.
+/// The durations that each target checks separately.
 struct ReadTimes {
   double ten_analog_us = 0.0;
   double thousand_digital_us = 0.0;
 };
 
-/// Expects what the sketch shows on every target within a second, with half the supply on A7: the numbers
-/// that it prints, and when pin 12 changes.
+/// Expects the sketch's output on every target within a second, with half the supply on A7: the printed
+/// numbers, and the times at which pin 12 changes.
 inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long long>& printed,
                               const std::vector<SimTime>& changes) {
   constexpr double kTenBytes_ns = 1.7e6;  // ten bits each, as nearly as both clocks allow: 58824 baud

@@ -35,7 +35,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// It has handlers, stands still and drives, sleeps in no loop that is left out, and crashes at an "x".
+// It has handlers, stops and drives, sleeps in no loop that is skipped, and crashes at an "x".
 const std::string kSketch = R"(volatile unsigned passes;
 __attribute__((noinline)) void pass() { ++passes; }
 __attribute__((noinline)) void crash() { *(volatile int*)0x4000 = 1; }
@@ -109,12 +109,13 @@ class DebuggedRunTest : public testing::Test {
   }
 
   void say(const std::string& packet) { packets_.push_back(packet); }
-  /// An order, and where the chip is when it has halted again: "S05 PC TIME".
+  /// Sends an order, and queries the chip's place at the next halt: "S05 PC TIME".
   void go(const std::string& order) {
     for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
       say(packet);
   }
-  /// Runs with these packets, and holds it against a run alone. The replies, from the first one on.
+  /// Runs with these packets, and compares it to a run without debugger. Returns the replies, from the first
+  /// one on.
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;
@@ -137,7 +138,7 @@ class DebuggedRunTest : public testing::Test {
     replies.pop_back();
     return replies;
   }
-  /// The same, of orders that were given by go(): of each what it says, and where it halts.
+  /// Runs the orders given by go(): returns each reply, and the place of the halt.
   struct Halt {
     std::string why;
     std::uint32_t pc = 0;
@@ -173,7 +174,7 @@ class DebuggedRunTest : public testing::Test {
   judge::Outcome outcome_;
 };
 
-/// That `halts` are first, from `begin` on, so many forth, and then the same back.
+/// Expects `turn` places forward, one more, and then the same places backward.
 void expect_mirrored(const std::vector<std::string>& places, std::size_t turn) {
   ASSERT_EQ(places.size(), 2 * turn + 1);
   for (std::size_t i = 0; i < turn; ++i) EXPECT_EQ(places[turn + 1 + i], places[turn - 1 - i]) << i;

@@ -1,4 +1,4 @@
-// How often a test repeats itself with other random numbers.
+// How often a test repeats with other random numbers.
 #pragma once
 
 #if defined(ROBOSIM_EMULATED)  // cross-built: its programs run under qemu-user
@@ -13,15 +13,15 @@
 
 namespace robosim::test {
 
-/// Under the sanitizers and under an emulator a run takes tens of times as long. The optimised build shows
-/// that the results are right, this one that no line misbehaves on the way.
+/// Under the sanitizers and under an emulator a run takes tens of times as long. The optimised build checks
+/// the results, this one that no line has undefined behaviour.
 #if defined(ROBOSIM_SLOW)
 inline constexpr bool kSlow = true;
 #else
 inline constexpr bool kSlow = false;
 #endif
 
-/// `times`; in a slow build a tenth of it, rounded up.
+/// Returns `times`; in a slow build a tenth of it, rounded up.
 template <typename Count>
 constexpr Count rounds(Count times) {
   return kSlow ? (times + 9) / 10 : times;

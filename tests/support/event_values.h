@@ -12,7 +12,7 @@
 
 namespace robosim::test {
 
-/// Writes fields as " KEY=VALUE", those that are empty, false or 0 left out.
+/// Writes fields as " KEY=VALUE", and skips empty ones, false and 0.
 class ValueWriter {
  public:
   static constexpr bool kReads = false;
@@ -32,7 +32,7 @@ class ValueWriter {
     for (const std::string& value : values) all += (all.empty() ? "" : ",") + value;
     return all;
   }
-  /// In whole numbers; all 0 is empty.
+  /// Writes integers; empty if all are 0.
   template <std::size_t N>
   static std::string shown_as(const std::array<double, N>& values) {
     std::string all;
@@ -55,7 +55,7 @@ class ValueWriter {
   }
 };
 
-/// "101 fault_began part=S1 arguments=stuck,1023": the millisecond, the kind and the values.
+/// Returns "101 fault_began part=S1 arguments=stuck,1023": the millisecond, the kind and the values.
 inline std::string values_of(const wire::RunEvent& event) {
   ValueWriter values;
   std::visit([&](const auto& what) { fields(values, what); }, event.what);

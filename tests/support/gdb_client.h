@@ -1,5 +1,5 @@
-// gdb's side of its remote protocol: packets are sent ahead, replies are fetched afterwards. So one thread
-// can be both sides.
+// gdb's side of its remote protocol: packets are sent ahead, replies are read afterwards. So one thread can
+// be both sides.
 #pragma once
 
 #include <arpa/inet.h>
@@ -14,7 +14,7 @@
 
 namespace robosim::test {
 
-/// A socket that listens at a free port of this machine, and so takes it.
+/// A socket that listens at a free port of this machine, and so occupies it.
 class Port {
  public:
   Port() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -37,7 +37,7 @@ class Port {
   std::uint16_t number_ = 0;
 };
 
-/// A port that nobody listens at.
+/// Returns a port without a listener.
 inline std::uint16_t free_port() { return Port().number(); }
 
 class GdbClient {
@@ -71,7 +71,7 @@ class GdbClient {
   }
   void press_ctrl_c() { send_bytes("\x03"); }
 
-  /// The next reply, "+" and "-" left out; "(gone)" when there is none.
+  /// Returns the next reply, without "+" and "-"; "(gone)" if there is none.
   std::string reply() {
     for (;;) {
       const std::size_t start = received_.find('$');

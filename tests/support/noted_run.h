@@ -1,4 +1,4 @@
-// Runs of a stock sketch on a chip whose state somebody notes after each tick.
+// Runs of a stock sketch on a chip whose state is recorded after each tick.
 #pragma once
 
 #include <stdlib.h>
@@ -25,7 +25,7 @@ struct StockRun {
 
 class NotedRun final : public Listener {
  public:
-  /// `note` returns what the chip holds, in a number.
+  /// `note` returns the chip's state as a number.
   NotedRun(const StockRun& what, exec::Executor& executor, std::function<std::uint64_t()> note)
       : note_(std::move(note)) {
     const grid::Map map = grid::read_map(grid::find_map(what.map));
@@ -38,7 +38,7 @@ class NotedRun final : public Listener {
     trace_hash = simulate(setup).front().trace_hash;
   }
 
-  /// The sketch, built for the robot's board.
+  /// Returns the sketch's image, built for the robot's board.
   static std::filesystem::path image_of(const StockRun& what, const std::string& target) {
     ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
     build::Request request{std::filesystem::path(ROBOSIM_EXAMPLES) / what.sketch,

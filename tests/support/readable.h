@@ -1,4 +1,4 @@
-// Names of a test's parameters.
+// Makes names of a test's parameters.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 
 namespace robosim::test {
 
-/// The words of a text as gtest allows them in a name, the first 30 letters: "3:7: no unit" is 3_7NoUnit.
+/// Returns the words of a text in gtest's allowed characters, the first 30 letters: "3:7: no unit" is
+/// 3_7NoUnit.
 inline std::string readable(std::string_view text) {
   std::string name;
   bool begins = true;
@@ -28,7 +29,7 @@ inline std::string readable(const std::vector<std::string>& words) {
   return readable(text);
 }
 
-/// Names parameters by their numbers and by what this member of theirs says: numbered(&Refused::says).
+/// Names parameters by their numbers and by a text member: numbered(&Refused::says).
 template <class Parameter, class Text>
 auto numbered(Text Parameter::*text) {
   return [text](const testing::TestParamInfo<Parameter>& test) {

@@ -11,7 +11,7 @@
 
 namespace robosim::test {
 
-/// Whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+/// Returns whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
 inline bool is_required(const std::string& target) {
   const char* required = std::getenv("ROBOSIM_REQUIRE");
   return required && ("," + std::string(required) + ",").find("," + target + ",") != std::string::npos;
@@ -19,8 +19,8 @@ inline bool is_required(const std::string& target) {
 
 }  // namespace robosim::test
 
-/// Where a tool of the target is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE
-/// names the target. The tool's package is named either way.
+/// If a tool of the target is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE
+/// names the target. The message names the tool's package in both cases.
 #define ROBOSIM_NEEDS_TARGET(target)                                                 \
   do {                                                                               \
     const std::string missing = ::robosim::build::missing_tool(target);              \
@@ -28,7 +28,7 @@ inline bool is_required(const std::string& target) {
     if (!missing.empty()) GTEST_SKIP() << missing;                                   \
   } while (false)
 
-/// The same where clang++ is missing, which only `robosim mutate` needs.
+/// Likewise if clang++ is missing, which only `robosim mutate` needs.
 #define ROBOSIM_NEEDS_CLANG()                                                             \
   do {                                                                                    \
     const bool missing = ::robosim::build::find_program("clang++").empty();               \

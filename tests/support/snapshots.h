@@ -1,8 +1,10 @@
-// A run that goes on from a snapshot is the run that was not interrupted: its trace, its events, its result.
-// At 100 random moments of each stock sketch, and of sketches for other chips, with noise, and with a script
-// that does to the robot what scripts can do. ROBOSIM_TEST_MOMENTS=1000 tries more, in longer runs.
+// Tests that a run which continues from a snapshot equals the uninterrupted run: its trace, its events, its
+// result. They restore 100 random moments of each stock sketch, and of sketches for other chips. The runs
+// have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more, in
+// longer runs.
 //
-// For tests of one target. Who includes it has declared before, in an anonymous namespace of robosim::run:
+// For tests of one target. A file that includes this declares before, in an anonymous namespace of
+// robosim::run:
 //
 //   struct Target {
 //     using Executor = …;
@@ -32,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// Each so many-th run goes on to the end, the others for a while.
+/// One of this number of runs continues to the end, the others for a while.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {
@@ -44,7 +46,7 @@ struct Case {
   bool is_driven = false;  ///< step by step
 };
 
-/// What is the same for each robot: it is in its way, held up, without power, broken.
+/// The common part for each robot: it is blocked, held up, without power, broken.
 const std::string kScript = R"(
 at 230ms fault left weak 0.6 for 300ms
 at 350ms lift for 80ms
@@ -90,7 +92,7 @@ struct Told final : Listener {
   std::vector<std::string> lines;
 };
 
-/// Does to the robot what the state asks for, and keeps nothing in mind.
+/// Acts on the robot by its state alone, without own memory.
 struct Hands final : StepController {
   Leg next(Standstill& standstill) override {
     const State& now = standstill.state();
@@ -116,7 +118,7 @@ std::string text_of(const judge::Outcome& o) {
   return text + o.serial;
 }
 
-/// Set from outside; 0 = not.
+/// Set by the environment; 0 = unset.
 int wanted_moments() {
   const char* text = ::getenv("ROBOSIM_TEST_MOMENTS");
   return text ? std::stoi(text) : 0;

@@ -1,4 +1,4 @@
-// What an emulated STM32F103 holds, in a number.
+// Hashes the state of an emulated STM32F103 to a number.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// What runs are compared by.
+// The hash by which runs are compared.
 #pragma once
 
 #include <cstdint>
 
 namespace robosim::run {
 
-/// A number that is made of many.
+/// A number that is computed from many.
 class Sum {
  public:
   void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 1099511628211u; }

@@ -1,4 +1,5 @@
-// A folder of a test's own: tests run side by side, and two that share a name remove each other's files.
+// A separate folder for each test: tests run in parallel, and two with a common name would remove each
+// other's files.
 #pragma once
 
 #include <stdlib.h>

@@ -11,7 +11,7 @@ char back_of(char d) { return right_of(right_of(d)); }
 
 bool is(const char* sense, const char* what) { return std::strcmp(sense, what) == 0; }
 
-// Follows the line up to a junction (1) or to where there is no path (0).
+// Follows the line up to a junction (1) or to a place without a path (0).
 int move_on_line(Robot& robot) {
   for (;;) {
     const char* sense = robot.sense();

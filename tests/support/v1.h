@@ -1,5 +1,5 @@
-// Robosim v1's way of sensing, moving and scanning, re-stated plainly from what was measured of it: the
-// reference against which the cell engine is held, and beside which it is timed.
+// Robosim v1's sensing, moving and scanning, re-implemented simply from measurements of it. It is the
+// reference for the cell engine, for results and for speed.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct Robot {
   int x, y;
   char facing;  ///< 'N', 'S', 'E' or 'W'
   long clock = 0;
-  std::vector<std::string>* moves = nullptr;  ///< "x,y,dir,sense,move,clock" of each move, if wanted
+  std::vector<std::string>* moves = nullptr;  ///< "x,y,dir,sense,move,clock" of each move, if requested
 
-  /// "no_path", "straight", "right_turn", "left_turn" or "junction".
+  /// Returns "no_path", "straight", "right_turn", "left_turn" or "junction".
   const char* sense() const;
   void step_forward();
   void turn_right();
