@@ -1,5 +1,5 @@
-// Robots on the edge: whether a target, with its clock a little off, does what another did in its place.
-// docs/howto/comparing.md says why that tells chance from a fault.
+// Decides whether a target, with its clock a little off, does what another target did.
+// docs/howto/comparing.md explains why that separates chance from a fault.
 #pragma once
 
 #include <cstdint>

@@ -197,7 +197,7 @@ static bool has_lower_limit(int what, rlim_t ours) {
   return limit.rlim_cur < ours;
 }
 
-// What the walls around a compiler made of it.
+// Reports failures that the confinement of a compiler has caused.
 void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
   if (says(kWaits))

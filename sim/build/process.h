@@ -15,7 +15,7 @@ struct Command {
   std::filesystem::path input;                      ///< standard input; empty = none
   std::filesystem::path scratch;                    ///< the folder of its output
   const ProgramSandbox* walls = nullptr;            ///< what it may see; nothing = what we may
-  std::size_t most_output = std::size_t{16} << 20;  ///< bytes; a program that writes more is killed
+  std::size_t most_output = std::size_t{16} << 20;  ///< bytes; a program with more output is killed
   int most_wait_s = kWaitSeconds;                   ///< of wall time in which it hardly works, within walls
   std::size_t most_memory = 0;                      ///< bytes, within walls; 0 = kCompileBytes
 };
@@ -37,11 +37,11 @@ struct CommandResult {
 /// Whether the program failed and said that it got no memory.
 bool lacks_memory(const CommandResult& result);
 
-/// Runs all of them, several at a time, and waits for all. Results are in the order of the commands.
-/// Messages are in English and __DATE__ is 1 January 1970, so that equal input gives equal output. A program
-/// within walls has no other environment than $PATH and the scratch folder as $HOME and $TMPDIR. Others lose
-/// the variables that add include paths. Throws InputError for an argument that begins with '@': compilers
-/// read a file of that name as more arguments.
+/// Runs all of them, several at a time, and waits for all. Results are in the order of the commands. Messages
+/// are in English and __DATE__ is 1 January 1970, so that equal input gives equal output. The environment of
+/// a confined program has only $PATH, and the scratch folder as $HOME and $TMPDIR. Others lose the variables
+/// that add include paths. Throws InputError for an argument that begins with '@': compilers read a file of
+/// that name as more arguments.
 std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
 /// Runs each within walls of its own: it sees `read`, and no other command writes its scratch folder.

@@ -34,7 +34,7 @@ Reading reading_of(const Request& request) {
   reading.readable.push_back(reading.sketch.folder);
   reading.readable.insert(reading.readable.end(), unit.includes.begin(), unit.includes.end());
   for (const Library& library : libraries) reading.readable.push_back(library.folder);
-  if (target.chip) {  // what its compiler brings by itself
+  if (target.chip) {  // the compiler's defaults
     reading.words.push_back("--target=avr");
     for (const std::string& word : toolchain.core.machine) reading.words.push_back(word);
     for (const auto& folder : {toolchain.facts.include_folder, genuine.avr_libc.parent_path()})

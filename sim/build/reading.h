@@ -12,7 +12,7 @@ namespace robosim::build {
 
 struct Reading {
   Sketch sketch;
-  std::vector<std::string> words;  ///< as a C++ compiler has them: the language, macros, folders of headers
+  std::vector<std::string> words;  ///< a C++ compiler's: the language, macros, folders of headers
   std::vector<std::filesystem::path> readable;  ///< what a compiler sees of this machine (run_within())
 };
 

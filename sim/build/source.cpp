@@ -109,7 +109,7 @@ namespace {
 /// Of all files of a sketch, which Robosim reads whole.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
-/// A project's file may not open other folders of this machine to compilers.
+/// Prevents a project's file from opening other folders of this machine to compilers.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);
   if (!lies_in(folder, reach))

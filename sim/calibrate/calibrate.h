@@ -1,4 +1,5 @@
-// `robosim calibrate`: figures of a robot file from logs of the real robot (docs/howto/calibrating.md).
+// `robosim calibrate`: computes parameters of a robot file from logs of the real robot
+// (docs/howto/calibrating.md).
 #pragma once
 
 #include <optional>

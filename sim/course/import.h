@@ -1,4 +1,4 @@
-// Courses in other tools' files, as maps of ours (docs/reference/courses.md).
+// Imports courses from other tools' files as maps (docs/reference/courses.md).
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ struct Edit {
 
 struct Mutation {
   std::string kind;         ///< "relational", "constant" …; docs/howto/mutation.md lists them
-  std::vector<Edit> edits;  ///< in the order of their places; all of one file. The first says where it is
+  std::vector<Edit> edits;  ///< sorted by place; all in one file. The first has the mutation's place
   int line = 0;             ///< of the first, from 1
   std::string was, now;     ///< for display: the text at the first place, and its replacement
 

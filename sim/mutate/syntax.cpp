@@ -78,7 +78,7 @@ fs::path find_clang() {
 /// `scratch`: a folder that clang may write, and in which `source` may be.
 json dump(const fs::path& clang, const build::Reading& reading, const fs::path& scratch,
           const fs::path& source, const std::function<int(const std::string&)>& number_of) {
-  // What clang says of a source that it understands in part is of no use, and would stand within the tree.
+  // clang's messages on a partly understood source are useless, and would be mixed into the tree.
   std::vector<std::string> words = {"/bin/sh",
                                     "-c",
                                     "exec \"$@\" 2>/dev/null",

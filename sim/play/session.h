@@ -1,6 +1,6 @@
-// The original program's session: choose a map, place the robot, let it walk or scan, see the graph, and send
-// it from station to station. Moving the robot and finding maps are left to the SessionHost.
-// docs/howto/play.md describes what a person sees.
+// The original program's session: choose a map, place the robot, let it walk or scan. Then see the graph, and
+// send the robot from station to station. The SessionHost moves the robot and finds maps. docs/howto/play.md
+// describes the user's view.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What other tools' files say of a project: Arduino's sketch.yaml, PlatformIO's platformio.ini, and what
-// arduino-cli and PlatformIO write beside what they build (docs/reference/sketches.md).
+// Reads other tools' files about a project: Arduino's sketch.yaml, PlatformIO's platformio.ini, and the files
+// that arduino-cli and PlatformIO write next to their results (docs/reference/sketches.md).
 #pragma once
 
 #include <filesystem>

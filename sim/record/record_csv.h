@@ -1,4 +1,4 @@
-// Recordings as .csv: a run's samples as a table. The format is in docs/reference/recordings.md.
+// Writes recordings as .csv: a run's samples as a table. docs/reference/recordings.md describes the format.
 #pragma once
 
 #include "sim/base/new_file.h"

@@ -1,5 +1,5 @@
-// Recordings as .perfetto.json: a run as a trace, for ui.perfetto.dev and chrome://tracing. The format is
-// "Trace Event Format" (Chromium's, JSON object form); docs/reference/recordings.md says what is in it.
+// Writes recordings as .perfetto.json: a run as a trace, for ui.perfetto.dev and chrome://tracing. The format
+// is "Trace Event Format" (Chromium's, JSON object form); docs/reference/recordings.md describes the content.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Recordings as .vcd: what happened on the board's pins, for GTKWave, PulseView and other wave viewers (IEEE
-// 1364-2005, chapter 18). The signals are listed in docs/reference/recordings.md. Of several robots each has
+// Writes recordings as .vcd: the signals at the board's pins, for GTKWave, PulseView and other wave viewers
+// (IEEE 1364-2005, chapter 18). docs/reference/recordings.md lists the signals. With several robots each has
 // a scope.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What stands in a recording before its columns, as JSON. docs/reference/recordings.md has the whole format.
+// The header of a recording, as JSON. docs/reference/recordings.md describes the whole format.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A scenario: what happens to the robot from outside, and when. The language is described in
-// docs/reference/scripts.md.
+// A scenario: stimuli to the robot from outside, and their times. docs/reference/scripts.md describes the
+// language.
 //
 //   at 2s press start 100ms
 //   after serial "Ready" send "3\n"

@@ -30,8 +30,8 @@ std::string keep(const HeldFolder& folder, const Offered& offered);
 /// Returns the text of a map of Choices. Throws InputError.
 std::string map_text(const HeldFolder& folder, const std::string& name);
 
-/// The floor of a map's text, as JSON (docs/reference/recordings.md). Throws InputError with the map reader's
-/// sentence.
+/// Returns the floor of a map's text, as JSON (docs/reference/recordings.md). Throws InputError with the map
+/// reader's sentence.
 std::string floor_of(const Offered& map);
 
 }  // namespace robosim::serve

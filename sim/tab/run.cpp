@@ -1,5 +1,5 @@
-// The bench in a tab (docs/howto/tab.md): what page/worker.js calls. One run at a time, from files that the
-// worker has written into the module's file system.
+// The bench in a tab (docs/howto/tab.md): the functions that page/worker.js calls. One run at a time, from
+// files that the worker has written into the module's file system.
 #include <emscripten.h>
 
 #include <exception>

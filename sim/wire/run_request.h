@@ -104,14 +104,14 @@ struct RunRequest {
   bool io = false;                     ///< stream the firmware's inputs, and bytes both ways
   /// Stream pins and bytes only from the one time to the other, with the responsible line of the sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
-  bool batches = false;      ///< what there is much of comes many at a time (batch.h), not at once
-  bool interactive = false;  ///< driven step by step: see driven_run.h
-  bool detect = false;       ///< detectors watch the sketches (docs/howto/sanitizers.md)
-  bool why = false;          ///< follow its verdict back to what caused it
-  std::string counters;      ///< file for how often the sketch's lines ran; empty = none
-  std::optional<Ways> ways;  ///< it parts; on chips only
-  std::string name;          ///< of the robot, where there are several
-  std::string target;        ///< whose firmware it is, where there are several; empty = the runner's own
+  bool batches = false;              ///< frequent events come in batches (batch.h), with a delay
+  bool interactive = false;          ///< driven step by step: see driven_run.h
+  bool detect = false;               ///< turns on detectors for the sketches (docs/howto/sanitizers.md)
+  bool why = false;                  ///< trace its verdict back to the causes
+  std::string counters;              ///< file for the counts of the sketch's lines; empty = none
+  std::optional<Ways> ways;          ///< it branches; on chips only
+  std::string name;                  ///< of the robot, if there are several
+  std::string target;                ///< of its firmware, if there are several; empty = the runner's own
   std::vector<AgentRequest> agents;  ///< further robots: number 1, 2 …
 };
 

@@ -80,8 +80,8 @@ void fields(V& v, Same<V, Lack>& l) {
   v("first_s", l.first_s, "when it was used first", {.unit = "s"});
 }
 
-/// What a detector has seen a sketch do (docs/howto/sanitizers.md): it works here, and breaks on a real
-/// robot. The run went on.
+/// A finding of a detector (docs/howto/sanitizers.md): it works here, but fails on a real robot. The run
+/// continued.
 struct Detected {
   std::string detector;  ///< "blind"
   std::string what;      ///< a sentence: the finding, and how it fails

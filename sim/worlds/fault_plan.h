@@ -9,7 +9,7 @@
 
 namespace robosim::worlds {
 
-/// What may break, and how badly at most; 0 = never. docs/reference/robots.md says what each does.
+/// The possible faults, and their maximum severity; 0 = never. docs/reference/robots.md describes each.
 struct FaultLimits {
   int at_most = 1;               ///< per run
   int from_ms = 0;               ///< the interval of their beginnings

@@ -26,8 +26,8 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
-// A footprint against height, where the file has none: one for all elements of a part. Edges that were
-// measured say 0.3 and 0.97: docs/explanation/fidelity.md.
+// Footprint by height, if the file has none: one for all elements of a part. Measured edges suggest 0.3 and
+// 0.97: docs/explanation/fidelity.md.
 constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau relative to the time from 10 to 90 %
