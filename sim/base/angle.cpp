@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-// Taylor's series about 0, for at most an eighth of a turn: what is left out is below 1e-19.
+// Taylor series about 0, for at most an eighth of a turn: the remainder is below 1e-19.
 double sine(double x) {
   double term = x, sum = x;
   for (int n = 2; n <= 18; n += 2) sum += term *= -x * x / (n * (n + 1));
@@ -32,7 +32,7 @@ Vec2 unit_vector(double angle) {
 }
 
 double angle_of(Vec2 v) {
-  // Newton's steps from the middle of the quarter: the cross product is the sine of what is missing.
+  // Newton's steps from the middle of the quarter: the cross product is the sine of the remaining angle.
   double angle = v.y >= 0.0 ? (v.x >= 0.0 ? 0.5 : 1.5) * kQuarter : (v.x >= 0.0 ? -0.5 : -1.5) * kQuarter;
   const double size = length(v);
   if (size == 0.0) return 0.0;

@@ -21,7 +21,7 @@ constexpr auto kPairs = [] {
   return pairs;
 }();
 
-// What a digit stands for at each of a group's four places; kBad for what is none.
+// The value of a digit at each of a group's four places; kBad if it is invalid.
 constexpr std::uint32_t kBad = 1u << 24;
 constexpr auto kValues = [] {
   std::array<std::array<std::uint32_t, 256>, 4> values{};
@@ -89,7 +89,7 @@ std::string from_base64(std::string_view text) {
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   std::string bytes(text.size() * 3 / 4, '\0');
   char* to = bytes.data();
-  std::uint32_t bad = 0;  // its bit kBad is set once a character was none of base64's
+  std::uint32_t bad = 0;  // its bit kBad is set by an invalid character
   const auto value = [&](std::size_t i, std::size_t place) {
     return kValues[place][static_cast<std::uint8_t>(text[i])];
   };
@@ -102,7 +102,7 @@ std::string from_base64(std::string_view text) {
     *to++ = static_cast<char>(group);
   }
   const std::size_t left = text.size() - i;
-  if (left == 1) bad = kBad;  // six bits are no byte
+  if (left == 1) bad = kBad;  // six bits are not a byte
   if (left >= 2) {
     const std::uint32_t group = value(i, 0) | value(i + 1, 1) | (left == 3 ? value(i + 2, 2) : 0);
     bad |= group;

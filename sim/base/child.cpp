@@ -21,7 +21,7 @@ namespace {
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// What posix_spawn is told, and descriptors that must live until it is done.
+/// The settings of posix_spawn, and descriptors that must live until it is done.
 struct Instructions {
   posix_spawnattr_t spawn;
   posix_spawn_file_actions_t files;
@@ -38,14 +38,14 @@ struct Instructions {
   Instructions(const Instructions&) = delete;
   Instructions& operator=(const Instructions&) = delete;
 
-  /// The child's `number` (0, 1, 2) is that descriptor of ours.
+  /// Gives the child our descriptor as `number` (0, 1, 2).
   void give(int number, int fd) {
     if (fd == ChildStart::kOurs) return;
     if (fd == ChildStart::kNothing) {
       ::posix_spawn_file_actions_addopen(&files, number, "/dev/null", number == 0 ? O_RDONLY : O_WRONLY, 0);
       return;
     }
-    // Out of the way of 0, 1 and 2, which the child is about to get: we may have been started without them.
+    // Moves it away from 0, 1 and 2, which the child will get: we may have been started without them.
     if (fd <= STDERR_FILENO) {
       moved.emplace_back(::fcntl(fd, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
       fd = moved.back().get();

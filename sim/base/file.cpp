@@ -15,8 +15,8 @@
 #include "sim/base/error.h"
 #include "sim/base/file_scope.h"
 
-// Defined in tests that toolchain/cmake/robosim_functions.cmake makes: the prefix of an installed Robosim; ""
-// = none.
+// Defined in tests made by toolchain/cmake/robosim_functions.cmake: the prefix of an installed Robosim; "" =
+// none.
 extern "C" const char* robosim_installation() __attribute__((weak));
 
 namespace robosim {
@@ -28,7 +28,7 @@ namespace {
   throw InputError({path.string()}, std::string("cannot be ") + verb + ": " + std::strerror(error));
 }
 
-/// Of the installed Robosim whose libraries a program links that is not itself installed with it; else empty.
+/// Returns the installed Robosim whose libraries a program links without being installed with it; else empty.
 fs::path linked_installation() {
   return robosim_installation ? fs::path(robosim_installation()) : fs::path();
 }
@@ -85,16 +85,16 @@ std::string read_file(const Descriptor& file, const fs::path& path, std::size_t 
 
 namespace {
 
-/// Beside a file, while it is written.
+/// Returns a neighbouring name for a file while it is written.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
-/// As a rename over what is there, which on ext4 waits until all of the new file is on its way to the disk.
+/// Replaces a file like rename(), which on ext4 waits until the whole new file is on its way to the disk.
 bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::path& old) {
 #ifdef RENAME_EXCHANGE
   const auto change_places = [&] {
     return ::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
   };
-  if (!change_places()) return false;  // there is nothing, or no such thing on this file system
+  if (!change_places()) return false;  // no such file, or unsupported by the file system
   if (::unlink(fresh.c_str()) == 0) return true;
   change_places();  // it was a folder
 #endif
@@ -128,7 +128,7 @@ void place_file(const Descriptor& unnamed, const fs::path& path, int error) {
   try {
     if (error != 0) throw std::system_error(error, std::generic_category());
     const std::string itself = "/proc/self/fd/" + std::to_string(unnamed.get());
-    ::unlink(target.c_str());  // of a process that had our number once
+    ::unlink(target.c_str());  // from an earlier process with our number
     if (::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) != 0)
       throw std::system_error(errno, std::generic_category());
     if (!replace(target, path)) fs::rename(target, path);
@@ -153,7 +153,7 @@ std::string sha256_of_file(const fs::path& path) {
   SHA256Init(&context);
   struct stat info {};
   ::fstat(file.get(), &info);
-  // Most files are small, and a page that is never touched costs nothing.
+  // Most files are small, and untouched pages cost nothing.
   std::vector<std::uint8_t> chunk(
       std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 1, 256 * 1024));
   for (;;) {
@@ -163,7 +163,7 @@ std::string sha256_of_file(const fs::path& path) {
     if (n == 0) break;
     SHA256Update(&context, chunk.data(), static_cast<std::size_t>(n));
   }
-  ::explicit_bzero(chunk.data(), chunk.size());  // a runner hashes programs that its later runs shall not see
+  ::explicit_bzero(chunk.data(), chunk.size());  // a runner hashes programs that its later runs must not see
   char hex[SHA256_DIGEST_STRING_LENGTH];
   SHA256End(&context, hex);
   return hex;

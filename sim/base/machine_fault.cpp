@@ -27,7 +27,7 @@ std::string too_large_files() {
          " bytes are allowed here; raise the limit with ulimit -f unlimited";
 }
 
-/// Empty if there is one.
+/// Returns an empty text if there is one.
 std::string no_dev_null() {
   return ::access("/dev/null", R_OK | W_OK) == 0 ? "" : "/dev/null is missing or cannot be opened";
 }

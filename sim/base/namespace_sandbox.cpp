@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Where the new root is mounted at first, and where the old one is while things are taken from it.
+// The initial mount point of the new root, and that of the old one while parts of it are moved.
 constexpr const char* kNew = "/tmp";
 constexpr const char* kOld = "/.old";
 
@@ -58,7 +58,7 @@ NamespaceSandbox::NamespaceSandbox(const std::vector<fs::path>& read, const std:
     : user_map_(fmt::format("{0} {0} 1", ::getuid())), group_map_(fmt::format("{0} {0} 1", ::getgid())) {
   for (const fs::path& path : read) add(path, false);
   for (const fs::path& path : write) add(path, true);
-  // What is inside another comes after it.
+  // Inner folders come after outer ones.
   std::stable_sort(places_.begin(), places_.end(),
                    [](const Place& a, const Place& b) { return a.path.size() < b.path.size(); });
 }
@@ -84,7 +84,7 @@ void NamespaceSandbox::add(const fs::path& path, bool writable) {
 }
 
 bool NamespaceSandbox::show(const Place& place) const {
-  for (const std::string& folder : place.above) ::mkdir(folder.c_str(), 0755);  // it may be there
+  for (const std::string& folder : place.above) ::mkdir(folder.c_str(), 0755);  // it may exist
   if (!place.folder) {
     const int fd = ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0444);
     if (fd >= 0) ::close(fd);

@@ -1,6 +1,6 @@
-// ProgramSandbox where the kernel has no Landlock (Raspberry Pi OS builds its own without): a file system of
-// its own, in which nothing is but what may be seen. It takes a namespace of users, which needs no root, but
-// that the kernel or the container allows it.
+// Implements ProgramSandbox if the kernel has no Landlock (Raspberry Pi OS builds its own without it). Uses a
+// separate file system with only the visible files. It takes a user namespace, which needs no root, but must
+// be allowed by kernel and container.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@ namespace robosim {
 
 class NamespaceSandbox {
  public:
-  /// Those that are not there are left out; below what may be written everything may be written.
+  /// Skips missing paths; everything below a writable path is writable.
   NamespaceSandbox(const std::vector<std::filesystem::path>& read,
                    const std::vector<std::filesystem::path>& write);
 
-  /// In a fork, before it becomes a program; the working folder is / then. Async-signal-safe. False if it
-  /// cannot be.
+  /// Enters it, in a fork before it becomes a program; the working folder is / then. Async-signal-safe.
+  /// Returns false on failure.
   bool enter() const;
 
-  /// Whether this machine lets us. Found out once, by a fork that tries.
+  /// Returns whether this machine allows it. Determined once, by a fork that tries.
   static bool possible();
 
  private:
   struct Place {
-    std::string path, real;          ///< as it is to be seen; below kOld, without links
+    std::string path, real;          ///< in the sandbox; below kOld, without links
     std::vector<std::string> above;  ///< folders to make for it, outermost first
     bool folder = false, writable = false;
     unsigned long flags = 0;  ///< of its mount, which a namespace may not drop

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint64_t kRead =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-constexpr std::uint64_t kAll = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // of version 1, which each has
+constexpr std::uint64_t kAll = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // of version 1, which all have
 constexpr std::uint64_t kOfFiles =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
 constexpr std::uint64_t kTruncate = 1u << 14;  // version 3
@@ -42,7 +42,7 @@ constexpr const char* kSystem[] = {"/usr",
                                    "/etc/alternatives",
                                    "/dev/urandom"};
 
-/// 0 where there is none.
+/// Returns 0 if there is none.
 long version() {
   return std::max(0l, ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
 }
@@ -58,7 +58,7 @@ void allow(int rules, const fs::path& path, std::uint64_t what) {
   ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
 }
 
-/// What goes on in spite of the signal at `most` is killed a little later.
+/// A program that ignores the signal at `most` is killed a little later.
 bool limit(int what, rlim_t most, rlim_t more = 0) {
   rlimit now{};
   ::getrlimit(static_cast<__rlimit_resource_t>(what), &now);
@@ -67,7 +67,7 @@ bool limit(int what, rlim_t most, rlim_t more = 0) {
   return ::setrlimit(static_cast<__rlimit_resource_t>(what), &now) == 0;
 }
 
-/// The folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
+/// Returns the folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
 std::vector<fs::path> program_folders() {
   const char* path = std::getenv("PATH");
   std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
@@ -80,7 +80,7 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Nothing of the user's environment except where programs are: a sketch can make a compiler print the rest.
+/// Removes the user's environment except the path: a sketch can make a compiler print the rest.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
@@ -142,7 +142,7 @@ std::string ProgramSandbox::missing() {
          ", and namespaces of users are not allowed";
 }
 
-/// As Child does it for a ChildStart, within sandbox. After the fork only what a signal handler may do.
+/// Starts a ChildStart within the sandbox, like Child. After the fork, only async-signal-safe calls.
 Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes) {
   constexpr int kCannotStart = 127;
   const std::vector<std::string> settings = bare_environment(sandbox.scratch());

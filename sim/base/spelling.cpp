@@ -10,8 +10,8 @@
 namespace robosim {
 namespace {
 
-/// How many letters are wrong, missing or too many; two that are swapped count once, and capitals do not
-/// matter.
+/// Returns the number of wrong, missing or additional letters; two swapped ones count once, and case is
+/// ignored.
 std::size_t distance(const std::string& a, const std::string& b) {
   const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   const std::size_t columns = b.size() + 1;

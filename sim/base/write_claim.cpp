@@ -45,7 +45,7 @@ WriteClaim::WriteClaim(const fs::path& file) {
   const std::string name = "robosim writes " + sha256(whole.string());
   std::memcpy(address.sun_path + 1, name.data(), name.size());  // the 0 before it makes it abstract
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  // Where there are no sockets at all, files are written as before.
+  // Without any sockets, files are written without a claim.
   if (::bind(name_.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0 && errno == EADDRINUSE)
     throw InputError(
         {file.string()},
