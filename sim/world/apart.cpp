@@ -7,7 +7,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kBetween = Walls::kNear + 0.05;  // m: more than two that do not meet need
+constexpr double kBetween = Walls::kNear + 0.05;  // m: more than two bodies need to be independent
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// What is left of an impulse after friction that can hold up to `friction`.
+// Returns the rest of an impulse after friction of at most `friction`.
 double after_friction(double impulse, double friction) {
   if (impulse > friction) return impulse - friction;
   if (impulse < -friction) return impulse + friction;
@@ -105,8 +105,8 @@ void Body::solve_friction(double* speed, const double* impulse, const double* fr
   speed[right] = y[1];
 }
 
-// At least one tyre slips, or nearly: ground and tread have speeds of their own, joined by traction of at
-// most `limit`. Wheel by wheel, the other's traction given, until nothing changes.
+// At least one tyre slips, or nearly: ground and tread have separate speeds, joined by traction of at most
+// `limit`. Solves wheel by wheel, with the other's traction fixed, until nothing changes.
 void Body::solve_slip(const Motor* m, const double* friction, const double* limit) {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   const double turning = half_track_ * half_track_ * per_inertia_;
@@ -144,7 +144,7 @@ void Body::accelerate() {
   const double s0 = surface_[0], s1 = surface_[1];
   const double friction[2] = {unit_[0].friction[s0 == 0.0], unit_[1].friction[s1 == 0.0]};
 
-  // Sideways: the tyres take what the turn of the frame leaves, up to their grip.
+  // Sideways: the tyres take the remainder of the frame's turn, up to their grip.
   const double sideways = -side_free_ * params_.mass_kg;
   double limit[2] = {grip_limit_[0], grip_limit_[1]};
   bool skids = false;
@@ -171,7 +171,7 @@ void Body::accelerate() {
   const double p1 = impulse[1] - std::copysign(friction[1], s1);
   double y[2] = {(own1 * p0 - mass_cross_ * p1) * per_determinant,
                  (own0 * p1 - mass_cross_ * p0) * per_determinant};
-  // Where a wheel stands, or would turn back within the tick, its friction may hold it.
+  // If a wheel stands, or would reverse within the tick, its friction may hold it.
   if (!(y[0] * s0 > 0.0 && y[1] * s1 > 0.0)) solve_friction(y, impulse, friction, m);
 
   const double traction0 = mass_own_ * y[0] + mass_cross_ * y[1] - momentum0;
@@ -194,7 +194,7 @@ void Body::accelerate() {
   }
 }
 
-// Picked up: each wheel turns by itself.
+// Lifted: each wheel turns independently.
 void Body::spin() {
   advance(kDt);
   if (winds_) find_currents();
@@ -209,7 +209,7 @@ void Body::spin() {
   draw_energy();
 }
 
-// The tick of a body that just rolls. False, and nothing is done, if it is another one.
+// Computes the tick of a rolling body. Returns false, without effect, for any other one.
 ROBOSIM_ALSO_FOR("avx") bool Body::roll_on(const Walls& walls) {
   if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
   Rolling<Pair> next;

@@ -58,7 +58,7 @@ constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m for m of way, and m
 
 }  // namespace
 
-// Where it is now. False where it has run into a face: it is back where it was, and stands.
+// Sets its stance. Returns false if it has run into a face: it is back at its old place, and stands.
 bool Body::stand(Ground* ground, const Pose& before, double travel) {
   Vec2 at[3], rises[3];
   const Stance last = stance_;
@@ -93,7 +93,7 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
   return true;
 }
 
-// Of the robot's weight, as the chassis has it.
+// Returns a part of the robot's weight, by the chassis.
 double Body::share_on(int i) const { return i < 2 ? 0.5 * params_.load_share : 1.0 - params_.load_share; }
 
 Joints::Roller Body::roller(int i) const {
@@ -102,7 +102,7 @@ Joints::Roller Body::roller(int i) const {
 
 double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
 
-// Of a push at its hub, how much shifts no load.
+// Returns the part of a push at its hub that shifts no load.
 double Body::hub_share(int i) const {
   if (params_.caster_m > 0.0) return 0.0;
   const double h = params_.centre_height_m, radius = foot_radius(i);
@@ -129,7 +129,7 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
     stance_.sunk[i] = ground ? ground->joints().sunk(at[i], roller(i)).depth : 0.0;
     stance_.height[i] = footing.height - stance_.sunk[i];
     rises[i] = footing.rise;
-    // On a slope a large wheel's axle is higher than a small one's; the chassis still lies along the slope.
+    // On a slope a large wheel's axle is higher than a small one's; the chassis still follows the slope.
     chassis[i] = footing.height > 0.0 && i < 2 ? ground->under_ball(at[i], params_.caster_radius_m).height
                                                : footing.height;
     chassis[i] -= stance_.sunk[i];
@@ -145,7 +145,7 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
   if (known) lean_.rate = Vec2{pitch - stance_.pitch, roll - stance_.roll} * (1.0 / kDt);
 }
 
-// What comes to rise more steeply, or falls less, turns its share of the speed upward at once.
+// A wheel that begins to rise more steeply, or to fall less, turns its share of the speed upward at once.
 void Body::bump(const Vec2* before, const Vec2* rises) {
   const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
   for (int i = 0; i < 3; ++i) {
@@ -165,8 +165,8 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
   }
 }
 
-// What meets the far edge of a gap loses its share of the energy. On the way down and up gravity's work is
-// what the heights differ by, however few ticks that takes.
+// A wheel that meets the far edge of a gap loses its share of the energy. On the way down and up gravity's
+// work is the difference of the heights, however few ticks that takes.
 void Body::jolt(const Joints& joints, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises) {
   const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
                         before.to_world({params_.caster_m, 0.0})};
@@ -243,7 +243,7 @@ void Body::share_load(Ground* ground, const Vec2* at) {
   for (int i = 0; i < 3; ++i) ground->press(at[i], load[i] / kGravity, load[i]);
 }
 
-// `push`: m/s2 across the line about which it turns, `arm`: m from there to the mass's centre.
+// `push`: m/s2 across the axis of the turn, `arm`: m from there to the mass's centre.
 void Body::tip(int which, double push, double arm) {
   const double h = params_.centre_height_m;
   double &angle = stance_.tip[which], &rate = stance_.tip_rate[which];

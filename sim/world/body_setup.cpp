@@ -1,4 +1,4 @@
-// What a body's parameters, and what goes wrong with it, amount to.
+// Derives a body's constants from its parameters and its faults.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// N s of a tick: a friction that nothing overcomes.
+// N s of a tick: a friction that is never overcome.
 constexpr double kHeld = 1e6;
 
 double torque_per_ampere(const WheelParams& w) {
@@ -98,7 +98,7 @@ BodyParams default_body_params() {
   return p;
 }
 
-// On a plane floor.
+// For a plane floor.
 void Body::set_grip() {
   steer_limit_ = params_.grip * (1.0 - params_.load_share) * params_.mass_kg * kGravity * kDt;
   for (const Side side : {left, right}) {
@@ -170,7 +170,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
       !winds_ && !(params_.centre_height_m > 0.0) && !(params_.steer_base_m > 0.0) && !(scrub_rolling_ > 0.0);
 }
 
-// Of a command.
+// Updates what follows from a command.
 void Body::tell_roller(Side side) {
   const Unit& unit = unit_[side];
   const double drives = std::fabs(unit.drive);
@@ -182,7 +182,7 @@ void Body::tell_roller(Side side) {
   roller_.brake_drag[side] = unit.brake * unit.drag;
 }
 
-// Of all that follows from the body.
+// Updates everything that follows from the body.
 void Body::set_roller(Side side) {
   const Unit& unit = unit_[side];
   tell_roller(side);

@@ -42,7 +42,7 @@ void Body::set_scrub() {
   scrub_slipping_ = moment * kDt * per_inertia_;
 }
 
-// After motors and grip: the turn that the tyres' sideways slide leaves.
+// After motors and grip: applies the turn that remains after the tyres' sideways slide.
 void Body::scrub() {
   const double less = slips_ ? scrub_slipping_ : scrub_rolling_;
   const double turn = omega_ > 0.0 ? std::max(omega_ - less, 0.0) : std::min(omega_ + less, 0.0);

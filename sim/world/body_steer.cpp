@@ -40,7 +40,7 @@ constexpr double kMostSteered = 1.4;  // rad
 
 double steered_middle(double inner, double track, double steer_base) {
   const Vec2 turn = direction_of(inner);
-  // The wheel stands track / 2 beside the middle, and its axle points to the same centre.
+  // The wheel is track / 2 next to the middle, and its axle points to the same centre.
   return angle_of({turn.x + std::fabs(turn.y) * track / (2.0 * steer_base), turn.y});
 }
 
@@ -53,7 +53,7 @@ void Body::steer(double angle) {
   curvature_ = turn.y / (turn.x * params_.steer_base_m);
 }
 
-// Motors and grip of a tick. Where a tyre slips it is as if the steered wheels were not there, but for their
+// Applies motors and grip of a tick. If a tyre slips the steered wheels have no effect, except for their
 // push.
 void Body::accelerate_steered() {
   const double ratio[2] = {1.0 - curvature_ * half_track_, 1.0 + curvature_ * half_track_};
@@ -64,7 +64,7 @@ void Body::accelerate_steered() {
   for (const int i : {0, 1}) {
     const Unit& unit = unit_[i];
     friction[i] = unit.friction[surface_[i] == 0.0];
-    // Of a differential the motor has the mean speed, and half of its torque on each side.
+    // With a differential the motor has the mean speed, and half of its torque on each side.
     turning[i] = params_.differential ? 1.0 : ratio[i];
     momentum += ratio[i] * unit.inertia * surface_[i] + turning[i] * m[i].push;
     inertia += ratio[i] * ratio[i] * unit.inertia + turning[i] * turning[i] * m[i].drag;
@@ -76,7 +76,7 @@ void Body::accelerate_steered() {
   speed = bounded(speed, kMaxSpeed);
   double turn = bounded(curvature_ * speed, kMaxTurn);
 
-  // What each tyre gives to the ground, and the steered wheels across their direction, N s.
+  // The impulses of the tyres on the ground, and of the steered wheels across their direction, N s.
   double traction[2];
   for (const int i : {0, 1}) {
     const double tread = ratio[i] * speed, given = m[i].push - m[i].drag * turning[i] * speed;

@@ -30,7 +30,7 @@ enum What { forward, shorted, backward, open };
 
 constexpr double kLeastShare = 1e-9;
 
-// The volts of body and command turned round.
+// Mirrors the volts of body and command.
 void turn_round(Phase& phase) {
   std::swap(phase.volts[0], phase.volts[1]);
   std::swap(phase.supply[0], phase.supply[1]);

@@ -8,10 +8,10 @@ namespace {
 
 bool is_painted(Cell c) { return c == Cell::line || c == Cell::obstacle; }
 
-// Footprints up to this look at the nearest stripes only, where corners are round, m.
+// For footprints up to this only the nearest stripes matter, if corners are round, m.
 constexpr double kUsualFootprint = 0.016;
 
-constexpr double kPatch = 0.010;  // m between the points at which a floor's brightness is drawn
+constexpr double kPatch = 0.010;  // m between the sample points of a floor's brightness
 
 // Numbers of Floor's kinds: 0 no line; then painted cells, each arm 0 none, 1 whole or 2 shortened; then
 // gaps, each arm 0 none or 1 whole.
@@ -60,7 +60,7 @@ void Floor::index_with_marks(const grid::Map& map) {
   marked_ = true;
 }
 
-// As grid::Stripes has it, cell by cell: a gap takes line/2 from the painted stripes beside it.
+// Follows grid::Stripes, cell by cell: a gap takes line/2 from the neighbouring painted stripes.
 void Floor::read_stripes(const grid::Map& map) {
   const double whole = 0.5 * cell_;
   const double shortened = whole - std::min(half_line_, 0.45 * cell_);
@@ -162,8 +162,8 @@ double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
   return 1.0 - areas_.over(back, true, band, p, footprint);
 }
 
-// Drawn at the points of a lattice, and smooth in between, where the mean standard deviation is 26/35 of that
-// at the points.
+// Random at the points of a lattice, and smooth in between, where the mean standard deviation is 26/35 of
+// that at the points.
 double Floor::patch_brightness(Vec2 p) const {
   const double u = p.x * (1.0 / kPatch), v = p.y * (1.0 / kPatch);
   const double column = std::floor(u), row = std::floor(v);
@@ -195,7 +195,8 @@ double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
   return arms.square(p.x - (column + 0.5) * cell_, p.y - (row + 0.5) * cell_);
 }
 
-// Ring by ring about the point's cell: what no cell up to ring k has is at least k cells away.
+// Searches ring by ring about the point's cell: anything that is not in the cells up to ring k is at least k
+// cells away.
 double Floor::search(Vec2 p, bool painted_only) const {
   const auto cell_of = [this](double x, double most) {
     return static_cast<int>(
@@ -231,9 +232,9 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// What is found holds in the point's cell; or, where nobody minds what is farther than `reach` away, as far
-// beyond its borders as stripes that are not looked up there are surely farther than that: those are
-// stripes_reach_ from the cell. But beyond the map there are none.
+// The result is valid in the point's cell. If distances above `reach` are irrelevant, it is valid beyond its
+// borders, as far as other stripes are surely farther away. Those are stripes_reach_ from the cell. But
+// beyond the map there are none.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9;  // m
   found = {};

@@ -10,9 +10,9 @@ namespace robosim::world {
 namespace {
 
 constexpr double kSteepest = 4.0;
-constexpr double kPoint = 1e-9;  // m: a reach below this is none
+constexpr double kPoint = 1e-9;  // m: a smaller reach counts as none
 
-// A profile along a hill, and the wheel above it: reach along the hill, and how high its middle is, m.
+// A profile along a hill, and the wheel above it: reach along the hill, and the height of its middle, m.
 struct CrossSection {
   const grid::Hill& hill;
   double sine;  // of a seesaw
@@ -32,7 +32,7 @@ struct Top {
   double slope = 0.0;   // along the hill
 };
 
-// `high`: from the wheel's middle down to where it reaches, m, of its radius.
+// `high`: from the wheel's middle down to its contact point, m, of its radius.
 Top top_of(const CrossSection& profile, double s, double reach, double radius, double high) {
   Top top{-1.0, 0.0};
   const auto take = [&top](double height, double slope) {

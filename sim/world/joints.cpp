@@ -9,11 +9,11 @@ namespace robosim::world {
 namespace {
 
 constexpr double kTread = 0.006;     // m
-constexpr double kMostShare = 0.98;  // of a roller's radius that half a gap takes
+constexpr double kMostShare = 0.98;  // of a roller's radius, for half a gap
 
-// How a roller meets a gap across its width: m.
+// A roller at a gap across its width: m.
 struct Meeting {
-  double half = 0.0;   // of the gap, as far as the tread does not bridge it
+  double half = 0.0;   // of the gap, without the part that the tread bridges
   double reach = 0.0;  // of the roller; half is less
 };
 
@@ -25,7 +25,7 @@ Meeting meeting_of(const grid::Joint& joint, const Joints::Roller& roller) {
   return {std::min(joint.half_length - 0.5 * tread, kMostShare * reach), reach};
 }
 
-// The speed up to which it rolls about the edges.
+// Returns the speed up to which it rolls about the edges.
 double rolling_speed(double radius) { return std::sqrt(kGravity * radius); }
 
 }  // namespace

@@ -8,9 +8,9 @@
 namespace robosim::world {
 namespace {
 
-// So few are looked at pair by pair.
+// Up to this number, all pairs are compared.
 constexpr std::size_t kFew = 8;
-// Bodies that are pushed out of each other may come nearer to third ones.
+// Bodies that are pushed apart may come nearer to third ones.
 constexpr double kPushed_m = 0.02;
 constexpr int kMostSquares = 512;  // in a row or column
 

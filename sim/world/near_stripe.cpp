@@ -7,17 +7,19 @@ namespace robosim::world {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // m: more than what distances are rounded by
-// m, of a box; it is sought anew when that is left, which costs more than some looks at the stripe.
+constexpr double kRounding = 1e-9;  // m: more than the rounding error of distances
+// m, minimum of a box; leaving it requires a new search, which costs more than some evaluations of the
+// stripe.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m: beside a segment the box is as long as that
-constexpr double kAlone = 5e-3;   // m: below, the second nearest is asked, too
+constexpr double kBeside = 5e-4;  // m: next to a segment the box has that length
+constexpr double kAlone = 5e-3;   // m: below it, the second nearest is checked, too
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const grid::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
 bool is_upright(const grid::Stripe& s) { return s.radius == 0.0 && s.a.x == s.b.x && s.a.y < s.b.y; }
 
-// Leaves of the box what the footprint at p sees nothing of the stripe from. False if that is not worth it.
+// Reduces the box to where the footprint at p sees nothing of the stripe. Returns false if it becomes too
+// small.
 bool keep_clear(FloorBox& box, const grid::Stripe& s, double reach, double away, Vec2 p) {
   const double wide = reach + kRounding;
   if (!is_level(s) && !is_upright(s)) {
@@ -85,7 +87,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
     box_ = {};
     return nearest;
   }
-  // Who moves by half of what another one is farther away is not nearer to that yet.
+  // A point that moves by half of the difference to another stripe is not nearer to that yet.
   const double alone = kDiagonal * 0.5 * (next - nearest) - kRounding;
   if (alone < kAlone) {
     box_.keep(p, kDiagonal * 0.5 * (third - nearest) - kRounding);
@@ -97,7 +99,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
   return nearest;
 }
 
-// Only the stripe counts in the box: what is simpler than its distance as a whole.
+// Only this stripe counts in the box: computes a simpler form of its distance.
 void NearStripe::beside(const grid::Stripe& stripe, Vec2 p) {
   at_ = stripe.radius > 0.0 ? stripe.centre : stripe.a;
   radius_ = stripe.radius;

@@ -6,7 +6,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kWidest = 0.1;  // m; the widest footprint that is looked up
+constexpr double kWidest = 0.1;  // m; the widest supported footprint
 constexpr double kTile = 0.15;   // m
 
 double share_within(double away, double half, double footprint) {

@@ -9,7 +9,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kFlake = 0.010;             // m between the points at which paint is whole or gone
+constexpr double kFlake = 0.010;             // m between the sample points of worn paint
 static_assert(grid::Paint::kMost + 1 < 64);  // paints are bits of a word
 
 }  // namespace

@@ -17,7 +17,7 @@ struct Edges {
   Edges(Vec2 direction, Vec2 half_beam)
       : left(direction * half_beam.x + left_of(direction) * half_beam.y),
         right(direction * half_beam.x - left_of(direction) * half_beam.y) {}
-  /// Whether the beam holds the direction of `d`; its apex is in it.
+  /// Returns whether the beam includes the direction of `d`; its apex is included.
   bool hold(Vec2 d) const { return cross(right, d) >= 0.0 && cross(d, left) >= 0.0; }
 };
 
@@ -39,7 +39,7 @@ double range_to_disc(Vec2 from, Vec2 direction, Vec2 half_beam, Vec2 centre, dou
                   range_to_disc(from, edges.right, centre, radius));
 }
 
-// From cell to cell along the ray, by the borders that it crosses.
+// Steps from cell to cell along the ray, by the borders that it crosses.
 double Walls::range_along(Vec2 from, Vec2 direction, double most) const {
   if (beyond_edge(from)) return 0.0;
   const double side = map_->cell_m;
@@ -70,7 +70,7 @@ double Walls::range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double mo
   double nearest =
       std::min(range_along(from, direction, most),
                std::min(range_along(from, edges.left, most), range_along(from, edges.right, most)));
-  const double reach = nearest / half_beam.x;  // of a triangle that holds the beam up to there
+  const double reach = nearest / half_beam.x;  // of a triangle that contains the beam up to there
   const Vec2 a = from + edges.left * reach, b = from + edges.right * reach;
   const double side = map_->cell_m;
   const auto cell = [&](double x, double cells) {

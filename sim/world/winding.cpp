@@ -25,13 +25,13 @@ class Period {
     double left = phase.share, decay = phase.decay;
     while (left > 0.0) {
       const int way = way_in(phase);
-      if (way < 0) {  // it stays at 0, however little it was off
+      if (way < 0) {  // it stays at 0, however small the deviation was
         now_ = {};
         return;
       }
       const double target = (phase.volts[way] - emf_) * per_ohm_;
       const double end = target + (now_.value - target) * decay;
-      // What conducts both ways does not mind which way it is.
+      // A path that conducts both ways does not depend on the direction.
       const bool one = phase.volts[0] == phase.volts[1] && phase.supply[0] == phase.supply[1];
       if (one || (way == 0 ? end >= 0.0 : end <= 0.0)) {
         flow(left, decay, end, target, phase.supply[way]);
@@ -42,7 +42,7 @@ class Period {
       flow(lasts, until_zero, 0.0, target, phase.supply[way]);
       left -= lasts;
       decay = left > 0.0 ? decay_of(left / tau_) : 1.0;
-      // On the other side the current goes off at another rate.
+      // On the other side the current changes at another rate.
       const int other = way_in(phase);
       if (other < 0) {
         now_ = {};
@@ -58,7 +58,7 @@ class Period {
   const Value& drawn() const { return drawn_; }
 
  private:
-  // Which way it flows, or goes off to: 0 forward, 1 backward; -1: neither.
+  // Returns the present or coming direction: 0 forward, 1 backward; -1: neither.
   int way_in(const Phase& phase) const {
     if (now_.value > 0.0) return 0;
     if (now_.value < 0.0) return 1;
@@ -86,7 +86,7 @@ class Period {
   Value now_, charge_, drawn_;
 };
 
-// In each phase the current is what it ends with.
+// In each phase the current equals its final value.
 MeanCurrent settled(std::span<const Phase> phases, double emf, double per_ohm) {
   MeanCurrent mean;
   for (const Phase& phase : phases) {

@@ -67,7 +67,8 @@ void World::step_together(const std::vector<std::size_t>& numbers) {
   for (const std::size_t number : numbers) bodies_[number]->settle_contact();
 }
 
-// Bodies meet as circles: pushed apart, and their approach cancelled, in proportion to their masses.
+// Bodies collide as circles: they are pushed apart, and their approach cancelled, in proportion to their
+// masses.
 void World::collide_bodies() {
   for (const auto& [i, j] : near_.pairs(bodies_)) {
     Body &a = *bodies_[i], &b = *bodies_[j];
@@ -82,7 +83,7 @@ void World::collide_bodies() {
     a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
     const double away = std::sqrt(square);
     const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-    // Each by a quotient of its own, so that it is the same to the last bit whoever is named first.
+    // Each by a separate quotient, so that the result does not depend on the order, to the last bit.
     const double both = a.per_mass_ + b.per_mass_;
     const double share_a = a.per_mass_ / both, share_b = b.per_mass_ / both;
     const double approach = dot(a.velocity() - b.velocity(), n);
