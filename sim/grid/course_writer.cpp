@@ -23,7 +23,7 @@ std::string colour_text(const Colour& colour) {
                      colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * colour.black) : "");
 }
 
-// Its keys where it is not as usual, each behind `between`.
+// Returns its unusual keys, each after `between`.
 std::string paint_text(const Course& course, int number, const Paint& usual, const char* between) {
   if (number == 0) return "";
   const Paint& paint = course.paints[static_cast<std::size_t>(number) - 1];

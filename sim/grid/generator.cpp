@@ -19,12 +19,12 @@ namespace {
 constexpr const char* kFamilies[] = {"tree", "cycles", "grid"};
 constexpr Direction kDirections[] = {Direction::east, Direction::south, Direction::west, Direction::north};
 constexpr unsigned kLeastPitch = 3;  // cells between lattice lines, and around the map
-constexpr unsigned kPitches = 2;     // different ones
+constexpr unsigned kPitches = 2;     // number of different ones
 
 class Chance {
  public:
   Chance(Family family, std::uint64_t seed) : noise_(seed, 0, "generator", name_of(family)) {}
-  /// 0 to n - 1
+  /// Returns 0 to n - 1
   std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(noise_.bits(drawn_++) % n); }
   bool one_in(std::size_t n) { return below(n) == 0; }
 
@@ -33,7 +33,7 @@ class Chance {
   std::uint64_t drawn_ = 0;
 };
 
-// Where landmarks may be, and which of them are joined to which neighbours.
+// The possible places of landmarks, and their connections.
 class Lattice {
  public:
   Lattice(int width, int height)
@@ -72,9 +72,9 @@ class Lattice {
   std::vector<std::uint8_t> arms_;  // bit 1 << Direction
 };
 
-// Grows a tree, from the middle outward. A new node on a dead end lengthens it; one elsewhere is one dead end
-// more, so that any number of them is met exactly. One time in four the newest node grows, which makes lines
-// with bends; else any. False if the lattice is full before.
+// Grows a tree, from the middle outward. A new node on a dead end lengthens it; elsewhere it adds one dead
+// end, so that any number of them is met exactly. One time in four the newest node grows, which makes lines
+// with bends; else any. Returns false if the lattice is full before.
 bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, Chance& chance) {
   std::vector<std::uint32_t> growing{lattice.index(lattice.width() / 2, lattice.height() / 2)};
   std::size_t nodes = 1;
@@ -104,7 +104,7 @@ bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, 
   return true;
 }
 
-// A lattice with a tree on it that has room to spare.
+// Returns a lattice with a tree that has room to spare.
 Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   for (double room = 6.0;; room *= 1.5) {
     const int side =
@@ -114,7 +114,7 @@ Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   }
 }
 
-// Joins neighbours on the lattice that are no dead ends, one pair in four, and at least one.
+// Connects neighbours on the lattice that are not dead ends, one pair in four, and at least one.
 bool close_cycles(Lattice& lattice, Chance& chance) {
   const auto inner = [&](std::uint32_t i) { return lattice.degree(i) >= 2; };
   std::vector<std::pair<std::uint32_t, Direction>> pairs;
@@ -137,11 +137,11 @@ Lattice cycles(std::size_t stations, Chance& chance) {
   }
 }
 
-// Which crossings of a city are connected so far.
+// The groups of connected crossings of a city.
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  /// False if they were in one group already.
+  /// Returns false if they were in one group already.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -157,9 +157,9 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-// Crossings are on even rows and columns of the lattice, a block between four of them has its middle on odd
-// ones. There a station may be, joined to the middle of one of the block's four sides. A side is a street of
-// two steps.
+// Crossings are on even rows and columns of the lattice; a block between four of them has its middle on odd
+// ones. A station may be there, connected to the middle of one of the block's four sides. A side is a street
+// of two steps.
 class City {
  public:
   City(std::size_t stations, Chance& chance)
@@ -192,7 +192,7 @@ class City {
     }
   }
 
-  // Chosen one after the other so that all choices are equally likely (Knuth's selection sampling).
+  // Selected so that all choices are equally likely (Knuth's selection sampling).
   void build_stations(std::size_t stations) {
     std::size_t blocks = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     for (int y = 1; y < 2 * rows_; y += 2)
@@ -203,7 +203,7 @@ class City {
       }
   }
 
-  // A third of the streets that no station needs and that no spanning tree (Kruskal's, in random order) has.
+  // Removes a third of the streets without stations and outside a spanning tree (Kruskal's, in random order).
   void remove_streets() {
     for (std::size_t n = streets_.size(); n > 1; --n) std::swap(streets_[n - 1], streets_[chance_.below(n)]);
     Groups connected(lattice_.size());
@@ -226,7 +226,8 @@ class City {
   std::vector<Street> streets_;
 };
 
-// Where the lattice's lines come to lie: cells, by number of the line, from the first used one to the last.
+// Returns the places of the lattice's lines: cells, by number of the line, from the first used one to the
+// last.
 std::vector<int> spread(int first, int last, Chance& chance) {
   std::vector<int> at(static_cast<std::size_t>(last) + 1, 0);
   int cell = static_cast<int>(kLeastPitch);

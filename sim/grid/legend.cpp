@@ -85,7 +85,7 @@ class Reader {
   Legend legend_;
 };
 
-// As read_legend reads it.
+// Writes the format of read_legend.
 std::string meaning_text(Cell cell, const SurfaceFigures* surface) {
   if (!surface) return fmt::format("\"{}\"", cell_word(cell));
   for (const SurfaceKind& kind : kSurfaces)

@@ -32,16 +32,17 @@ class MapFile {
 
   std::size_t size() const { return size_; }
 
-  /// For all of it or, if it is larger, so much at a time. What read() does not fill of it is the file's end.
+  /// Returns a buffer for all of it or, if it is larger, for this much at a time. A part that read() does not
+  /// fill is at the file's end.
   std::vector<char> buffer_of(std::size_t most) const { return std::vector<char>(std::min(size_ + 1, most)); }
 
-  /// In which all front matter is.
+  /// Returns the beginning, which includes all front matter.
   std::string beginning() {
     std::vector<char> buffer = buffer_of(MapParser::kMaxFrontMatter + 1024);
     return std::string(read(buffer));
   }
 
-  /// Fills the buffer as far as the file reaches; less than all of it only at the file's end.
+  /// Fills the buffer as far as the file reaches; only at the file's end it is not full.
   std::string_view read(std::vector<char>& buffer) {
     std::size_t got = 0;
     while (got < buffer.size()) {

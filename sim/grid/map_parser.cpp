@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kFence = "+++";
 
-// Reads a row of floor, line and wall only; false if it holds anything else. Written so that compilers turn
-// it into vector code: large maps are read at the speed of memory.
+// Reads a row of floor, line and wall only; returns false for anything else. Written so that compilers
+// vectorise it: large maps are read at the speed of memory.
 bool read_plain(std::string_view row, Cell* out) {
   unsigned char strange = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -32,7 +32,7 @@ bool read_plain(std::string_view row, Cell* out) {
   return strange == 0;
 }
 
-// std::count, but in vector code: sums that fit a byte.
+// Like std::count, but vectorised: sums that fit a byte.
 std::size_t count(std::string_view row, char c) {
   constexpr std::size_t kBlock = 128;
   std::size_t total = 0;
@@ -277,7 +277,7 @@ Map MapParser::finish() {
   return std::move(map_);
 }
 
-// A floor without rows: paths on an empty one.
+// Makes a floor without rows: paths on an empty one.
 void MapParser::make_floor() {
   if (!front_.size)
     throw InputError(

@@ -12,7 +12,7 @@
 namespace robosim::grid {
 namespace {
 
-// As a TOML basic string.
+// Formats a TOML basic string.
 std::string toml_string(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -26,23 +26,23 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-// `1` for lines where `.` beside `#` would look swapped: see docs/reference/maps.md.
+// Returns `1` for lines if `.` next to `#` would look swapped: see docs/reference/maps.md.
 char line_character(const Map& map) {
   const auto lines = static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), Cell::line));
   return lines * 2 > map.cells.size() ? '1' : '.';
 }
 
-// To micrometres.
+// Rounds to micrometres.
 double rounded(double m) { return std::round(m * 1e6) / 1e6; }
 
-// Whether it is written without rows.
+// Returns whether it is written without rows.
 bool is_bare(const Map& map) {
   return (!map.course.paths.empty() || map.image) &&
          std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; }) &&
          map.surface_of_cell.empty();
 }
 
-// Keys of the top level, then tables; "" if all is as it is without front matter.
+// Returns keys of the top level, then tables; "" if everything has its default.
 std::string front_matter(const Map& map, bool mark_goal, const std::string& legend) {
   const Map defaults;
   std::string text;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLapStep = 0.04;  // m, between two points of a lap on a path
 
-// Ways out of a cell for a robot that faces `d`, in the order in which the right-hand walk takes them.
+// Returns the ways out of a cell for a robot that faces `d`, in the order of the right-hand walk.
 std::array<Direction, 4> right_hand_order(Direction d) {
   return {turned_right(d), d, turned_left(d), reversed(d)};
 }
@@ -26,7 +26,7 @@ class Walk {
   const std::vector<CellAt>& dead_ends() const { return dead_ends_; }
   const std::vector<CellAt>& junctions() const { return junctions_; }
 
-  /// Nodes in order of travel if the reached network is one closed loop.
+  /// Returns the nodes in order of travel if the reached network is one closed loop.
   std::vector<CellAt> loop(const Start& start) const {
     if (!only_loops_ || edge_ends_ == 0) return {};
     std::vector<CellAt> nodes;
@@ -42,8 +42,8 @@ class Walk {
   }
 
  private:
-  // Depth first, the rightmost way first: on a tree, the order in which v1 meets its stations. A way that
-  // leads to a cell reached meanwhile is dropped, so that cycles and crossings end.
+  // Depth first, the rightmost way first: on a tree, the order in which v1 meets its stations. Ways to cells
+  // reached meanwhile are dropped, so that cycles and crossings end.
   void explore(const Start& start) {
     struct Way {
       CellAt to;
@@ -95,7 +95,7 @@ class Walk {
   bool only_loops_ = true;
 };
 
-// All dead ends of the map that the walk did not reach, in row order.
+// Returns all dead ends of the map that the walk did not reach, in row order.
 std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
   std::vector<CellAt> cells;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -106,7 +106,7 @@ std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
   return cells;
 }
 
-// Of a closed path, from the start on.
+// Returns the lap of a closed path, from the start on.
 std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   const Path& path = map.course.paths[static_cast<std::size_t>(on.path)];
   if (!path.is_closed(map.line_m)) return {};
@@ -119,7 +119,7 @@ std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   return points;
 }
 
-// Stations, junctions and loop.
+// Returns stations, junctions and loop.
 Network network_of(const Map& map, const Start& start, const Walk& walk) {
   Network network;
   const auto add = [&](CellAt cell, std::string name) {

@@ -31,7 +31,7 @@ Numbers read_pair(const ConfigValue& value, const char* key, const char* example
           as_figure(value.items[1], key, Dimension::length, least, most)};
 }
 
-// Beside a path, `along` it and `away` to its left.
+// A place next to a path, `along` it and `away` to its left.
 class Beside {
  public:
   Beside(TableReader& table, const Path& path, const ConfigValue& along)
@@ -65,7 +65,7 @@ class Beside {
   const double to_left_;
 };
 
-// Where it is: `at`, or `along` a path, and beside it.
+// Reads the place: `at`, or `along` a path, and next to it.
 void read_middle(Patch& patch, TableReader& table, const Course& course, const char* name,
                  const Figures& figures) {
   const ConfigValue* const at = table.find("at");

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastStretch = 1e-9;  // m; shorter pieces are rounding
 
-// A stretch along the path that is not painted, m.
+// An unpainted interval along the path, m.
 struct Unpainted {
   double from;
   double to;
@@ -34,7 +34,7 @@ std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half
   return gaps;
 }
 
-// A part of a piece that turns by a quarter at most.
+// Adds a part of a piece that turns by a quarter at most.
 void add_part(const PathPiece& piece, double from, double to, bool painted, std::vector<Stripe>& stripes) {
   Vec2 a = piece.at(from).position, b = piece.at(to).position;
   if (piece.turn == 0.0) {

@@ -36,14 +36,14 @@ constexpr Signs kAscii = {{"o", "-", "|", "+", "-", "-", "+", "+", "|", "+", "|"
 constexpr unsigned kEast = 1;
 constexpr unsigned kWest = 4;
 
-// A range of columns or rows that is shown.
+// A visible range of columns or rows.
 struct Span {
   int from = 0;
   int count = 0;
   bool holds(int n) const { return n >= from && n < from + count; }
 };
 
-// As much of `size` as fits, around `middle`.
+// Returns the part of `size` that fits, around `middle`.
 Span fit(int size, int most, int middle) {
   const int count = std::clamp(most, 1, size);
   return {std::clamp(middle - count / 2, 0, size - count), count};
@@ -124,7 +124,7 @@ class Picture {
     write(cell, (cell.x - columns_.from) * per_cell_ + 1, joint);
   }
 
-  // One sign, or ASCII text, at a character of the cell's row; what falls outside is cut off.
+  // Writes one sign, or ASCII text, at a character of the cell's row; cut at the edge.
   void write(CellAt cell, int at, const std::string& text) {
     if (!rows_.holds(cell.y) || !columns_.holds(cell.x)) return;
     auto& row = canvas_[static_cast<std::size_t>(cell.y - rows_.from)];
@@ -136,7 +136,7 @@ class Picture {
     }
   }
 
-  // Numbers above every fifth column, as far apart as they are long.
+  // Returns numbers above every fifth column, at a distance of their length.
   std::string ruler() const {
     const int widest = static_cast<int>(std::to_string(columns_.from + columns_.count).size());
     int step = 5;

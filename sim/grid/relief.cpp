@@ -24,7 +24,7 @@ constexpr double kMostTilt = 0.5;                       // sine, of a seesaw: 30
 constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
-// `shortest`: the least that its length may be, m.
+// `shortest`: the minimum of its length, m.
 std::vector<double> read_heights(const ConfigValue& value, double shortest, const Figures& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
     throw InputError(

@@ -1,4 +1,4 @@
-// Where a robot begins.
+// Parses a robot's start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace robosim::grid {
 namespace {
 
-// "12" at the front of text, taken off it.
+// Takes "12" from the front of the text.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNothing = 1e-9;  // m; shorter pieces are rounding
 
-// A stretch of a leg that is not painted, by distance from the leg's first cell.
+// An unpainted interval of a leg, by distance from the leg's first cell.
 struct Gap {
   double from;
   double to;
@@ -26,9 +26,9 @@ struct Leg {
   }
   Vec2 point(double t) const { return map.centre(first) + heading(d) * t; }
 
-  /// The gaps among its first `count` cells, in order, not overlapping. Paint reaches line/2 beyond a
-  /// stripe's end, so a gap takes that much from the stripes beside it; of a single painted cell something
-  /// always remains.
+  /// Returns the gaps among its first `count` cells, sorted, not overlapping. Paint reaches line/2 beyond a
+  /// stripe's end, so a gap takes that much from the neighbouring stripes. A single painted cell always
+  /// leaves a part.
   std::vector<Gap> gaps(int count) const {
     const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
     std::vector<Gap> found;
@@ -65,7 +65,7 @@ class Builder {
  public:
   Builder(const Map& map, std::vector<Stripe>& stripes) : map_(map), stripes_(stripes) {}
 
-  // The run of line cells that begins at `first` and goes east or north, less what arcs take at its ends.
+  // Adds the run of line cells that begins at `first` and goes east or north, less the arcs at its ends.
   void add_run(CellAt first, Direction d) {
     const Leg leg{map_, first, d};
     int last = 1;
@@ -93,7 +93,7 @@ class Builder {
         stripes_.push_back({a, b, centre, r, painted});
     };
 
-    // A half of the arc lies beside each leg and is painted where the leg is. At distance t from the corner,
+    // A half of the arc is next to each leg and is painted where the leg is. At distance t from the corner,
     // the arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
     const auto at = [&](const Leg& leg, const Leg& other, double t) {
       const double side = r - std::sqrt(std::max(r * r - (r - t) * (r - t), 0.0));

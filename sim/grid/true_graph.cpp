@@ -16,7 +16,7 @@ using Behind = Arm::Behind;
 
 bool is_junction(unsigned lines) { return std::popcount(lines) >= 3; }
 
-// The directions of a junction's arms by slot, `zero` first.
+// Returns the directions of a junction's arms by slot, `zero` first.
 std::vector<Direction> slots_from(unsigned lines, Direction zero) {
   std::vector<Direction> slots;
   Direction d = zero;
@@ -27,9 +27,9 @@ std::vector<Direction> slots_from(unsigned lines, Direction zero) {
   return slots;
 }
 
-// Where a robot is after it has followed a line to its end.
+// The robot's place after it has followed a line to its end.
 struct Arrival {
-  Behind met = Behind::nothing;  // nothing: back where it began, without having met anything
+  Behind met = Behind::nothing;  // nothing: back at the beginning, without having met anything
   CellAt cell;
   Direction facing = Direction::east;
   int moves = 0;
@@ -75,7 +75,7 @@ class Survey {
   TrueGraph take() { return std::move(graph_); }
 
  private:
-  // A node some of whose arms are still to be walked.
+  // A node with arms that are not walked yet.
   struct Open {
     Behind kind;
     int id;
@@ -193,7 +193,7 @@ class Survey {
   std::vector<Open> open_;
 };
 
-// All arms of a graph with the cells of their nodes.
+// Visits all arms of a graph with the cells of their nodes.
 template <typename Visit>
 void for_each_arm(const TrueGraph& graph, Visit visit) {
   for (const GraphStation& station : graph.stations)
@@ -252,7 +252,7 @@ std::vector<int> distances_from(const TrueGraph& graph, int station) {
 
 namespace {
 
-// A graph without its numbers.
+// An arm without numbers.
 struct PlacedArm {
   CellAt from;
   Direction out;
