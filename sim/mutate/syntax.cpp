@@ -64,7 +64,7 @@ class Places {
   bool included_ = false;
 };
 
-/// Of a syntax tree with all of Arduino's headers.
+/// Memory limit of clang: room for a syntax tree with all of Arduino's headers.
 constexpr std::size_t kClang_bytes = std::size_t{1} << 30;
 
 fs::path find_clang() {

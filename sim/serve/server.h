@@ -5,7 +5,7 @@
 //   POST /api/run             runs it; the answer is a line of JSON for each piece of output,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
-//   POST /api/live            notes what is to be watched while it runs: {"live": N}
+//   POST /api/live            prepares a run for watching: {"live": N}
 //   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
 //                             and {"done": …}. The run ends when its listener has gone
 //   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}

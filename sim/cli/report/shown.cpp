@@ -94,7 +94,7 @@ std::optional<std::string> made_again(MakeAgain& again, const SweptRun& run, con
   launch.map = run.map;
   launch.robot = run.robot;
   launch.target = run.target;
-  // A table names what stands beside the sketch, and was not asked for, as it is called there.
+  // A table names default files in the sketch's folder by their name there.
   const fs::path folder = launch::choose_sketch(run.sketch, launch.environment, launch.untrusted).folder;
   std::error_code error;
   for (std::string* name : {&launch.map, &launch.robot})
