@@ -183,7 +183,8 @@ TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
   const Ended other = hunt({"--out", "found", "--resume", "--seed", "2"});
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.err, HasSubstr("found/runs.jsonl:1: belongs to another hunt"));
-  EXPECT_THAT(hunt({"--out", "none", "--resume"}).err, HasSubstr("none: expected the folder of a hunt to --resume"));
+  EXPECT_THAT(hunt({"--out", "none", "--resume"}).err,
+              HasSubstr("none: expected the folder of a hunt to --resume"));
 }
 
 TEST_F(CliHunt, KeepsWhatMustNeverSometimesAndAlwaysBe) {
