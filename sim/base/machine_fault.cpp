@@ -48,8 +48,8 @@ bool names_a_program(std::string_view line) {
   return begin != line.npos && line.find_first_of(" \"'(", begin) == line.find(": ", begin) + 1;
 }
 
-/// Returns whether the line has a place in a source, or quotes one. Compilers before gcc 9 indent what they quote by a
-/// blank alone.
+/// Returns whether the line has a place in a source, or quotes one. Compilers before gcc 9 indent what they
+/// quote by a blank alone.
 bool is_of_sketch(std::string_view line) {
   static constexpr std::string_view kSigns[] = {": error: ", ": warning: ", ": note: "};
   for (const std::string_view sign : kSigns)

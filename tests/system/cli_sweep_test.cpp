@@ -289,7 +289,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   EXPECT_EQ(command({"report", "runs.csv", "--out", "other.html"}),
             "other.html is written; open it in a browser\n");
   EXPECT_THAT(read_file(folder / "other.html"),
-              HasSubstr("3 of the runs came out otherwise when they were made again"));
+              HasSubstr("3 of the runs had another result when they were repeated"));
 
   // What stands beside a sketch, and was not named.
   folder.write("Own/Own.ino", "void setup() {}\nvoid loop() {}\n");

@@ -138,7 +138,7 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   folder.write("Greets/Greets.ino", "void setup() {}\nvoid loop() { delay(1); }\n");
   EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out,
             "report.html is written; open it in a browser\n");
-  EXPECT_THAT(read_file(folder / "Greets/report.html"), HasSubstr("1 of the runs came out otherwise"));
+  EXPECT_THAT(read_file(folder / "Greets/report.html"), HasSubstr("1 of the runs had another result"));
 }
 
 /// Sets a variable of the environment, and takes it back.
