@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -376,6 +377,18 @@ TEST_F(Wrapper, BuildsTheChipsRunnerForChecksOnTheChip) {
   write_file(folder_ / "elsewhere/my/checks.toml", "[[check]]\nname = 'x'\ntarget = [\"host\", \"avr\"]\n");
   run("../checkout/robosim test ./my");
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-avr\n"));
+}
+
+TEST_F(Wrapper, WaitsForNoPipeAndNoDeviceInAPupilsFolder) {
+  run("../checkout/robosim");
+  for (const char* pupil : {"anna", "ben", "cleo"}) fs::create_directories(folder_ / "elsewhere" / pupil);
+  ASSERT_EQ(::mkfifo((folder_ / "elsewhere/anna/checks.toml").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", folder_ / "elsewhere/ben/checks.toml");
+  write_file(folder_ / "elsewhere/cleo/checks.toml", "[[check]]\nfleet = \"/dev/zero\"\n");
+  ASSERT_EQ(::mkfifo((folder_ / "elsewhere/image.elf").c_str(), 0600), 0);
+  for (const char* words : {"test ./anna/", "test ./ben/", "test ./cleo/", "report anna/checks.toml",
+                            "run --target avr image.elf"})
+    EXPECT_EQ(run(std::string("timeout 20 ../checkout/robosim ") + words).status, 4) << words;
 }
 
 TEST_F(Wrapper, InstallsWhatIsMissingAsRootAndOtherwiseSaysHow) {
