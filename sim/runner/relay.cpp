@@ -103,7 +103,10 @@ void Relay::enter(const std::vector<int>& kept) {
   ::close_range(next, ~0u, 0);
 }
 
-void Relay::confine(bool has_grown) const { exec::confine({key_[0], key_[1]}, has_grown); }
+void Relay::confine(bool has_grown) const {
+  watch_->close();
+  exec::confine({key_[0], key_[1]}, has_grown);
+}
 
 void Relay::send(char what, const std::string& text) const {
   const Header header{token_, batch_, static_cast<std::uint32_t>(text.size()), what};

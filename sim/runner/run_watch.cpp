@@ -42,7 +42,19 @@ RunWatch::State& RunWatch::state() {
   return *shared.get();
 }
 
+// A page of its own, which a run's process gives up before it loads firmware.
+const Shared<std::atomic<bool>>& RunWatch::closed() {
+  static const Shared<std::atomic<bool>> shared;
+  return shared;
+}
+
+void RunWatch::close() const {
+  *closed().get() = true;
+  closed().leave();
+}
+
 RunWatch::RunWatch() : state_(state()) {
+  *closed().get() = false;
   state_.reached = kNotBegun;
   state_.acting = 0;
   state_.waits = false;
@@ -70,12 +82,15 @@ RunWatch::Found RunWatch::look(const Reading& now) {
     const std::int64_t worked_us = (now.processor_ns - looked_.processor_ns) / 1000;
     silent_us_ = std::max<std::int64_t>(silent_us_ + passed_us - kBusyMachine * worked_us, 0);
   }
+  // Firmware that writes there that it has not begun gets time once, and only as much as a run may take.
+  const bool begins = !has_begun_ && reached != kNotBegun;
+  if (begins) begun_ns_ = looked_.processor_ns;
   looked_ = now;
-  if (reached == kNotBegun || reached != seen_ || acting != seen_acting_) {
-    processor_ns_ = now.processor_ns;
-    heard();
-  }
-  if (reached == kNotBegun) begun_ns_ = now.processor_ns;
+  has_begun_ |= begins;
+  const bool prepares = !has_begun_ && !*closed().get();
+  if (prepares || reached != seen_ || acting != seen_acting_) heard();
+  if (!has_begun_ || reached != seen_ || acting != seen_acting_) processor_ns_ = now.processor_ns;
+  if (prepares) begun_ns_ = now.processor_ns;
   seen_ = reached;
   seen_acting_ = acting;
   if (now.is_debugged || (limits_.may_wait && state_.waits)) heard();

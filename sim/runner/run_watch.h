@@ -34,6 +34,8 @@ class RunWatch {
   /// Receives whose firmware runs.
   std::atomic<int>& acting() { return state_.acting; }
   void wait_for_client(bool waits) { state_.waits = waits; }
+  /// Notes that firmware comes next. Firmware cannot take that back: the note leaves the process's memory.
+  void close() const;
 
   // In its parent.
 
@@ -67,12 +69,14 @@ class RunWatch {
     std::atomic<bool> waits{false};
   };
   static State& state();
+  static const Shared<std::atomic<bool>>& closed();
   Reading read() const;
 
   State& state_;
   pid_t run_ = -1;
   Limits limits_;
   SimTime seen_ = kNotBegun;
+  bool has_begun_ = false;  ///< to load firmware; once it has, whatever it writes
   int seen_acting_ = 0;
   std::int64_t begun_ns_ = 0;      ///< of processor time, before any firmware was loaded
   std::int64_t processor_ns_ = 0;  ///< at its last progress

@@ -23,6 +23,9 @@ class Shared {
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
+  /// Takes it from this process for ever: nothing in it can write there any more. Others keep theirs.
+  void leave() const { ::munmap(value_, sizeof(T)); }
+
   T* get() const { return value_; }
   T* operator->() const { return value_; }
 

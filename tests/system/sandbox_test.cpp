@@ -380,6 +380,20 @@ TEST_F(Sandbox, BelievesNothingOfWhatASketchWritesIntoSharedMemory) {
   }
 }
 
+TEST_F(Sandbox, EndsASketchThatSaysAgainAndAgainThatItHasNotBegun) {
+  const auto r = run_text(
+      fmt::format("#define SIGPROCMASK {}\n", SYS_rt_sigprocmask) + kLooksAtAllMemory +
+      "extern \"C\" void* mremap(void*, unsigned long, unsigned long, int, ...);\n"
+      "long long* shared[4096]; int count = 0;\n"
+      "QUIET void look_at(char* page) {\n"
+      "  if (count < 4096 && mremap(page, 0, 4096, 1) != (void*)-1) shared[count++] = (long long*)page;\n}\n"
+      "QUIET void forge() {\n  look_everywhere(look_at);\n"
+      "  for (;;)\n    for (int i = 0; i < count; ++i) *(volatile long long*)shared[i] = -2;\n}\n"
+      "void setup() {}\nvoid loop() {\n  delay(1);\n  if (millis() == 500) forge();\n}\n");
+  EXPECT_EQ(r.verdict, "crashed") << r.why;
+  EXPECT_THAT(r.why, HasSubstr("it loops"));
+}
+
 TEST_F(Sandbox, ChangesNoRun) {
   auto request = request_of({.sketch = "PidFollower", .goal = "laps:1"});
   const auto confined = runner_of("host").run(request);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/child.h"
+
 namespace robosim::runner {
 namespace {
 
@@ -84,6 +86,28 @@ TEST_F(Watching, LimitsTheProcessorTimeOfAWholeRunHoweverOftenItSaysThatItComesF
   EXPECT_EQ(claim(10 * kSecond, 1.0), std::pair(159, Found::exhausts)) << "and no longer than it may run";
   processor_ns_ = 0;
   EXPECT_EQ(claim(kSecond, 0.1), std::pair(200, Found::nothing));
+}
+
+TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
+  constexpr SimTime kNotBegun = -2;
+  for (const double share : {1.0, 0.0}) {
+    come_to(kSecond);
+    look_for(0.1, share);
+    come_to(kNotBegun);
+    EXPECT_EQ(look_for(100, share), share > 0.0 ? Found::loops : Found::sleeps);
+  }
+}
+
+TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
+  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
+  // As a run's process does, whose firmware can write everywhere else afterwards.
+  Child([&] {
+    watch_.close();
+    return 0;
+  }).wait();
+  EXPECT_EQ(look_for(59, 1.0), Found::nothing);
+  EXPECT_EQ(look_for(2, 1.0), Found::exhausts);
+  EXPECT_EQ(look_for(31, 0.0), Found::exhausts);
 }
 
 TEST_F(Watching, BelievesNoTimeThatTheRunMayNotReach) {
