@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include "sim/base/bundle.h"
 #include "sim/base/file.h"
 
 namespace robosim::build {
@@ -66,6 +67,14 @@ class CoverageFolder : public testing::Test {
   fs::path folder_;
   Image image_;
 };
+
+TEST_F(CoverageFolder, TakesNoFileOfCountersThatNoSourceHas) {
+  // Whose names are in the sketch's memory.
+  image_.notes = folder_ / "S.notes";
+  write_file(image_.notes, pack({}));
+  const std::string counters = pack({{"/x/", ""}, {"/x/..", ""}, {".", ""}, {"../S.gcda", ""}, {"", ""}});
+  EXPECT_TRUE(read_coverage({folder_ / "S", *find_board("uno")}, image_, counters).empty());
+}
 
 TEST_F(CoverageFolder, ARunCountsOnceHoweverOftenItIsMade) {
   EXPECT_EQ(count_after("seed 1"), 5u);
