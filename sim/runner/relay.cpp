@@ -159,6 +159,22 @@ bool Relay::take_batches(std::size_t end, const wire::Id& id) {
   return true;
 }
 
+/// Firmware may leave unread what its run was to read: its watch goes on.
+void Relay::hand(const Pipe& pipe, std::string_view text, Told& told) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(pipe.write.get(), text.data(), text.size());
+    if (n >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(n));
+      continue;
+    }
+    if (errno == EINTR) continue;
+    if (errno != EAGAIN) return;  // the run has ended
+    pollfd room{pipe.write.get(), POLLOUT, 0};
+    ::poll(&room, 1, kLook_ms);
+    if ((told.found = watch_->look()) != RunWatch::Found::nothing) return;
+  }
+}
+
 /// Removes whole messages from `taken`; returns false if one is invalid.
 bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told) {
   std::string out;
@@ -180,8 +196,8 @@ bool Relay::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& t
     } else {
       const std::string said = header.what == kAskForRoom ? "" : ask(header.what, std::string(text));
       const auto bytes = static_cast<std::uint32_t>(said.size());
-      write_all(answers_.write.get(), {reinterpret_cast<const char*>(&bytes), sizeof bytes});
-      write_all(answers_.write.get(), said);
+      hand(answers_, std::string(reinterpret_cast<const char*>(&bytes), sizeof bytes) + said, told);
+      if (told.found != RunWatch::Found::nothing) return true;
     }
   }
   taken.erase(0, at);
@@ -193,6 +209,8 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, R
   told_.write.close();
   answers_.read.close();
   if (lines_) lines_->read.close();
+  for (const Pipe* pipe : {&answers_, lines_ ? &*lines_ : nullptr})
+    if (pipe) ::fcntl(pipe->write.get(), F_SETFL, O_NONBLOCK);
   limits.may_wait = lines_.has_value();
   watch_->follow(run.pid(), limits);
   Told told;
@@ -201,7 +219,7 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, R
   std::int64_t looked_us = wall_us();
   std::array<pollfd, 2> ready = {pollfd{told_.read.get(), POLLIN, 0},
                                  pollfd{lines_ ? STDIN_FILENO : -1, POLLIN, 0}};
-  if (lines_) write_all(lines_->write.get(), take_unread());
+  if (lines_) hand(*lines_, take_unread(), told);
   for (;;) {
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
@@ -219,7 +237,7 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, R
       char chunk[4096];
       const ssize_t n = ::read(STDIN_FILENO, chunk, sizeof chunk);
       if (n < 0 && errno == EINTR) continue;
-      if (n > 0) write_all(lines_->write.get(), {chunk, static_cast<std::size_t>(n)});
+      if (n > 0) hand(*lines_, {chunk, static_cast<std::size_t>(n)}, told);
       if (n <= 0) ready[1].fd = -1, lines_->write.close();
     }
     if (!ready[0].revents) continue;
@@ -232,7 +250,7 @@ Relay::Told Relay::serve(const Child& run, const Ask& ask, const wire::Id& id, R
     }
     taken.append(buffer.get(), static_cast<std::size_t>(n));
     told.forged = !take(taken, ask, id, told);
-    if (told.forged) return told;
+    if (told.forged || told.found != RunWatch::Found::nothing) return told;
     watch_->heard();
   }
 }

@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/child.h"
@@ -80,6 +81,8 @@ class Relay {
   void send(char what, const std::string& text) const;
 
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
+  /// To the run; `told.found` is set where its watch ends it before it has read enough.
+  void hand(const Pipe& pipe, std::string_view text, Told& told);
   /// Takes those before number `end`; returns false if that is more than possible.
   bool take_batches(std::size_t end, const wire::Id& id);
   std::size_t handed_on() const {
