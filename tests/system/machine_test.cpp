@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
 namespace robosim::test {
@@ -111,6 +112,23 @@ TEST_F(Machine, ReadsNoDeviceAndNoPipeWhateverItIsGivenFor) {
     }
     EXPECT_EQ(after("", "run " + file + " --map oval --robot uno5").status, 2);
   }
+}
+
+// A program for a chip can claim that texts of its debug information are in another file.
+TEST_F(Machine, OpensNoOtherFileForTheDebugInformationOfAProgram) {
+  ROBOSIM_NEEDS_TARGET("avr");
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  folder_.write("S/x.S",
+                ".section .gnu_debugaltlink,\"\",@progbits\n.asciz \"" + (folder_ / "pipe").string() +
+                    "\"\n.skip 20\n"
+                    ".section .debug_abbrev,\"\",@progbits\n.Labbrev:\n"
+                    ".uleb128 1, 0x11\n.byte 1\n.uleb128 0x11, 1, 0x12, 6, 0, 0\n"
+                    ".uleb128 2, 0x2e\n.byte 0\n.uleb128 3, 0x1f21, 0x11, 1, 0x12, 6, 0, 0, 0\n"
+                    ".section .debug_info,\"\",@progbits\n.long 1f-0f\n0: .short 4\n.long .Labbrev\n.byte 4\n"
+                    ".uleb128 1\n.long 0, 0x7fff\n"
+                    ".uleb128 2\n.long 0, 0, 0x7fff\n.byte 0\n1:\n");
+  const Ended ended = after("", run_ + " --target avr");
+  EXPECT_EQ(ended.status, 0) << ended.err;
 }
 
 TEST_F(Machine, SaysThatANameIsNotUtf8) {

@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "sim/base/file.h"
@@ -12,13 +16,17 @@
 namespace robosim::exec {
 namespace {
 
+// No program that a compiler has made comes near these: nesting, rows of lines, names, links of a type.
+constexpr int kDeepest = 256, kMostLinks = 64;
+constexpr std::size_t kMostRows = 300'000, kLongestName = 1000;
+
 std::string name_of(Dwarf_Die& die) {
   const char* name = dwarf_diename(&die);
   return name ? name : "";
 }
 
 std::string tidy(const char* file) {
-  std::string name = file ? file : "";
+  std::string name = file ? std::string(file, strnlen(file, kLongestName)) : "";
   if (name.starts_with("./")) name.erase(0, 2);
   return name;
 }
@@ -41,20 +49,20 @@ bool is_code(Dwarf_Die& die) {
 }
 
 /// Collects the scopes from the unit down to the innermost function that holds `pc`.
-void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes) {
+void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes, int depth = 0) {
   Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return;
+  if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
   do {
     const int tag = dwarf_tag(&child);
     if (is_code(child)) {
       if (dwarf_haspc(&child, pc) != 1) continue;
       scopes.push_back(child);
-      find_scopes(child, pc, scopes);
+      find_scopes(child, pc, scopes, depth + 1);
       return;
     }
     if (tag == DW_TAG_lexical_block && dwarf_haspc(&child, pc) == 1) {
       const std::size_t before = scopes.size();
-      find_scopes(child, pc, scopes);
+      find_scopes(child, pc, scopes, depth + 1);
       if (scopes.size() > before) return;
     }
   } while (dwarf_siblingof(&child, &child) == 0);
@@ -68,9 +76,9 @@ bool is_free_function(Dwarf_Die& die, const std::string& name) {
   return linkage && (linkage == name || linkage == fmt::format("_Z{}{}v", name.size(), name));
 }
 
-void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf& code) {
+void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf& code, int depth = 0) {
   Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return;
+  if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
   do {
     if (is_code(child) && is_free_function(child, function)) {
       auto& ranges = dwarf_tag(&child) == DW_TAG_subprogram ? code.itself : code.inlined;
@@ -78,7 +86,7 @@ void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf&
       for (std::ptrdiff_t next = 0; (next = dwarf_ranges(&child, next, &base, &begin, &end)) > 0;)
         ranges.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
     }
-    find_code(child, function, code);
+    find_code(child, function, code, depth + 1);
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
@@ -103,7 +111,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   std::size_t count = 0;
   if (dwarf_getsrclines(&unit, &rows, &count) != 0) return;
   bool first = true, left_out = false;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count && lines.size() < kMostRows; ++i) {
     Dwarf_Line* const row = dwarf_onesrcline(rows, i);
     Dwarf_Addr address = 0;
     bool ends = false, begins = false;
@@ -119,9 +127,9 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
 }
 
 /// Adds lines of which only a call remains, whose function was inlined.
-void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines) {
+void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines, int depth = 0) {
   Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return;
+  if (depth > kDeepest || lines.size() >= kMostRows || dwarf_child(&parent, &child) != 0) return;
   do {
     Dwarf_Addr base = 0, begin = 0, end = 0;
     const bool inlined = dwarf_tag(&child) == DW_TAG_inlined_subroutine;
@@ -130,7 +138,7 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
       const SourceLine call = call_of(unit, child);
       lines.push_back({static_cast<std::uint32_t>(begin), call.file, call.line});
     }
-    add_calls(unit, child, lines);
+    add_calls(unit, child, lines, depth + 1);
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
@@ -138,8 +146,10 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
 bool is_number(Dwarf_Die variable) {
   Dwarf_Attribute attribute;
   Dwarf_Die type = variable;
+  int links = 0;
   do {
-    if (!dwarf_attr_integrate(&type, DW_AT_type, &attribute) || !dwarf_formref_die(&attribute, &type))
+    if (++links > kMostLinks || !dwarf_attr_integrate(&type, DW_AT_type, &attribute) ||
+        !dwarf_formref_die(&attribute, &type))
       return false;
   } while (dwarf_tag(&type) == DW_TAG_const_type || dwarf_tag(&type) == DW_TAG_volatile_type ||
            dwarf_tag(&type) == DW_TAG_typedef);
@@ -147,9 +157,9 @@ bool is_number(Dwarf_Die variable) {
   return tag == DW_TAG_base_type || tag == DW_TAG_enumeration_type || tag == DW_TAG_pointer_type;
 }
 
-void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses) {
+void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses, int depth = 0) {
   Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return;
+  if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
   do {
     Dwarf_Attribute attribute;
     Dwarf_Op* operations = nullptr;
@@ -158,8 +168,26 @@ void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses) {
         dwarf_getlocation(&attribute, &operations, &count) == 0 && count == 1 &&
         operations[0].atom == DW_OP_addr && is_number(child) && !is_core_file(tidy(dwarf_decl_file(&child))))
       addresses.push_back(static_cast<std::uint32_t>(operations[0].number));
-    find_numbers(child, addresses);
+    find_numbers(child, addresses, depth + 1);
   } while (dwarf_siblingof(&child, &child) == 0);
+}
+
+/// Whether a part of the debug information is in other files: libdw would open whatever names the program has
+/// for them (DW_AT_dwo_name, .gnu_debugaltlink), also a pipe or another user's file.
+bool names_other_files(Elf* elf, Dwarf* dwarf) {
+  std::size_t names = 0;
+  if (::elf_getshdrstrndx(elf, &names) != 0) return true;
+  for (Elf_Scn* section = ::elf_nextscn(elf, nullptr); section; section = ::elf_nextscn(elf, section)) {
+    GElf_Shdr header;
+    const char* const name =
+        ::gelf_getshdr(section, &header) ? ::elf_strptr(elf, names, header.sh_name) : nullptr;
+    if (name && std::string_view(name) == ".gnu_debugaltlink") return true;
+  }
+  Dwarf_CU* unit = nullptr;
+  std::uint8_t kind = 0;
+  while (dwarf_get_units(dwarf, unit, &unit, nullptr, &kind, nullptr, nullptr) == 0)
+    if (kind == DW_UT_skeleton) return true;
+  return false;
 }
 
 }  // namespace
@@ -174,6 +202,9 @@ DebugInfo::DebugInfo(const std::filesystem::path& file) : content_(read_file(fil
   ::elf_version(EV_CURRENT);
   elf_ = ::elf_memory(content_.data(), content_.size());
   if (elf_) dwarf_ = dwarf_begin_elf(elf_, DWARF_C_READ, nullptr);
+  if (!dwarf_ || !names_other_files(elf_, dwarf_)) return;
+  dwarf_end(dwarf_);
+  dwarf_ = nullptr;
 }
 
 DebugInfo::~DebugInfo() {
@@ -233,10 +264,9 @@ std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
       std::vector<CodeLine> calls;
       add_rows(unit, all);
       add_calls(unit, unit, calls);
-      std::erase_if(calls, [&](const CodeLine& call) {
-        return std::ranges::any_of(
-            all, [&](const CodeLine& row) { return row.line == call.line && row.file == call.file; });
-      });
+      std::set<std::pair<std::string_view, int>> known;
+      for (const CodeLine& row : all) known.emplace(row.file, row.line);
+      std::erase_if(calls, [&](const CodeLine& call) { return known.contains({call.file, call.line}); });
       all.insert(all.end(), calls.begin(), calls.end());
     });
   std::erase_if(all, [](const CodeLine& line) { return line.line <= 0 || is_core_file(line.file); });

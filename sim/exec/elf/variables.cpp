@@ -10,12 +10,17 @@
 namespace robosim::exec {
 namespace {
 
+// No compiler comes near these: nesting, and types that stand for types.
+constexpr int kMostNested = 256, kMostNames = 64;
+
 std::optional<Dwarf_Die> type_of(Dwarf_Die die) {
   Dwarf_Attribute attribute;
   Dwarf_Die type = die;
+  int names = 0;
   do {
     Dwarf_Die next;
-    if (!dwarf_attr_integrate(&type, DW_AT_type, &attribute) || !dwarf_formref_die(&attribute, &next))
+    if (++names > kMostNames || !dwarf_attr_integrate(&type, DW_AT_type, &attribute) ||
+        !dwarf_formref_die(&attribute, &next))
       return std::nullopt;
     type = next;
   } while (dwarf_tag(&type) == DW_TAG_const_type || dwarf_tag(&type) == DW_TAG_volatile_type ||
@@ -49,13 +54,15 @@ bool has_constructor(Dwarf_Die type) {
 
 /// Returns ".left.pwm" for the member at that offset; empty if there is none. `where`: its declaration, if no
 /// class that holds it has a constructor.
-std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false) {
+std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
+                      int depth = 0) {
+  if (depth > kMostNames) return "";
   Dwarf_Die child;
   const int tag = dwarf_tag(&type);
   if (tag == DW_TAG_array_type) {
     const auto element = type_of(type);
     const Dwarf_Word size = element ? size_of(*element) : 0;
-    return size == 0 ? "" : member_at(*element, offset % size, where, constructed);
+    return size == 0 ? "" : member_at(*element, offset % size, where, constructed, depth + 1);
   }
   if ((tag != DW_TAG_structure_type && tag != DW_TAG_class_type) || dwarf_child(&type, &child) != 0)
     return "";
@@ -74,14 +81,14 @@ std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool
       path.append(1, '.').append(name);
       where = sets ? SourceLine{} : declaration_of(child);
     }
-    return path.append(member_at(*of, offset - begin, where, sets));
+    return path.append(member_at(*of, offset - begin, where, sets, depth + 1));
   } while (dwarf_siblingof(&child, &child) == 0);
   return "";
 }
 
-bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found) {
+bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, int depth = 0) {
   Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return false;
+  if (depth > kMostNested || dwarf_child(&parent, &child) != 0) return false;
   do {
     Dwarf_Attribute attribute;
     Dwarf_Op* operations = nullptr;
@@ -100,7 +107,7 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found) {
         return true;
       }
     }
-    if (find(child, address, found)) return true;
+    if (find(child, address, found, depth + 1)) return true;
   } while (dwarf_siblingof(&child, &child) == 0);
   return false;
 }
