@@ -218,6 +218,7 @@ class Build {
     for (std::size_t i = 0; i < results.size(); ++i) {
       const std::string messages = text(results[i]);
       if (results[i].status == 0) {
+        check_object(toolchain_, jobs[i].unit, jobs[i].object);
         add_message(messages);
         objects_[jobs[i].slot] = keep(jobs[i], messages, since);
         keeps_addresses_ |= jobs[i].keeps_address;

@@ -241,6 +241,15 @@ std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& u
   return words;
 }
 
+void check_object(const Toolchain& toolchain, const Unit& unit, const fs::path& object) {
+  const std::vector<std::string>& code = toolchain.target.code;
+  const bool links_bytecode = std::find(code.begin(), code.end(), "-flto") != code.end();
+  const bool is_bytecode = language(unit) != Language::assembler && !toolchain.sanitize;
+  if (!links_bytecode || is_bytecode || read_made(object).find(".gnu.lto_") == std::string::npos) return;
+  throw InputError({unit.source},
+                   "cannot be compiled: expected no sections .gnu.lto_*, which only compilers write");
+}
+
 bool through_assembly(const Toolchain& toolchain, const Unit& unit) {
   return !toolchain.target.chip && unit.kind != Unit::Kind::core;
 }

@@ -34,6 +34,10 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
+/// Throws InputError for bytecode of link-time optimisation in an object that no such compilation has made:
+/// written in assembler, it is of the sketch's author, and the compiler would trust it.
+void check_object(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
+
 /// Returns whether the unit is compiled to assembly first. That is changed a little (assembly.h) before
 /// assemble_command, for an object in another folder. Otherwise it is compiled to `object` directly.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);

@@ -98,8 +98,11 @@ const Target kHost = {
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
     // The loader must not run anything: start files add their own constructors.
-    .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-Wl,-Bsymbolic",
-             "-Wl,--no-undefined", "-Wl,--gc-sections", "-Wl,--build-id=none", "-Wl,-z,now",
+    // Without the linker's plugin: nothing here is optimised at link time, and it would compile bytecode that
+    // an asm() has put into an object.
+    .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-fno-lto",
+             "-fno-use-linker-plugin", "-Wl,-Bsymbolic", "-Wl,--no-undefined", "-Wl,--gc-sections",
+             "-Wl,--build-id=none", "-Wl,-z,now",
              // An image is hashed and read before each run: without this it has some 800 KB.
              "-Wl,--compress-debug-sections=zlib",
              // Handlers that a sketch does not define are null, even if the process has them.
@@ -186,8 +189,8 @@ const Target kStm32 = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_STM32", "-DSTM32F103xB"},
     .prefix_map = "-ffile-prefix-map",
-    .link = {"-mcpu=cortex-m3", "-mthumb", "-nostartfiles", "--specs=nano.specs", "-Wl,--gc-sections",
-             "-Wl,--build-id=none"},
+    .link = {"-mcpu=cortex-m3", "-mthumb", "-nostartfiles", "--specs=nano.specs", "-fno-lto",
+             "-fno-use-linker-plugin", "-Wl,--gc-sections", "-Wl,--build-id=none"},
     .link_files = {},
     .products = {{".bin", {"arm-none-eabi-objcopy", "binutils-arm-none-eabi"}, {"-O", "binary"}}},
 };

@@ -1,5 +1,6 @@
 // Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
 // author's choice, who need not be the user.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <poll.h>
@@ -9,15 +10,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "sim/base/child.h"
 #include "sim/base/program_sandbox.h"
 #include "sim/build/cache.h"
 #include "sim/build/libraries.h"
+#include "sim/build/narrow_ints.h"
+#include "sim/build/pin_warnings.h"
 #include "sim/build/process.h"
 #include "sim/build/project.h"
+#include "sim/build/prototypes.h"
 #include "sim/build/source.h"
 #include "tests/unit/build/fixture.h"
 
@@ -87,6 +93,22 @@ TEST_F(HostileTest, ALibrarysSourcesAreNoOptionsEither) {
 TEST_F(HostileTest, AnAssemblerSourceIsNoOptionEither) {
   write("Pupil/@x.S", "");
   EXPECT_THAT(error_on_avr("Pupil"), HasSubstr("begin with '@'"));
+}
+
+TEST_F(HostileTest, NoAssemblerHandsBytecodeToTheOptimiserOfTheLinker) {
+  const char* const kSections =
+      ".section .gnu.lto_.opts,\"e\",@progbits\n.asciz \"x\"\n.section .gnu.lto_.symtab.1,\"e\",@progbits\n"
+      ".byte 0\n.comm __gnu_lto_slim,1,1\n";
+  write("Pupil/x.S", kSections);
+  if (missing_tool("avr").empty()) {
+    EXPECT_THAT(error_on_avr("Pupil"), HasSubstr("x.S: cannot be compiled: expected no sections .gnu.lto_"));
+  }
+  fs::remove(folder_ / "Pupil/x.S");
+  std::string text = kSections;
+  for (std::size_t at = 0; (at = text.find_first_of("\"\n", at)) != text.npos; at += 2)
+    text.replace(at, 1, text[at] == '"' ? "\\\"" : "\\n");
+  write("Pupil/Pupil.ino", "asm(\"" + text + ".text\");\n" + kEmptySketch);
+  EXPECT_EQ(error_of("Pupil"), "no error") << "the host's linker has no such optimiser";
 }
 
 TEST_F(HostileTest, ASketchMayBeCalledLikeAnOption) {
@@ -193,6 +215,18 @@ TEST_F(HostileTest, OutputWithoutEndIsNotReadWithoutEnd) {
   EXPECT_NE(result.status, 0);
   EXPECT_THAT(result.output, StartsWith(std::string(kTooMuchOutput) + "\ny\n"));
   EXPECT_LT(result.output.size(), 200'000u);
+}
+
+/// Returns whether `work` takes no more than 10 s of processor time: what it does in linear time takes 1 s.
+bool ends_soon(const std::function<void()>& work) {
+  return Child([&] {
+           const rlimit most{10, 10};
+           ::setrlimit(RLIMIT_CPU, &most);
+           work();
+           return 0;
+         })
+      .wait()
+      .ok();
 }
 
 TEST_F(HostileTest, AHeaderThatIncludesItselfIsOneError) {
