@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/base/terminal_text.h"
 #include "sim/tui/text.h"
 
 namespace robosim::cli {
@@ -33,6 +34,10 @@ std::string mark(const CheckResult& result) {
   }
 }
 
+// Names and texts come from sketches and their folders: each stays in its line, which is one of a report.
+std::string shown_name(const CheckResult& result) { return in_one_line(result.name); }
+std::string shown_place(const CheckResult& result) { return in_one_line(result.where); }
+
 std::string outcome(const CheckResult& result) {
   if (result.only)
     return fmt::format("{} after {}", result.only->verdict, tui::time_text(result.only->time_s));
@@ -45,38 +50,40 @@ std::string outcome(const CheckResult& result) {
 std::string sketch_report(const SketchResult& sketch) {
   if (sketch.problem) return "";
   const auto& results = sketch.results;
-  const int names = widest(results, [](const CheckResult& r) { return r.name; });
-  const int places = widest(results, [](const CheckResult& r) { return r.where; });
+  const int names = widest(results, shown_name);
+  const int places = widest(results, shown_place);
   std::string text;
   for (const CheckResult& result : results) {
-    std::string line = fmt::format("{}  {}  {}  {}", padded(mark(result), 6), padded(result.name, names),
-                                   padded(result.where, places), outcome(result));
+    std::string line =
+        fmt::format("{}  {}  {}  {}", padded(mark(result), 6), padded(shown_name(result), names),
+                    padded(shown_place(result), places), outcome(result));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
-    if (!result.why.empty()) text += fmt::format("        why: {}\n", result.why);
+    if (!result.why.empty()) text += fmt::format("        why: {}\n", in_one_line(result.why));
     if (!result.ok() && !result.replay.empty())
-      text += fmt::format("        see: {} --view\n", result.replay);
+      text += fmt::format("        see: {} --view\n", in_one_line(result.replay));
   }
   return text + fmt::format("{} of {} check{} passed\n", sketch.passed(), results.size(),
                             results.size() == 1 ? "" : "s");
 }
 
 std::string class_report(const std::vector<SketchResult>& sketches) {
-  const auto name_of = [](const SketchResult& sketch) { return sketch.name; };
-  const int names = widest(sketches, name_of);
+  const auto shown = [](const SketchResult& sketch) { return in_one_line(sketch.name); };
+  const int names = widest(sketches, shown);
   std::size_t passed = 0;
   std::string text;
   for (const SketchResult& sketch : sketches) {
-    std::string line = padded(sketch.name, names);
+    std::string line = padded(shown(sketch), names);
     if (sketch.problem) {
-      line += "  ERROR   " + sketch.problem->line;
+      line += "  ERROR   " + in_one_line(sketch.problem->line);
     } else {
       const bool all = sketch.passed() == sketch.results.size();
       line +=
           fmt::format("  {}  {} of {}", all ? "passed" : "FAILED", sketch.passed(), sketch.results.size());
       const auto failed = std::find_if(sketch.results.begin(), sketch.results.end(),
                                        [](const CheckResult& r) { return !r.ok(); });
-      if (failed != sketch.results.end()) line += fmt::format("  {}: {}", failed->name, failed->why);
+      if (failed != sketch.results.end())
+        line += fmt::format("  {}: {}", shown_name(*failed), in_one_line(failed->why));
       passed += all ? 1 : 0;
     }
     text += line + "\n";

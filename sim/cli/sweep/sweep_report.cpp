@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "sim/base/terminal_text.h"
 #include "sim/tui/text.h"
 
 namespace robosim::cli {
@@ -75,7 +76,9 @@ struct Scores {
 };
 
 std::vector<std::string> line_of(const Combination& c, const analysis::Tally& tally, double reached_time_s) {
-  std::vector<std::string> line{c.title, c.inputs.map, c.inputs.robot, c.inputs.target};
+  std::vector<std::string> line;
+  for (const std::string& name : {c.title, c.inputs.map, c.inputs.robot, c.inputs.target})
+    line.push_back(in_one_line(name));
   line.push_back(std::to_string(tally.runs()));
   line.push_back(std::to_string(tally.successes()));
   if (tally.runs() == 0) {
@@ -102,13 +105,13 @@ std::string failures_text(const SweepPlan& plan, std::size_t combination, const 
   std::string kinds;
   for (const auto& [verdict, times] : verdicts)
     kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", times, verdict);
-  std::string text = fmt::format("\n{}: {} of {} did not reach the goal ({})\n", c.text(), failures.size(),
-                                 tally.runs(), kinds);
+  std::string text = fmt::format("\n{}: {} of {} did not reach the goal ({})\n", in_one_line(c.text()),
+                                 failures.size(), tally.runs(), kinds);
   for (std::size_t i = 0; i < std::min(failures.size(), kFailuresShown); ++i) {
     const SweepOutcome& outcome = outcomes[failures[i]];
     const std::uint64_t seed = plan.seed_of(failures[i]);
-    text += fmt::format("  seed {}: {}. {}\n    {}\n", seed, outcome.verdict, outcome.why,
-                        replay_command(c, seed));
+    text += fmt::format("  seed {}: {}. {}\n    {}\n", seed, outcome.verdict, in_one_line(outcome.why),
+                        in_one_line(replay_command(c, seed)));
   }
   if (failures.size() > kFailuresShown)
     text += fmt::format("  and {} more\n", failures.size() - kFailuresShown);

@@ -168,5 +168,26 @@ TEST(ReportOfManySketches, HasALineForEach) {
             "1 of 3 sketches passed all checks\n");
 }
 
+TEST(ReportOfManySketches, KeepsWhatASketchIsCalledInItsLine) {
+  SketchResult sketch = sketch_with({ExitStatus::failed});
+  sketch.name = "anna\nben   passed  1 of 1";
+  sketch.results[0].name = "a\n::stop-commands::x";
+  sketch.results[0].where = "oval\x1B[2J";
+  sketch.results[0].why = "in f\nBecause.";
+  sketch.results[0].replay = "robosim run 'a\nb'";
+  EXPECT_EQ(class_report({sketch}),
+            "anna\\x0aben   passed  1 of 1  FAILED  0 of 1  a\\x0a::stop-commands::x: in f\\x0aBecause.\n"
+            "0 of 1 sketches passed all checks\n");
+  EXPECT_EQ(sketch_report(sketch),
+            "FAILED  a\\x0a::stop-commands::x  oval\\x1b[2J\n"
+            "        why: in f\\x0aBecause.\n"
+            "        see: robosim run 'a\\x0ab' --view\n"
+            "0 of 1 check passed\n");
+  sketch.problem = SketchResult::Problem();
+  sketch.problem->line = "a\nb";
+  EXPECT_EQ(class_report({sketch}),
+            "anna\\x0aben   passed  1 of 1  ERROR   a\\x0ab\n0 of 1 sketches passed all checks\n");
+}
+
 }  // namespace
 }  // namespace robosim::cli
