@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/project.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -15,7 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
-constexpr std::size_t kMostSource_bytes = std::size_t{4} << 20;
+constexpr std::size_t kMostSource_bytes = std::size_t{1} << 20, kMostInAll_bytes = std::size_t{8} << 20;
+/// std::regex takes stack for each character that it looks at, and time for each way to match it.
+constexpr std::size_t kLongestLine = 300;
 
 std::string content_or_nothing(const fs::path& path) {
   try {
@@ -23,6 +26,14 @@ std::string content_or_nothing(const fs::path& path) {
   } catch (const InputError&) {
     return "";
   }
+}
+
+bool matches(const std::string& line, std::smatch& parts, const std::regex& pattern) {
+  return line.size() <= kLongestLine && std::regex_match(line, parts, pattern);
+}
+bool matches(const std::string& line, const std::regex& pattern) {
+  std::smatch parts;
+  return matches(line, parts, pattern);
 }
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
@@ -72,10 +83,11 @@ std::set<std::string> constants_of(const std::string& text) {
 
 /// Returns the object of a line: `Servo arm(9);` declares arm; `int turn(int by);` is a function.
 std::optional<std::string> object_of(const std::string& text) {
-  static const std::regex object(R"((?:[A-Za-z_][\w:]*(?:<[^;()]*>)?\s+)+(\w+)\s*[({](.+)[)}]\s*;\s*)");
+  static const std::regex object(
+      R"((?:[A-Za-z_][\w:]*(?:<(?:[^;()<>]|<[^;()<>]*>)*>)?\s+)+(\w+)\s*[({](.+)[)}]\s*;\s*)");
   static const std::regex parameter(R"((?:^|[(,])\s*(?:\w+\s+)*\w[\w:<>]*[\s*&]+\w+\s*(?:=[^,]*)?(?=,|$))");
   std::smatch parts;
-  if (!std::regex_match(text, parts, object) || text.starts_with("return") || text.starts_with("extern"))
+  if (!matches(text, parts, object) || text.starts_with("return") || text.starts_with("extern"))
     return std::nullopt;
   const std::string between = parts[2];
   if (std::regex_search(between, parameter)) return std::nullopt;
@@ -87,7 +99,7 @@ std::set<std::string> without_value(const std::string& line) {
   static const std::regex declaration(
       R"(\s+(?:volatile\s+)?(?:(?:unsigned|signed|long|short)\s+)*(?:u?int\d+_t|int|long|short|unsigned|char|bool|boolean|byte|word|float|double|size_t)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*)");
   std::smatch parts;
-  if (!std::regex_match(line, parts, declaration)) return {};
+  if (!matches(line, parts, declaration)) return {};
   const std::vector<std::string> names = names_in(parts[1]);
   return {names.begin(), names.end()};
 }
@@ -95,11 +107,12 @@ std::set<std::string> without_value(const std::string& line) {
 bool opens_function(const std::string& line) {
   static const std::regex function(R"(.*\)[^;()]*\{\s*)"),
       statement(R"(\s*\}?\s*(?:if|else|for|while|switch|do)\b.*)");
-  return std::regex_match(line, function) && !std::regex_match(line, statement);
+  return matches(line, function) && !matches(line, statement);
 }
 
 /// Returns whether a line writes a variable: `count = 1`, `count += 1`, `count++` and `++count`.
 bool writes(const std::string& line, const std::string& name) {
+  if (line.size() > kLongestLine || line.find(name) == line.npos) return false;
   return std::regex_search(
       line, std::regex("(?:^|\\W)" + name + R"((?:\s*\[[^\]]*\])?\s*(?:[-+*/%&|^]|<<|>>)?=(?!=)|\b)" + name +
                        R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
@@ -112,7 +125,7 @@ std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
     const std::string line = without_comment(lines[i]);
     if (line.empty() || std::isspace(static_cast<unsigned char>(line[0]))) continue;
     std::smatch parts;
-    return std::regex_match(line, parts, head) ? parts[1].str() : "";
+    return matches(line, parts, head) ? parts[1].str() : "";
   }
   return "";
 }
@@ -269,25 +282,34 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   const auto [known, fresh] = files_.try_emplace(file);
   if (!fresh) return known->second;
   for (const fs::path& path : paths_of(file)) {
-    std::istringstream in(content_or_nothing(path));
+    const std::string content = read_bytes_ < kMostInAll_bytes ? content_or_nothing(path) : "";
+    read_bytes_ += content.size();
+    std::istringstream in(content);
     for (std::string text; std::getline(in, text);) known->second.push_back(text);
     if (!known->second.empty()) break;
   }
   return known->second;
 }
 
-// A sketch can claim any name by #line. A name that leads out of its folder, or that is not a file, has no
+// A sketch can claim any name by #line. A name that leads out of its folder, also by a link, or that is not a file, has no
 // lines. For a library the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;
-  for (const fs::path& folder : folders_) paths.push_back(folder / file);
+  const auto add = [&](const fs::path& folder, const fs::path& within) {
+    std::error_code none;
+    const fs::path real = fs::canonical(folder, none);
+    if (!none && build::lies_in(folder / within, build::reach_of(real))) paths.push_back(folder / within);
+  };
+  for (const fs::path& folder : folders_) add(folder, file);
   if (!file.string().starts_with("libraries/")) return paths;
   const fs::path within_all = file.lexically_relative("libraries");
   fs::path within_one;
   for (auto part = std::next(within_all.begin()); part != within_all.end(); ++part) within_one /= *part;
-  for (const fs::path& folder : folders_)
-    paths.insert(paths.end(), {folder / within_all, folder / within_one});
+  for (const fs::path& folder : folders_) {
+    add(folder, within_all);
+    add(folder, within_one);
+  }
   return paths;
 }
 

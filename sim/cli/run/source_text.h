@@ -1,6 +1,7 @@
 // The text of a sketch's lines, if its files are found: an image has the lines' places, not their text.
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -51,6 +52,7 @@ class SourceText {
   std::map<std::string, std::multimap<std::string, int>> declarations_;
   std::map<std::string, std::vector<std::string>> beside_;  ///< by folder
   std::set<std::pair<std::string, int>> had_;
+  std::size_t read_bytes_ = 0;  ///< of all files: a folder may hold any number
 };
 
 }  // namespace robosim::cli

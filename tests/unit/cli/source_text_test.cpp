@@ -103,5 +103,28 @@ TEST_F(SourceTextTest, LeavesOutLinesThatSayNothingButTheNearest) {
   EXPECT_THAT(left_, ElementsAre(14, 18));
 }
 
+TEST_F(SourceTextTest, ALinkOutOfTheProjectHasNoLines) {
+  const std::filesystem::path project = folder_.path() / "project", sketch = project / "sketch";
+  std::filesystem::create_directories(sketch);
+  write_file(project / "pid.h", "int kp;\n");
+  write_file(folder_.path() / "secret.txt", "hunter2\n");
+  std::filesystem::create_symlink("../pid.h", sketch / "shared.h");
+  std::filesystem::create_symlink("../../secret.txt", sketch / "link.h");
+  SourceText source({sketch});
+  EXPECT_EQ(source.line({"", "link.h", 1}), "");
+  EXPECT_EQ(source.line({"", "shared.h", 1}), "int kp;") << "compilers see it, too";
+}
+
+TEST_F(SourceTextTest, TakesNoLineForLongHoweverItIsMade) {
+  const std::string table(200'000, '1');
+  std::string types = "T";
+  for (int i = 0; i < 60; ++i) types += " a<b>";
+  for (const std::string& line : {"int " + table + "(1);", types + " x!", types + " {",
+                                  "int x(" + table + ") {", "const int A[] = {" + table + "}, B = 2;"}) {
+    write_file(folder_.path() / "My.ino", line + "\n" + kSketch);
+    EXPECT_THAT(added_to({24}), ElementsAre(Link("named in these lines", {6, 3, 5, 4})));
+  }
+}
+
 }  // namespace
 }  // namespace robosim::cli
