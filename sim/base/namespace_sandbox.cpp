@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sched.h>
 #include <sys/mount.h>
+#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/syscall.h>
@@ -50,6 +51,14 @@ unsigned long mount_flags(const fs::path& path) {
                                  {ST_RDONLY, MS_RDONLY}})
     if (facts.f_flag & is) flags |= flag;
   return flags;
+}
+
+/// For the programs that come: one of root's would have all of them in its namespace, and could make what it
+/// sees writable again.
+bool drop_capabilities() {
+  for (unsigned long one = 0; ::prctl(PR_CAPBSET_READ, one, 0, 0, 0) >= 0; ++one)
+    if (::prctl(PR_CAPBSET_DROP, one, 0, 0, 0) != 0) return false;
+  return true;
 }
 
 }  // namespace
@@ -105,7 +114,8 @@ bool NamespaceSandbox::enter() const {
     if (!show(place)) return false;
   return ::umount2(kOld, MNT_DETACH) == 0 && ::rmdir(kOld) == 0 &&
          ::mount(nullptr, "/", nullptr, MS_BIND | MS_REMOUNT | MS_RDONLY | MS_NOSUID | MS_NODEV, nullptr) ==
-             0;
+             0 &&
+         drop_capabilities();
 }
 
 bool NamespaceSandbox::possible() {

@@ -40,6 +40,22 @@ TEST_F(WallsTest, HideAllElseAndLetNothingElseBeWritten) {
     EXPECT_THAT(in_a_shell(script), HasSubstr("ermission denied")) << script;
 }
 
+TEST_F(WallsTest, OfNamespacesLeaveNothingToRootToOpenThemWith) {
+  if (!NamespaceSandbox::possible()) GTEST_SKIP() << "namespaces of users are not allowed here";
+  std::filesystem::create_directories(folder_ / "scratch");
+  const NamespaceSandbox walls({"/usr", "/bin", "/lib", "/lib64"}, {folder_ / "scratch", "/dev/null"});
+  const auto status_of = [&](const char* script) {
+    return Child([&] {
+             if (walls.enter()) ::execl("/bin/sh", "sh", "-c", script, nullptr);
+             return 99;
+           })
+        .wait()
+        .status;
+  };
+  EXPECT_EQ(status_of("test -x /usr/bin/env"), 0);
+  EXPECT_EQ(status_of("/usr/sbin/chroot / /bin/true 2>/dev/null"), 125) << "it has a capability";
+}
+
 TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
   EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n229376\n");
 }
