@@ -22,6 +22,7 @@ Chosen choose(const Launch& launch) {
   if (launch.sanitize) name_flag("--sanitize", [&] { build::check_can_sanitize(chosen.target); });
   chosen.map = choose_map(launch.map, chosen.sketch.folder);
   chosen.robot = choose_robot(launch.robot, chosen.sketch, chosen.target);
+  if (launch.untrusted) check_robot(chosen.sketch, chosen.robot);
   return chosen;
 }
 

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/config.h"
+#include "sim/base/file.h"
 #include "sim/base/program_sandbox.h"
+#include "sim/base/robot_name.h"
 #include "sim/build/project.h"
 
 namespace robosim::launch {
+namespace fs = std::filesystem;
+
 namespace {
 
 struct Lack {
@@ -33,15 +38,39 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 }
 
 void check_folder(const SketchChoice& sketch) {
+  if (!sketch.elf_target.empty() && !build::lies_in(sketch.path, sketch.folder))
+    throw InputError(
+        {sketch.path.string()},
+        fmt::format("what stands next to the image names {} as its sketch's folder, outside of its "
+                    "own; --untrusted follows no such folder",
+                    sketch.folder.string()));
   const project::Project& project = sketch.project;
-  std::vector<std::filesystem::path> folders = project.libraries;
+  std::vector<fs::path> folders = project.libraries;
   folders.insert(folders.end(), project.includes.begin(), project.includes.end());
   if (!project.sources.empty()) folders.push_back(project.sources);
-  for (const std::filesystem::path& folder : folders)
+  for (const fs::path& folder : folders)
     if (!build::lies_in(folder, sketch.folder))
       throw InputError({project.file.string()},
                        fmt::format("{} is outside of the sketch's folder; --untrusted follows no such folder",
                                    folder.string()));
+}
+
+void check_robot(const SketchChoice& sketch, const Choice& robot) {
+  constexpr int kMostBases = 8;  // more of them the runner refuses
+  fs::path file = parse_robot_name(robot.path.string()).robot;
+  if (!is_path(file.string()) || !build::lies_in(file, sketch.folder)) return;
+  for (int bases = 0; bases <= kMostBases; ++bases) {
+    const ConfigValue table = parse_toml(read_file(file), file.string());
+    const ConfigValue* const base = table.find("base");
+    if (!base || base->kind != ConfigValue::Kind::string || !is_path(base->string)) return;
+    file = file.parent_path() / base->string;
+    std::error_code none;
+    if (!fs::exists(file, none)) return;
+    if (!build::lies_in(file, sketch.folder))
+      throw InputError(base->place, fmt::format("base is \"{}\", outside of the sketch's folder; --untrusted "
+                                                "follows no such name",
+                                                base->string));
+  }
 }
 
 std::string chip_target(const Launch& launch, const Describe& describe) {

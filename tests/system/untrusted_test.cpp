@@ -197,6 +197,35 @@ TEST_F(Untrusted, NoFolderThatAProjectNamesIsOutsideOfTheSketchsFolder) {
   }
 }
 
+TEST_F(Untrusted, ARobotOfTheSketchsIsBasedOnNothingOutsideOfItsFolder) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  folder_.write("S/robots/base.toml", "base = \"uno5\"\n");
+  folder_.write("secret/robot.toml", "hunter2\n");
+  const auto with = [&](const std::string& base) {
+    folder_.write("S/robot.toml", "base = \"" + base + "\"\n");
+    return robosim({"run", "--untrusted", "./S", "--map", "oval", "--goal", "none", "--for", "10ms"});
+  };
+  EXPECT_EQ(with("uno5").status, 0);
+  EXPECT_EQ(with("robots/base.toml").status, 0);
+  for (const char* base : {"../secret/robot.toml", "/etc/passwd"}) {
+    const Ended ended = with(base);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, HasSubstr("S/robot.toml:1:8: base is \"" + std::string(base) +
+                                     "\", outside of the sketch's folder"));
+    EXPECT_THAT(ended.err, Not(HasSubstr("hunter2")));
+  }
+  folder_.write("S/robots/base.toml", "base = \"../../secret/robot.toml\"\n");
+  EXPECT_THAT(with("robots/base.toml").err, HasSubstr("S/robots/base.toml:1:8: base is "));
+}
+
+TEST_F(Untrusted, AnImageNamesNoFolderOutsideOfItsOwn) {
+  folder_.write("S/x.hex", ":00000001FF\n");
+  folder_.write("S/build.options.json", "{\"sketchLocation\": \"" + (folder_ / "secret").string() + "\"}");
+  const Ended ended = robosim({"run", "--untrusted", "./S/x.hex", "--map", "oval", "--robot", "uno5"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.err, HasSubstr("names " + (folder_ / "secret").string() + " as its sketch's folder"));
+}
+
 TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
   folder_.write("S/S.ino", empty_sketch(""));
   folder_.write("T/T.ino", empty_sketch(""));
