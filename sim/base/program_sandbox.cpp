@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "sim/base/file_scope.h"
+#include "sim/base/refused_calls.h"
 
 namespace robosim {
 namespace fs = std::filesystem;
@@ -128,10 +129,10 @@ bool ProgramSandbox::enter(const char* folder, unsigned long bytes) const {
   limit(RLIMIT_CORE, 0);
   if (own_files_ && !own_files_->enter()) return false;
   if (::chdir(folder) != 0) return false;
-  if (own_files_) return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
-  if (!rules_.is_open()) return true;
-  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         ::syscall(SYS_landlock_restrict_self, rules_.get(), 0) == 0;
+  const bool is_sealed = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
+  if (is_sealed) refuse_needless_calls();
+  if (!own_files_ && !rules_.is_open()) return true;
+  return is_sealed && (own_files_ || ::syscall(SYS_landlock_restrict_self, rules_.get(), 0) == 0);
 }
 
 std::string ProgramSandbox::missing() {

@@ -40,6 +40,15 @@ TEST_F(WallsTest, HideAllElseAndLetNothingElseBeWritten) {
     EXPECT_THAT(in_a_shell(script), HasSubstr("ermission denied")) << script;
 }
 
+TEST_F(WallsTest, LetProgramsReachNeitherTheNetworkNorOtherProcesses) {
+  const auto in_bash = [&](const std::string& script) {
+    return in_a_shell("exec /bin/bash -c '" + script + "' 2>&1");
+  };
+  EXPECT_THAT(in_bash("exec 3<>/dev/tcp/127.0.0.1/1"), HasSubstr("socket: Operation not permitted"));
+  EXPECT_THAT(in_bash("kill -0 $PPID"), HasSubstr("Operation not permitted"));
+  EXPECT_THAT(in_bash("unshare -r true"), HasSubstr("Operation not permitted"));
+}
+
 TEST_F(WallsTest, OfNamespacesLeaveNothingToRootToOpenThemWith) {
   if (!NamespaceSandbox::possible()) GTEST_SKIP() << "namespaces of users are not allowed here";
   std::filesystem::create_directories(folder_ / "scratch");
