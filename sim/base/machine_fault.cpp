@@ -51,11 +51,17 @@ bool names_a_program(std::string_view line) {
 /// Returns whether the line has a place in a source, or quotes one. Compilers before gcc 9 indent what they
 /// quote by a blank alone.
 bool is_of_sketch(std::string_view line) {
-  static constexpr std::string_view kSigns[] = {": error: ", ": warning: ", ": note: "};
+  static constexpr std::string_view kSigns[] = {
+      ": error: ", ": warning: ", ": note: ", ": Error: ", ": Warning: "};
   for (const std::string_view sign : kSigns)
     if (const std::size_t at = line.find(sign);
         at != line.npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9')
       return true;
+  // The header's name is the sketch's, too.
+  if (const std::size_t at = line.find(": fatal error: "); at != line.npos && at > 0 && line[at - 1] >= '0' &&
+                                                           line[at - 1] <= '9' &&
+                                                           line.ends_with(": No such file or directory"))
+    return true;
   return (line.starts_with(' ') && !names_a_program(line)) || line.find(" | ") != line.npos;
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
 #include <regex>
 #include <stdexcept>
 #include <string_view>
@@ -63,6 +65,14 @@ std::string cut(const std::string& output) {
   return text;
 }
 
+/// The number that the digits are; 0 for one too large, which only a sketch can have written.
+template <typename Number = int>
+Number number_in(const std::string& digits, int base = 10) {
+  Number number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, base);
+  return error == std::errc() ? number : 0;
+}
+
 bool replace_all(std::string& text, const std::string& from, const std::string& to) {
   bool found = false;
   for (std::size_t at = 0; !from.empty() && (at = text.find(from, at)) != std::string::npos;
@@ -83,11 +93,12 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
   if (std::regex_search(messages, match, ram))
     throw CompileError(fmt::format(
         "{} does not fit: its variables take {} bytes, and the {} has {} of RAM", sketch.name,
-        std::stoul(match[1], nullptr, 16) - kAvrData - board.chip->ram_address, board.name, board.ram_bytes));
+        number_in<std::uint64_t>(match[1].str().substr(2), 16) - kAvrData - board.chip->ram_address,
+        board.name, board.ram_bytes));
   if (std::regex_search(messages, match, more_ram))
     throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
-                                   sketch.name, board.ram_bytes + std::stoul(match[1]), board.name,
-                                   board.ram_bytes));
+                                   sketch.name, board.ram_bytes + number_in<std::uint64_t>(match[1]),
+                                   board.name, board.ram_bytes));
   if (std::regex_search(messages, match, flash))
     throw CompileError(
         fmt::format("{} does not fit: it takes {} bytes more than the chip's flash, and the {} has {} bytes "
@@ -113,7 +124,7 @@ std::string missing_header(const std::string& whole, Place* place) {
   static const std::regex pattern(R"((.*):(\d+):(\d+): fatal error: (.*): No such file or directory.*)");
   std::smatch match;
   if (!std::regex_match(line, match, pattern)) return {};
-  *place = {match[1], std::stoi(match[2]), std::stoi(match[3])};
+  *place = {match[1], number_in(match[2]), number_in(match[3])};
   return match[4];
 }
 
@@ -228,7 +239,7 @@ void fail_at_walls(const std::string& messages) {
   static const std::regex by_compiler(
       R"((?:^|\n)([^\n: ][^\n:]*):(\d+):(\d+): (?:fatal error|error): ([^\n]*): Permission denied)");
   if (std::regex_search(messages, match, by_compiler))
-    throw CompileError({match[1], std::stoi(match[2]), std::stoi(match[3])}, match[4].str() + kNotSeen);
+    throw CompileError({match[1], number_in(match[2]), number_in(match[3])}, match[4].str() + kNotSeen);
 }
 
 namespace {
@@ -241,7 +252,7 @@ bool find_error(const std::string& messages, std::smatch& match) {
 }
 
 Place place_of(const std::smatch& match) {
-  return {match[2], std::stoi(match[3]), match[5].matched ? std::stoi(match[5]) : 0};
+  return {match[2], number_in(match[3]), match[5].matched ? number_in(match[5]) : 0};
 }
 
 }  // namespace
@@ -269,7 +280,7 @@ void fail(const Target& target, const std::string& messages) {
     if (!target.chip && std::regex_search(messages, match, assembler)) {
       // gcc notes no place for an asm() outside of functions: then the file is the compiler's assembly.
       const std::string file = match[1];
-      const Place place = file.ends_with(".s") ? Place() : Place{file, std::stoi(match[2])};
+      const Place place = file.ends_with(".s") ? Place() : Place{file, number_in(match[2])};
       throw CompileError(
           place, "asm() holds assembler of the chip (" + match[3].str() + "): it is for the target avr");
     }

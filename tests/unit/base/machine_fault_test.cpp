@@ -41,6 +41,14 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
   EXPECT_EQ(
       fault("S.ino:1:2: error: #error No space left on device\n    1 | #error No space left on device\n"),
       "");
+  for (const char* forged :
+       {"S.ino:1:2: error: call to 'f' declared with attribute error: No space left on device",
+        "S.ino:1:2: warning: Too many open files [-Wdeprecated]",
+        "S.ino:1:10: fatal error: Too many open files: No such file or directory",
+        "{standard input}:7: Error: No space left on device"})
+    EXPECT_EQ(fault(forged), "") << forged;
+  EXPECT_EQ(fault("S.ino:1:2: fatal error: error writing to /tmp/x.s: No space left on device"),
+            "the compiler failed: there is no room left on the disk");
   EXPECT_EQ(fault("S.ino:1:2: error: expected ';' before '}' token\n"), "");
   // As gcc 5 for the AVR quotes a source, and as a text of the sketch is shown.
   EXPECT_EQ(fault("S.ino:1:1: error: static assertion failed: cannot execute 'ld'\n static_assert(false, "

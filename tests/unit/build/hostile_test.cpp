@@ -217,16 +217,24 @@ TEST_F(HostileTest, OutputWithoutEndIsNotReadWithoutEnd) {
   EXPECT_LT(result.output.size(), 200'000u);
 }
 
-/// Returns whether `work` takes no more than 10 s of processor time: what it does in linear time takes 1 s.
-bool ends_soon(const std::function<void()>& work) {
-  return Child([&] {
-           const rlimit most{10, 10};
-           ::setrlimit(RLIMIT_CPU, &most);
-           work();
-           return 0;
-         })
-      .wait()
-      .ok();
+TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
+  for (const char* line :
+       {"#line 1 \"a\\nb.c:99999999999999999999:1: error: x\"\nint x = ;",
+        "#line 1 \"a\\nb.c:1:99999999999999999999: error: x\"\nint x = ;",
+        "#line 1 \"a\\nb.c:99999999999999999999:1: fatal error: y.h: No such file or directory\"\nint x = ;",
+        "asm(\".error \\\"b.c:99999999999999999999: Error: x\\\"\");"}) {
+    write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
+    EXPECT_NE(error_of("Pupil"), "no error") << line;  // and nothing else than an InputError is thrown
+  }
+}
+
+TEST_F(HostileTest, NoSketchMakesItselfAFaultOfTheMachine) {
+  write("Pupil/Pupil.ino",
+        "void f() __attribute__((error(\"No space left on device\")));\n"
+        "void setup() { f(); }\nvoid loop() {}\n");
+  EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:2:"));
+  write("Pupil/Pupil.ino", "#include \"Too many open files.h\"\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:1:"));
 }
 
 TEST_F(HostileTest, AHeaderThatIncludesItselfIsOneError) {
