@@ -8,7 +8,7 @@ namespace robosim::build {
 namespace {
 
 /// Returns the end of the comment, text or character that begins at `at`; `at` if none does.
-std::size_t end_of_passage(std::string_view source, std::size_t at) {
+std::size_t end_of_passage(std::string_view source, std::size_t at, QuoteEnds& quote_ends) {
   const auto behind = [&](std::string_view end, std::size_t from) {
     const std::size_t found = source.find(end, from);
     return found == source.npos ? source.size() : found + end.size();
@@ -16,7 +16,7 @@ std::size_t end_of_passage(std::string_view source, std::size_t at) {
   if (source.substr(at, 2) == "//") return behind("\n", at);
   if (source.substr(at, 2) == "/*") return behind("*/", at + 2);
   if (source[at] != '"' && source[at] != '\'') return at;
-  return end_of_quote(source, at);
+  return quote_ends.of(at);
 }
 
 }  // namespace
@@ -41,8 +41,9 @@ bool wants_narrow_ints(std::string_view messages) {
 std::string with_narrow_ints(std::string_view source) {
   std::string result;
   std::string_view last;
+  QuoteEnds quote_ends(source);
   for (std::size_t at = 0; at < source.size();) {
-    if (const std::size_t end = end_of_passage(source, at); end != at) {
+    if (const std::size_t end = end_of_passage(source, at, quote_ends); end != at) {
       result += source.substr(at, end - at);
       at = end;
       continue;

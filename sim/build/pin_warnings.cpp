@@ -18,15 +18,17 @@
 namespace robosim::build {
 namespace {
 
+/// Of the text that words_in() was given: there are as many as characters.
 struct Word {
-  std::string text;  ///< a name, a number, a string's quote, or one character
-  std::string file;
+  std::string_view text;  ///< a name, a number, a string's quote, or one character
+  std::string_view file;
   int line = 0;
 };
 
 std::vector<Word> words_in(const std::string& text) {
   std::vector<Word> words;
-  std::string file;
+  QuoteEnds quote_ends(text);
+  std::string_view file;
   int line = 1;
   bool begins = true;  // of a line
   for (std::size_t i = 0; i < text.size();) {
@@ -36,10 +38,10 @@ std::vector<Word> words_in(const std::string& text) {
       begins = true;
     } else if (c == '#' && begins) {  // # 12 "name", #line 12 "name"
       const std::size_t end = text.find('\n', i);
-      const std::string directive = text.substr(i, end - i);
-      if (const std::size_t digit = directive.find_first_of("0123456789"); digit != std::string::npos)
-        line = std::atoi(directive.c_str() + digit) - 1;
-      if (const std::size_t quote = directive.find('"'); quote != std::string::npos)
+      const std::string_view directive = std::string_view(text).substr(i, end - i);
+      if (const std::size_t digit = directive.find_first_of("0123456789"); digit != directive.npos)
+        line = std::atoi(text.c_str() + i + digit) - 1;
+      if (const std::size_t quote = directive.find('"'); quote != directive.npos)
         file = directive.substr(quote + 1, directive.find('"', quote + 1) - quote - 1);
       i = end == std::string::npos ? text.size() : end;
     } else if (std::isspace(static_cast<unsigned char>(c))) {
@@ -47,10 +49,10 @@ std::vector<Word> words_in(const std::string& text) {
     } else {
       std::size_t end = i + 1;
       if (c == '"' || c == '\'')
-        end = end_of_quote(text, i);
+        end = quote_ends.of(i);
       else if (is_of_name(c))
         while (end < text.size() && is_of_name(text[end])) ++end;
-      words.push_back({text.substr(i, end - i), file, line});
+      words.push_back({std::string_view(text).substr(i, end - i), file, line});
       i = end;
       begins = false;
     }
@@ -58,7 +60,10 @@ std::vector<Word> words_in(const std::string& text) {
   return words;
 }
 
-std::optional<int> number_of(const std::string& word) {
+std::optional<int> number_of(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  if (text.size() > kLongest) return std::nullopt;
+  const std::string word(text);
   const bool binary = word.rfind("0b", 0) == 0 || word.rfind("0B", 0) == 0;
   const char* begin = word.c_str() + (binary ? 2 : 0);
   char* end = nullptr;
@@ -68,18 +73,18 @@ std::optional<int> number_of(const std::string& word) {
   return static_cast<int>(value);
 }
 
-bool is_name(const std::string& word) {
+bool is_name(std::string_view word) {
   return is_of_name(word[0]) && !std::isdigit(static_cast<unsigned char>(word[0]));
 }
 
 /// Returns variables that are set once, to a number.
-std::map<std::string, int> constants_in(const std::vector<Word>& words) {
-  std::map<std::string, int> found;
-  std::set<std::string> several;
+std::map<std::string_view, int> constants_in(const std::vector<Word>& words) {
+  std::map<std::string_view, int> found;
+  std::set<std::string_view> several;
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-    const std::string& name = words[i].text;
+    const std::string_view name = words[i].text;
     if (!is_name(name)) continue;
-    const std::string& next = words[i + 1].text;
+    const std::string_view next = words[i + 1].text;
     const bool compares = next == "=" && words[i + 2].text == "=";
     const bool counts =
         (next == "+" || next == "-") && (words[i + 2].text == next || words[i + 2].text == "=");
@@ -95,7 +100,7 @@ std::map<std::string, int> constants_in(const std::vector<Word>& words) {
     const auto value = alone ? number_of(words[i + 2].text) : std::nullopt;
     if (!value || !found.emplace(name, *value).second) several.insert(name);
   }
-  for (const std::string& name : several) found.erase(name);
+  for (const std::string_view name : several) found.erase(name);
   return found;
 }
 
@@ -151,7 +156,7 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
   return "";
 }
 
-bool is_number(const std::string& word) {
+bool is_number(std::string_view word) {
   return !word.empty() && word.size() < 6 && word.find_first_not_of("0123456789") == word.npos;
 }
 
@@ -162,7 +167,7 @@ std::string range_warning(const std::vector<Word>& words, std::size_t at) {
   const bool negative = i < words.size() && words[i].text == "-";
   if (negative) ++i;
   if (i + 1 >= words.size() || !is_number(words[i].text) || words[i + 1].text != ")") return "";
-  const int value = (negative ? -1 : 1) * std::stoi(words[i].text);
+  const int value = (negative ? -1 : 1) * std::stoi(std::string(words[i].text));
   if (value >= 0 && value <= 255) return "";
   return fmt::format(
       "{}:{}: warning: analogWrite({}, {}): it takes 0 to 255; on most pins {} does what {} does",
@@ -179,7 +184,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
     if (words[i].text != "Serial") continue;
     if (words[i + 1].text != ".") return "";  // passed on to code that may begin it
-    const std::string& call = words[i + 2].text;
+    const std::string_view call = words[i + 2].text;
     if (!first && (call == "print" || call == "println" || call == "write")) first = &words[i];
   }
   if (!first) return "";
@@ -191,7 +196,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
 
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
   const std::vector<Word> words = words_in(own_lines);
-  const std::map<std::string, int> constants = constants_in(words);
+  const std::map<std::string_view, int> constants = constants_in(words);
   std::string text;
   std::set<std::string> told;
   const bool may_have_more_bits = std::any_of(
@@ -201,18 +206,18 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
     if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;
     if (const std::string wrong = may_have_more_bits ? "" : range_warning(words, i); !wrong.empty())
       text += (text.empty() ? "" : "\n") + wrong;
-    const std::string& after = words[i + 3].text;
+    const std::string_view after = words[i + 3].text;
     if (after != "," && after != ")") continue;
     for (const Function& function : kFunctions) {
       if (words[i].text != function.name) continue;
-      const std::string& argument = words[i + 2].text;
+      const std::string_view argument = words[i + 2].text;
       std::optional<int> pin = number_of(argument);
       if (const auto known = constants.find(argument); known != constants.end()) pin = known->second;
       if (!pin && argument[0] == 'A' && number_of(argument.substr(1)))
-        if (const Pin named = find_pin(board, argument.c_str()); named != kNoPin) pin = named;
+        if (const Pin named = find_pin(board, std::string(argument).c_str()); named != kNoPin) pin = named;
       if (!pin) continue;
       // analogWrite() with only 0 or 255 needs no PWM.
-      const std::string value = i + 4 < words.size() ? words[i + 4].text : "";
+      const std::string_view value = i + 4 < words.size() ? words[i + 4].text : "";
       const bool plain = function.use == Use::pwm && (value == "0" || value == "255");
       const std::string wrong = complaint(board, *pin, plain ? Use::digital : function.use);
       if (wrong.empty() || !told.insert(wrong).second) continue;

@@ -22,6 +22,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Characters from the beginning of a function's line to the end of its parameters. Without it a sketch of
+/// many functions could have each looked for in all of its text.
+constexpr std::size_t kLongestList = 64 * 1024;
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -97,12 +101,12 @@ class Scanner {
 };
 
 // Blanks the default arguments of the parameter list that begins at `open`, and returns the original list.
-// Empty if the list does not end.
+// Empty if the list does not end, or is longer than any.
 std::string take_defaults(std::string& source, std::size_t open) {
   int depth = 0;
   std::size_t default_at = 0;
   std::vector<std::pair<std::size_t, std::size_t>> defaults;
-  for (Scanner scan(source, open); !scan.done(); scan.step()) {
+  for (Scanner scan(source, open); !scan.done() && scan.at() - open < kLongestList; scan.step()) {
     const char c = scan.peek();
     if (c == '(' || c == '[' || c == '{') ++depth;
     if (c == ')' || c == ']' || c == '}') --depth;
@@ -155,7 +159,8 @@ std::size_t parameter_list(const std::string& source, const std::string& name, s
   const auto in_word = [&](std::size_t at) {
     return at < source.size() && (std::isalnum(static_cast<unsigned char>(source[at])) || source[at] == '_');
   };
-  for (std::size_t at = source.find(name, from); at != std::string::npos; at = source.find(name, at + 1)) {
+  const std::string_view near = std::string_view(source).substr(0, from + kLongestList);
+  for (std::size_t at = near.find(name, from); at != near.npos; at = near.find(name, at + 1)) {
     const std::size_t open = source.find_first_not_of(" \t\n", at + name.size());
     if ((at == 0 || !in_word(at - 1)) && open != std::string::npos && source[open] == '(') return open;
   }
@@ -170,8 +175,9 @@ std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   for (Scanner scan(source, 0); !scan.done(); scan.step()) {
     if (source.compare(scan.at(), 6, "extern") == 0) extern_at = scan.at();
     if (scan.peek() == '{') {
-      std::string head =
-          extern_at == std::string::npos ? "" : source.substr(extern_at, scan.at() - extern_at);
+      // It is of this brace only: else each brace would copy all that is before it.
+      const std::size_t from = std::exchange(extern_at, std::string::npos);
+      std::string head = from == std::string::npos ? "" : source.substr(from, scan.at() - from);
       head.erase(std::remove_if(head.begin(), head.end(), [](unsigned char c) { return std::isspace(c); }),
                  head.end());
       if (depth == 0 && head == "extern\"C\"") {
@@ -194,11 +200,18 @@ bool inside(const std::vector<std::pair<std::size_t, std::size_t>>& ranges, std:
                      [&](const auto& range) { return at > range.first && at < range.second; });
 }
 
+/// As in `&blink` and `(blink)`.
 bool mentions_function(const Tag& variable, const std::set<std::string>& functions) {
-  return std::any_of(functions.begin(), functions.end(), [&](const std::string& name) {
-    return variable.code.find('&' + name) != std::string::npos ||
-           variable.code.find('(' + name + ')') != std::string::npos;
-  });
+  const std::string& code = variable.code;
+  for (std::size_t at = code.find_first_of("&("); at != std::string::npos;
+       at = code.find_first_of("&(", at + 1)) {
+    std::size_t end = at + 1;
+    while (end < code.size() && (std::isalnum(static_cast<unsigned char>(code[end])) || code[end] == '_'))
+      ++end;
+    const bool is_whole = code[at] == '&' || (end < code.size() && code[end] == ')');
+    if (is_whole && functions.contains(code.substr(at + 1, end - at - 1))) return true;
+  }
+  return false;
 }
 
 std::string template_head(const std::string& joined, std::size_t at) {

@@ -237,6 +237,42 @@ TEST_F(HostileTest, NoSketchMakesItselfAFaultOfTheMachine) {
   EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:1:"));
 }
 
+/// Returns whether `work` takes no more than 10 s of processor time: what it does in linear time takes 1 s.
+bool ends_soon(const std::function<void()>& work) {
+  return Child([&] {
+           const rlimit most{10, 10};
+           ::setrlimit(RLIMIT_CPU, &most);
+           work();
+           return 0;
+         })
+      .wait()
+      .ok();
+}
+
+TEST_F(HostileTest, ReadersOfSourcesTakeTimeByTheirLength) {
+  std::string braces = "extern int x;\nvoid f() {";
+  for (int i = 0; i < 400'000; ++i) braces += "{}";
+  EXPECT_TRUE(ends_soon([&] { insert_prototypes(braces, braces, {}); }));
+
+  std::string functions, variables;
+  std::vector<Tag> tags;
+  for (int i = 0; i < 20'000; ++i) {
+    const Tag function{
+        "function" + std::to_string(i), "a.ino", i + 1, "function", "", "(int a = 0)", "int", ""};
+    const Tag variable{"variable", "a.ino", i + 1, "variable", "", "", "", "int variable = 1;"};
+    functions += "F(" + function.name + ") // (\n";
+    tags.push_back(function);
+    tags.push_back(variable);
+  }
+  functions = "#line 1 \"a.ino\"\n" + functions + std::string(3'000'000, ' ');
+  EXPECT_TRUE(ends_soon([&] { insert_prototypes(functions, functions, tags); }));
+
+  std::string quotes = "const char* x = R\"x( \" ";
+  for (int i = 0; i < 1'000'000; ++i) quotes += "\\'";
+  EXPECT_TRUE(ends_soon([&] { pin_warnings(quotes, *find_board("uno")); }));
+  EXPECT_TRUE(ends_soon([&] { with_narrow_ints(quotes); }));
+}
+
 TEST_F(HostileTest, AHeaderThatIncludesItselfIsOneError) {
   write("Pupil/a.h", "#include \"a.h\"\n#include \"a.h\"\n#warning again\n");
   write("Pupil/x.cpp", "#include \"a.h\"\n");
