@@ -23,7 +23,7 @@ fs::path product_of(const Target& target, const Product& product, const Entry& e
   const CommandResult result =
       run_within({work.given()}, {product_command(target, product, work.give(entry.result), made)})[0];
   if (result.status != 0) check_machine(product.program.name, result.output);
-  if (result.status != 0) throw std::runtime_error(product.program.name + (": " + result.output));
+  if (result.status != 0) throw CompileError(product.program.name + (": " + result.output));
   return cache.store(key, {}, read_made(made), name, {}, since).result;
 }
 

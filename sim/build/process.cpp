@@ -209,8 +209,7 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
     }
   }
   for (const CommandResult& result : results)
-    if (result.status == 128 + SIGINT || result.status == 128 + SIGTERM)
-      throw std::runtime_error("interrupted");
+    if (result.status == 128 + SIGINT || result.status == 128 + SIGTERM) throw Interrupted();
   return results;
 }
 

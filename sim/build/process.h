@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ constexpr const char* kWaits = "robosim: the program waits for what does not com
 /// What gcc says of a program that took more than kCompileSeconds.
 constexpr const char* kTimeExceeded = "CPU time limit exceeded";
 
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 struct CommandResult {
   int status = 0;      ///< exit status; 128 + signal if a signal ended it
   std::string output;  ///< standard output and standard error, interleaved
@@ -42,6 +47,7 @@ bool lacks_memory(const CommandResult& result);
 /// a confined program has only $PATH, and the scratch folder as $HOME and $TMPDIR. Others lose the variables
 /// that add include paths. Throws InputError for an argument that begins with '@': compilers read a file of
 /// that name as more arguments.
+/// Throws Interrupted if SIGINT or SIGTERM has ended one.
 std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
 /// Runs each within walls of its own: it sees `read`, and no other command writes its scratch folder.

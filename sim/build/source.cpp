@@ -37,22 +37,30 @@ void take(Sketch& sketch, const fs::path& file) {
   if (file.extension() == ".S" || file.extension() == ".s") sketch.assembler.push_back(name);
 }
 
+/// Throws InputError where a folder below cannot be read; nothing is below one that is not there.
+void check_all_read(const fs::path& folder, const std::error_code& error) {
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    throw InputError({folder.string()}, "cannot be read, or a folder in it: " + error.message());
+}
+
 void take_all_below(Sketch& sketch, const fs::path& folder) {
-  std::error_code none;
-  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; ++entry) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
     if (hidden(entry->path())) {
       entry.disable_recursion_pending();
       continue;
     }
     if (entry->is_regular_file()) take(sketch, entry->path());
   }
+  check_all_read(folder, error);
 }
 
 void take_headers(Sketch& sketch, const fs::path& folder) {
-  std::error_code none;
-  for (fs::recursive_directory_iterator entry(folder, none), end; entry != end; ++entry)
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; entry != end; entry.increment(error))
     if (entry->is_regular_file() && is_header(entry->path()))
       sketch.headers.push_back(entry->path().lexically_relative(sketch.folder).string());
+  check_all_read(folder, error);
 }
 
 void sort(Sketch& sketch) {
@@ -230,11 +238,14 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
 
 }  // namespace
 
-Sketch read_sketch(const fs::path& path, const ProjectRules& rules) {
+Sketch read_sketch(const fs::path& path, const ProjectRules& rules) try {
   Sketch sketch = find_files(path, rules);
   check_links(sketch);
   check_size(sketch);
   return sketch;
+} catch (const fs::filesystem_error& error) {  // a folder that may not be read, a link to itself
+  const fs::path& place = error.path1().empty() ? path : error.path1();
+  throw InputError({place.string()}, "cannot be read: " + error.code().message());
 }
 
 std::string content_sha256(const Sketch& sketch) {

@@ -131,6 +131,28 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
   EXPECT_THAT(ended.out, AllOf(Not(HasSubstr("42")), Not(HasSubstr("root:"))));
 }
 
+TEST_F(Untrusted, ASketchThatBreaksAToolOrCannotBeReadIsAnErrorOfItsOwn) {
+  std::string nested;
+  for (int i = 0; i < 200'000; ++i) nested += "namespace a {";  // arduino-ctags takes stack for each
+  folder_.write("anna/anna.ino", empty_sketch(nested + std::string(200'000, '}')));
+  folder_.write("ben/ben.ino", empty_sketch(""));
+  folder_.write("cleo/cleo.ino", empty_sketch(""));
+  std::filesystem::create_symlink("itself.h", folder_ / "cleo/itself.h");
+  folder_.write("checks.toml",
+                "[[check]]\nname = \"a\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"none\"\nfor = \"10ms\"\n"
+                "target = \"avr\"\n");
+  for (const char* how : {"--untrusted", "--jobs=1"}) {
+    const Ended ended = robosim({"test", how, "--checks", "checks.toml", "anna/", "ben/", "cleo/"});
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    const std::vector<std::string> lines = lines_of(ended.out);
+    ASSERT_EQ(lines.size(), 4u) << ended.out << ended.err;
+    EXPECT_THAT(lines[0],
+                AllOf(StartsWith("anna  ERROR   "), HasSubstr("arduino-ctags, which looks for the sketch")));
+    EXPECT_EQ(lines[1], "ben   passed  1 of 1");
+    EXPECT_THAT(lines[2], StartsWith("cleo  ERROR   "));
+  }
+}
+
 TEST_F(Untrusted, RunsAreOnTheChipOfTheRobotsBoardAndTheHostIsRefused) {
   folder_.write("S/S.ino", empty_sketch(""));
   const std::string check =

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "sim/base/machine_fault.h"
 #include "sim/base/robot_name.h"
+#include "sim/build/process.h"
 #include "sim/build/project.h"
 #include "sim/build/sketch.h"
 #include "sim/launch/fleet.h"
@@ -147,6 +149,8 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
   } catch (const InputError& error) {
     result.problem = {ExitStatus::bad_input, error.place(), error.what(),
                       fmt::format("robosim: {}", error.what())};
+  } catch (const fs::filesystem_error& error) {
+    result.problem = {ExitStatus::bad_input, {}, error.what(), fmt::format("robosim: {}", error.what())};
   }
   if (!result.problem) return;
   runs_.resize(runs_before);
@@ -174,6 +178,12 @@ void CheckSession::plan(const Check& check) {
   } catch (const ToolMissing& error) {
     result.status = ExitStatus::tool_missing;
     result.why = error.what();
+  } catch (const build::Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {  // one sketch does not take the others' results
+    const std::string fault = fault_of_machine(error);
+    result.status = fault.empty() ? ExitStatus::internal : ExitStatus::tool_missing;
+    result.why = fault.empty() ? fmt::format("internal error: {}", error.what()) : fault;
   }
 }
 
