@@ -255,9 +255,15 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   Relay relay(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
-  const Relay::Told told = relay.serve(
-      child, [&](char what, const std::string& question) { return serve_ask(request, what, question); }, id,
-      {request.for_ns, share_of(request)});
+  bool finds_lines = true;  // an image with which that takes too long once is not asked about again
+  const Relay::Told told = relay.serve(child,
+                                       [&](char what, const std::string& question) {
+                                         if (what == kAskLines && !finds_lines) return std::string();
+                                         const std::string answer = serve_ask(request, what, question);
+                                         if (what == kAskLines) finds_lines = !answer.empty();
+                                         return answer;
+                                       },
+                                       id, {request.for_ns, share_of(request)});
   if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
   const auto guilty = [&] { return guilty_robot(request, to_confine(factory, request), relay.acting()); };
   const SimTime time = relay.time();

@@ -394,6 +394,21 @@ TEST_F(Sandbox, EndsASketchThatSaysAgainAndAgainThatItHasNotBegun) {
   EXPECT_THAT(r.why, HasSubstr("it loops"));
 }
 
+TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
+  // A name that stands for gigabytes of text: pairs of pairs of pairs.
+  std::string name = "_Z1f1PI1AS0_E";
+  for (int i = 1; i < 33; ++i) {
+    const std::string digit(1, static_cast<char>(i < 10 ? '0' + i : 'A' + i - 10));
+    name += "S_IS" + digit + "_S" + digit + "_E";
+  }
+  const auto r = run_text("void crash() asm(\"" + name +
+                          "\");\n__attribute__((noinline)) void crash() { *(volatile int*)8 = 1; }\n"
+                          "void setup() { crash(); delay(1); }\nvoid loop() {}\n");
+  EXPECT_EQ(r.verdict, "crashed");
+  EXPECT_THAT(r.why, HasSubstr("write of address 0x8"));
+  EXPECT_FALSE(r.crash && r.crash->where.line > 0) << "it was looked up";
+}
+
 TEST_F(Sandbox, ChangesNoRun) {
   auto request = request_of({.sketch = "PidFollower", .goal = "laps:1"});
   const auto confined = runner_of("host").run(request);
