@@ -142,7 +142,8 @@ TEST(BadLogs, AreNotReadWhereTheyAreNot) {
 TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
   const auto watch = [](const std::string& text) { return answer({}, 0.0, text); };
   EXPECT_THAT(watch("supply = \"7 V\"\n"), HasSubstr("watch.toml: has no [[drive]]"));
-  EXPECT_THAT(watch("[[drive]]\npwm = 0\n"), HasSubstr("watch.toml:2:7: pwm is 0; it must be"));
+  EXPECT_THAT(watch("[[drive]]\npwm = 0\n"),
+              HasSubstr("watch.toml:2:7: pwm: expected a whole number from 1 to 255, got 0"));
   EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 s\"\n"), HasSubstr("watch.toml:1:1: [[drive]] "));
   EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 m\"\ndistance = \"1 m\"\n"),
               HasSubstr("watch.toml:3:8: time"));
