@@ -291,8 +291,8 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// A sketch can claim any name by #line. A name that leads out of its folder, also by a link, or that is not a file, has no
-// lines. For a library the image only has "libraries/NAME/...".
+// A sketch can claim any name by #line. A name that leads out of its folder, also by a link, or that is not a
+// file, has no lines. For a library the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;
