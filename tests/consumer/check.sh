@@ -1,54 +1,34 @@
-#!/ usr / bin / env bash
-#tests / consumer / check.sh BUILD FOLDER : installs what was built in BUILD below FOLDER, \
-    and does there what a user does with
-#an installed Robosim : a new project, its checks, its test in C++, a project with tests of every kind; \
-    a missing target.
+#!/usr/bin/env bash
+# tests/consumer/check.sh BUILD FOLDER: installs what was built in BUILD below FOLDER, and does there what a user does with
+# an installed Robosim: a new project, its checks, its test in C++, a project with tests of every kind; a missing target.
 set -euo pipefail
 
-here=$(dirname "$(readlink -f "${
-  BASH_SOURCE[0]}")")
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 build=$(readlink -f "$1")
 rm -rf "$2"
 mkdir -p "$2"
 cd "$2"
 
 cmake --install "$build" --prefix "$PWD/installed" >/dev/null
-#Manual pages and completion come from the command itself.
-installed/bin/robosim man run | cmp - installed/share/man/man1/robosim-run.1
-for file in bash-completion/completions/robosim zsh/vendor-completions/_robosim fish/vendor_completions.d/robosim.fish;
-do
-  [[ -s installed/share/$file ]]
-done
 targets=host
-for target in avr stm32;
-do
-[[!-x installed / libexec / robosim / robosim - $target]] || targets +=
-    ";$target" done
+for target in avr stm32; do
+  [[ ! -x installed/libexec/robosim/robosim-$target ]] || targets+=";$target"
+done
 
-            installed /
-        bin /
-        robosim new demo(cd demo &&../ installed / bin / robosim test)
+installed/bin/robosim new demo
+(cd demo && ../installed/bin/robosim test)
 
-#Both projects in one build, so that the harness is compiled once.
-            cmake -
-    S "$here" - B build -
-    G Ninja
-    "-Drobosim_ROOT=$PWD/installed"
-    "-DDEMO=$PWD/demo"
-    "-DTARGETS=$targets" cmake-- build build ctest-- test -
-    dir build-- output - on - failure-- no - tests =
-        error
+# Both projects in one build, so that the harness is compiled once.
+cmake -S "$here" -B build -G Ninja "-Drobosim_ROOT=$PWD/installed" "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
+cmake --build build
+ctest --test-dir build --output-on-failure --no-tests=error
 
-#With the sources instead of a package CMake gives the same targets and functions.Built is this elsewhere.
-            cmake -
-        S "$here" - B sources -
-        G Ninja
-        "-DROBOSIM_SOURCE=$here/../.."
-        "-DDEMO=$PWD/demo"
-        "-DTARGETS=$targets"
+# With the sources instead of a package CMake gives the same targets and functions. Built is this elsewhere.
+cmake -S "$here" -B sources -G Ninja "-DROBOSIM_SOURCE=$here/../.." "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
 
-#A target without its package : status 5, and the package's name.
-        rm -
-        f installed / libexec / robosim / robosim - avr status =
-            0 installed / bin / robosim run./ demo-- target avr 2 > missing.txt || status =
-                $ ? cat missing.txt [[$status == 5]] && grep - q 'apt install robosim-avr' missing.txt
+# A target without its package: status 5, and the package's name.
+rm -f installed/libexec/robosim/robosim-avr
+status=0
+installed/bin/robosim run ./demo --target avr 2>missing.txt || status=$?
+cat missing.txt
+[[ $status == 5 ]] && grep -q 'apt install robosim-avr' missing.txt
