@@ -29,7 +29,8 @@ void fields(V& v, Same<V, Hello>& h) {
   v("version", h.version, "of Robosim");
   v("target", h.target, "whose firmware it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
   v("sandbox", h.sandbox,
-    "whether runs are confined ([security.md](security.md)): `\"on\"`, `\"off\"` by choice, or `\"missing\"` "
+    "whether runs are confined ([security](../explanation/security.md)): `\"on\"`, `\"off\"` by choice, or "
+    "`\"missing\"` "
     "in the "
     "kernel; absent where firmware is data",
     {.presence = when(!h.sandbox.empty())});

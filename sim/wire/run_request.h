@@ -131,7 +131,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "file that the runner writes at the end: how often lines ran (`sim/base/bundle.h`); on the host only an "
     "image that was built for coverage counts",
     {.otherwise = "none", .presence = when(!r.counters.empty())});
-  v("detect", r.detect, "`true`: [detectors](sanitizers.md#detectors) watch the sketches",
+  v("detect", r.detect, "`true`: [detectors](../howto/sanitizers.md#detectors) watch the sketches",
     {.presence = when(r.detect)});
   v("gdb_port", r.gdb_port,
     "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "

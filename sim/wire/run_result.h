@@ -41,7 +41,8 @@ void fields(V& v, Same<V, Crash>& c) {
   v("reason", c.reason, "a clause: \"division by zero\"");
   fields(v, c.where);
   v("check", c.check,
-    "what has found it: a check that is built into the image, or `\"sandbox\"` ([security.md](security.md)); "
+    "what has found it: a check that is built into the image, or `\"sandbox\"` "
+    "([security](../explanation/security.md)); "
     "absent "
     "if neither has",
     {.presence = when(!c.check.empty())});
@@ -325,11 +326,12 @@ void fields(V& v, Same<V, RunResult>& r) {
     "on the host: what of the chip the firmware used that the host lacks; from then on it may do what the "
     "chip does not",
     {.presence = when(!r.lacks.empty())});
-  v("detected", r.detected, "what [detectors](sanitizers.md#detectors) have seen; absent if nothing",
+  v("detected", r.detected, "what [detectors](../howto/sanitizers.md#detectors) have seen; absent if nothing",
     {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "what the firmware took of its chip; absent on the host");
   v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
-  v("because", r.because, "back from the verdict what caused it ([why.md](why.md)); absent unless asked for",
+  v("because", r.because,
+    "back from the verdict what caused it ([why](../howto/why.md)); absent unless asked for",
     {.presence = when(!r.because.empty())});
   v("events", r.events, "the last ones, at most 8");
   v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
