@@ -128,7 +128,7 @@ TEST_F(Tab, SaysWhatIsWrongWithAFile) {
       $(kind).value = good;
     }
     return all;)");
-  EXPECT_THAT(said[0].get<std::string>(), StartsWith("own.map:2:3: found `?`"));
+  EXPECT_THAT(said[0].get<std::string>(), StartsWith("own.map:2:3: unexpected character"));
   EXPECT_THAT(said[1].get<std::string>(), HasSubstr("own.toml:1:9: "));
   EXPECT_EQ(said[2], "own.hex:1: is no line of an Intel HEX file");
   EXPECT_EQ(said[3],
