@@ -105,6 +105,14 @@ double processor_s_of(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// As /proc has it; R is one that works, or would if it got a processor.
+char state_of(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  const std::string facts((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_end = facts.rfind(") ");
+  return name_end == facts.npos ? '\0' : facts[name_end + 2];
+}
+
 /// Whether a program has hardly worked for a while: it waits for what does not come, such as a writer of
 /// a pipe that it includes.
 struct Idleness {
@@ -112,9 +120,13 @@ struct Idleness {
     static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();
     constexpr double kBusyMachine = 20.0;  // a program that works gets at least this part of a processor
     double now_s = processor_s_of(process);
-    for (const pid_t one : descendants(process)) now_s += processor_s_of(one);
+    bool is_runnable = state_of(process) == 'R';
+    for (const pid_t one : descendants(process)) {
+      now_s += processor_s_of(one);
+      is_runnable |= state_of(one) == 'R';
+    }
     const double passed_s = 1e-6 * static_cast<double>(wall_us() - since_us);
-    const bool works = now_s < worked_s || now_s - worked_s > passed_s / kBusyMachine;
+    const bool works = is_runnable || now_s < worked_s || now_s - worked_s > passed_s / kBusyMachine;
     if (works) *this = {now_s, wall_us()};
     return can_tell && !works && passed_s > most_s;
   }

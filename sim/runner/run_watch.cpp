@@ -20,13 +20,13 @@ std::int64_t processor_ns(pid_t process) {
   return std::int64_t{time.tv_sec} * kSecond + time.tv_nsec;
 }
 
-/// Returns whether a debugger has halted it. Other reasons for a stop, such as the sketch itself, do not
-/// count.
-bool is_traced(pid_t process) {
+/// Returns whether a run that is silent is excused: a debugger has halted it, or it would work if it got a processor.
+/// Other reasons for a stop, such as the sketch itself, do not count.
+bool is_excused(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   const std::string facts((std::istreambuf_iterator<char>(file)), {});
   const std::size_t name_end = facts.rfind(") ");
-  return name_end != facts.npos && facts[name_end + 2] == 't';
+  return name_end != facts.npos && (facts[name_end + 2] == 't' || facts[name_end + 2] == 'R');
 }
 
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
@@ -71,7 +71,7 @@ SimTime RunWatch::time() const {
 
 RunWatch::Reading RunWatch::read() const {
   // The check for a debugger reads a file: it is made in long silences only.
-  return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_traced(run_)};
+  return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_excused(run_)};
 }
 
 RunWatch::Found RunWatch::look(const Reading& now) {
@@ -93,7 +93,7 @@ RunWatch::Found RunWatch::look(const Reading& now) {
   if (prepares) begun_ns_ = now.processor_ns;
   seen_ = reached;
   seen_acting_ = acting;
-  if (now.is_debugged || (limits_.may_wait && state_.waits)) heard();
+  if (now.is_excused || (limits_.may_wait && state_.waits)) heard();
   if (now.processor_ns - processor_ns_ >= kLongestTick_s * kSecond) return Found::loops;
   const auto simulated = static_cast<std::int64_t>(limits_.share * static_cast<double>(time()));
   if (now.processor_ns - begun_ns_ >= kLongestRun_s * kSecond + simulated) return Found::exhausts;

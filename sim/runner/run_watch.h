@@ -57,7 +57,7 @@ class RunWatch {
   struct Reading {
     std::int64_t processor_ns = 0;
     std::int64_t wall_us = 0;
-    bool is_debugged = false;  ///< halted by a debugger; only checked in a long silence
+    bool is_excused = false;  ///< by a debugger, or for want of a processor; only checked in a long silence
   };
   Found look(const Reading& now);
 

@@ -16,11 +16,11 @@ class Watching : public testing::Test {
   Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
 
   /// Looks each 100 ms of wall time, as a runner does, for so long; the process takes `share` of a processor.
-  Found look_for(double seconds, double share, bool is_debugged = false) {
+  Found look_for(double seconds, double share, bool is_excused = false) {
     for (int i = 0; i < 10 * seconds; ++i) {
       wall_us_ += 100'000;
       processor_ns_ += static_cast<std::int64_t>(share * 100'000'000);
-      if (const Found found = watch_.look({processor_ns_, wall_us_, is_debugged}); found != Found::nothing)
+      if (const Found found = watch_.look({processor_ns_, wall_us_, is_excused}); found != Found::nothing)
         return found;
     }
     return Found::nothing;
