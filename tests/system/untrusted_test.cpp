@@ -187,6 +187,24 @@ TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOf
   }
 }
 
+TEST_F(Untrusted, ASketchsOwnChecksTakeNoMoreThanAnHourOfSimulatedTimeTogether) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  const auto check = [](const std::string& name, const std::string& times) {
+    return "[[check]]\nname = \"" + name + "\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"none\"\n" + times +
+           "\n";
+  };
+  folder_.write("S/checks.toml", check("a", "seeds = \"1..600200\"\nfor = \"6ms\""));
+  const Ended alone = robosim({"test", "--untrusted", "./S"});
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_THAT(alone.out + alone.err, HasSubstr("got 3601 s up to this check"));
+
+  const std::string some = check("a", "seeds = \"1..2\"\nfor = \"10ms\"");
+  folder_.write("S/checks.toml", some + check("b", "for = \"3600s\""));
+  EXPECT_EQ(robosim({"test", "--untrusted", "./S"}).status, 2);
+  folder_.write("S/checks.toml", some + check("b", "for = \"1s\""));
+  EXPECT_EQ(robosim({"test", "--untrusted", "./S"}).status, 0);
+}
+
 TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
   for (const char* link : {"S.ino", "robot.toml", "oval.map", "src", "libraries", "checks.toml",
                            "platformio.ini", "sketch.yaml", "build.options.json"}) {

@@ -106,6 +106,17 @@ void confine(Check& check, const fs::path& folder) {
                                    file));
 }
 
+/// Returns the simulated time that all runs of a plan may take, in seconds.
+double simulated_s(const SweepPlan& plan) {
+  double sum_s = 0.0;
+  for (const Combination& combination : plan.combinations)
+    sum_s += 1e-9 * static_cast<double>(plan.seeds) * static_cast<double>(combination.task.request.for_ns);
+  return sum_s;
+}
+
+/// Of all runs of the checks that an untrusted sketch brings; an emulated Uno takes some 100 s for it.
+constexpr double kMostSimulated_s = 3600.0;
+
 analysis::Demand demand_of(const Check& check) {
   return {check.sweep.min_rate.value_or(1.0), check.sweep.sure};
 }
@@ -141,7 +152,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
       CheckResult& planned = result.results.emplace_back();
       planned.name = check.name;
       planned.place = check.place;
-      plan(check);
+      plan(check, untrusted_ && file.empty());
     }
   } catch (const build::CompileError& error) {
     const std::string line = first_error(error.what());
@@ -157,12 +168,22 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
   std::erase_if(planned_, [&](const Planned& planned) { return planned.sketch == sketches_.size() - 1; });
 }
 
-void CheckSession::plan(const Check& check) {
+void CheckSession::plan(const Check& check, bool limited) {
   SketchResult& sketch = sketches_.back();
   CheckResult& result = sketch.results.back();
   try {
     Planned planned{
         sketches_.size() - 1, sketch.results.size() - 1, check, planner_.plan(check.sweep), {}, true, {}, {}};
+    double sum_s = simulated_s(planned.plan);
+    for (const Planned& earlier : planned_)
+      if (earlier.sketch == planned.sketch) sum_s += simulated_s(earlier.plan);
+    if (limited && sum_s > kMostSimulated_s)
+      throw InputError(
+          check.place,
+          fmt::format("with --untrusted, all runs of a sketch's own checks together: expected at most "
+                      "{:.0f} s of simulated time, got {:.0f} s up to this check; lower seeds or for, "
+                      "or use --checks",
+                      kMostSimulated_s, sum_s));
     for (Combination& combination : planned.plan.combinations) combination.task.request.detect = check.detect;
     result.where = where_text(planned.plan);
     const auto seeds = static_cast<std::int64_t>(planned.plan.seeds);

@@ -49,7 +49,8 @@ class CheckSession {
     std::size_t number;
   };
 
-  void plan(const Check& check);
+  /// `limited`: its runs, and those of the sketch's earlier checks, must not take too long.
+  void plan(const Check& check, bool limited);
   void answered(const Run& run, const client::Answer& answer);
   void judge(Planned& planned, std::size_t run, const wire::RunResult& result);
   void finish(Planned& planned);
