@@ -8,6 +8,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -33,14 +34,21 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
+/// Returns whether a path has a part that can lead elsewhere: `.`, `..` or an empty one.
+bool has_detour(std::string_view path) {
+  for (const std::string_view part : {"//", "/./", "/../"})
+    if (path.find(part) != path.npos) return true;
+  return path.ends_with("/.") || path.ends_with("/..");
+}
+
 /// Returns whether only the system's administrator, or the user who installed Robosim, can write the file.
 bool is_installed(const fs::path& path, const fs::path& cache) {
-  static const fs::path data = data_folder();
-  const std::string name = path.string();
-  const auto is_below = [&](const fs::path& folder) { return name.starts_with(folder.string() + '/'); };
-  return (is_below("/usr") || is_below(data / "hal") || is_below(data / "firmware") ||
-          name.starts_with((cache / kStage).string())) &&
-         path.lexically_normal() == path;
+  static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
+                                                     (data_folder() / "firmware" / "").string()};
+  const std::string& name = path.native();
+  const bool is_below = std::any_of(folders.begin(), folders.end(),
+                                    [&](const std::string& folder) { return name.starts_with(folder); });
+  return (is_below || name.starts_with((cache / kStage).native())) && !has_detour(name);
 }
 
 std::string hash_file(const fs::path& path, const fs::path& cache) {

@@ -20,7 +20,7 @@ std::int64_t processor_ns(pid_t process) {
   return std::int64_t{time.tv_sec} * kSecond + time.tv_nsec;
 }
 
-/// Returns whether a run that is silent is excused: a debugger has halted it, or it would work if it got a processor.
+/// Returns whether a silent run is excused: a debugger has halted it, or it would work if it got a processor.
 /// Other reasons for a stop, such as the sketch itself, do not count.
 bool is_excused(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
