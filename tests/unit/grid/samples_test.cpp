@@ -102,7 +102,7 @@ TEST(SampleMaps, DashedHasGapsOf25To50Millimetres) {
   EXPECT_GE(gaps, 10);
 }
 
-// What the tables of docs/reference/maps.md say of these maps.
+// Facts of these maps; docs/reference/maps.md lists some of them.
 struct Facts {
   const char* name;
   std::size_t line_cells;
