@@ -112,7 +112,7 @@ struct BodyParams {
 };
 
 /// Returns a small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
-/// docs/explanation/models.md.
+/// docs/evidence/models.md.
 BodyParams default_body_params();
 
 /// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
