@@ -63,7 +63,8 @@ TEST(CliProject, AnotherEnvironmentPutsTheRobotOnItsBoard) {
   const Ended ended =
       robosim_command({"run", "--goal", "none", "--for", "1s", "--env", "mega"}, folder.path());
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("the robot is robot.toml@mega: platformio.ini says megaatmega2560"));
+  EXPECT_THAT(ended.err,
+              HasSubstr("the robot is robot.toml@mega: platformio.ini names the board megaatmega2560"));
   EXPECT_THAT(ended.out, HasSubstr("70"));
 }
 
@@ -99,8 +100,8 @@ TEST(CliProject, ASketchsProfileChoosesTheBoardAndTellsOfLibrariesOfAnotherVersi
       "default_profile: m\n");
   const Ended ended = robosim_command({"build", "./My"}, folder.path());
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_THAT(ended.err, AllOf(HasSubstr("sketch.yaml wants Blinker 1.2.0; its version 1.0.0 is in "),
-                               HasSubstr("sketch.yaml wants Gone, and no folder of libraries has it")));
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("sketch.yaml requires Blinker 1.2.0; version 1.0.0 in "),
+                               HasSubstr("sketch.yaml requires Gone, which is in no folder of libraries")));
   EXPECT_THAT(ended.out, HasSubstr("mega"));
 }
 

@@ -148,7 +148,7 @@ TEST_F(Serving, RefusesWantsThatMakeNoSense) {
       {R"({"sketch": "./Mine", "record": "/tmp/x"})", "key that Robosim does not know"},
       {R"({"sketch": "./Mine", "scripts": {"A": "at 1s press start"}})", "scripts are of several robots"},
       {R"({"sketch": "./Mine", "scripts": "at 1s press start"})", "scripts must be an object"},
-      {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "cannot be a robot's name"},
+      {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "invalid name of a robot"},
       {R"({"sketch": "./Mine", "scripts": {"A": 1}})", "A must be a text"},
   };
   for (const auto& [json, sentence] : wrong) {

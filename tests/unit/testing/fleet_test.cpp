@@ -25,7 +25,7 @@ TEST(FleetTest, SaysWhatCannotBeRunAndOfWhichRobot) {
       refusal({.robots = {{.name = "A", .sketch = "PidFollower"}, {.name = "A", .sketch = "PidFollower"}}}),
       HasSubstr("two robots are named A"));
   EXPECT_THAT(refusal({.robots = {{.name = "A B", .sketch = "PidFollower"}}}),
-              HasSubstr("cannot be a robot's name"));
+              HasSubstr("invalid name of a robot"));
   EXPECT_THAT(refusal({.robots = {{.name = "A", .sketch = "PidFollower"},
                                   {.name = "B", .sketch = "PidFollower", .start = "99,2,W"}},
                        .map = "oval"}),
