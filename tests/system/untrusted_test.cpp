@@ -122,7 +122,7 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
     const std::string verdict = due[i];
     if (verdict == "outside") {
       EXPECT_THAT(lines[i], AllOf(HasSubstr("  ERROR   "),
-                                  testing::AnyOf(HasSubstr("is no file of the sketch"),
+                                  testing::AnyOf(HasSubstr("is not a readable file of the sketch"),
                                                  HasSubstr("outside of the sketch's folder"))));
     } else {
       EXPECT_THAT(lines[i], HasSubstr(verdict));
@@ -147,7 +147,7 @@ TEST_F(Untrusted, ASketchThatBreaksAToolOrCannotBeReadIsAnErrorOfItsOwn) {
     const std::vector<std::string> lines = lines_of(ended.out);
     ASSERT_EQ(lines.size(), 4u) << ended.out << ended.err;
     EXPECT_THAT(lines[0],
-                AllOf(StartsWith("anna  ERROR   "), HasSubstr("arduino-ctags, which looks for the sketch")));
+                AllOf(StartsWith("anna  ERROR   "), HasSubstr("arduino-ctags, which lists the sketch")));
     EXPECT_EQ(lines[1], "ben   passed  1 of 1");
     EXPECT_THAT(lines[2], StartsWith("cleo  ERROR   "));
   }
@@ -215,7 +215,7 @@ TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
     for (const char* command : {"run", "sweep", "compare", "test"}) {
       const Ended ended = robosim({command, "--untrusted", "./S"});
       EXPECT_EQ(ended.status, 2);
-      EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": is a link to /etc/passwd, outside"));
+      EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": a link to /etc/passwd, outside"));
     }
   }
 }
@@ -327,7 +327,7 @@ TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
       const Ended ended =
           without("landlock", {"run", "./" + sketch, "--map", "oval", "--robot", "uno5", "--target", target});
       EXPECT_EQ(ended.status, 2) << name << ended.out;
-      EXPECT_THAT(ended.err, HasSubstr("is no file of the sketch")) << name;
+      EXPECT_THAT(ended.err, HasSubstr("is not a readable file of the sketch")) << name;
     }
   }
   folder_.write(

@@ -95,7 +95,7 @@ TEST_F(NamesTest, AFileWithoutItsEndingIsShownWithIt) {
               HasSubstr("to use the file in this folder, give yard.map"));
   EXPECT_THAT(refusal([] { choose_robot("mine", "."); }),
               HasSubstr("to use the file in this folder, give mine.toml"));
-  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("for the file here write ./Mine"));
+  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("to use the file here, give ./Mine"));
 }
 
 TEST_F(NamesTest, AnElfSaysWhichTargetItIsFor) {
