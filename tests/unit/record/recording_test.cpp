@@ -314,7 +314,7 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
   EXPECT_THAT(refusal(good.substr(0, 20)), HasSubstr("damaged or cut off"));
   EXPECT_THAT(refusal("robosim.rec/2\n"), HasSubstr("of a newer version of Robosim"));
   EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin as one"));
-  EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("must be an object"));
+  EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("expected an object"));
   EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
 }
 

@@ -595,8 +595,9 @@ TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
   EXPECT_THAT(ask<wire::Refused>(wire::Act{"press horn"}).message, HasSubstr("horn"));
   EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::reading("S9", true)}}).message, HasSubstr("S9"));
   EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::line("(")}}).message, HasSubstr("("));
-  EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("stands still"));
-  EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message, HasSubstr("one JSON object a line"));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("a paused run"));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message,
+              HasSubstr("one JSON object in a line"));
   EXPECT_EQ(ask<wire::Paused>(wire::GoOn{kMillisecond, {}}).t_ns, kMillisecond);
 }
 
