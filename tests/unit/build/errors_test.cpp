@@ -138,7 +138,7 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
       [this] {
         build({folder_ / "Many/a.ino", *find_board("uno"), "pdp11"});
       },
-      testing::ThrowsMessage<InputError>(HasSubstr("no target pdp11")));
+      testing::ThrowsMessage<InputError>(HasSubstr("unknown target pdp11")));
   EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}),
               HasSubstr("not a folder: expected a folder of libraries"));
 }

@@ -181,7 +181,7 @@ const Bad kBad[] = {
      ":4:12: sanitize"},
     {"librariesAreNumbers", "[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\nlibraries = [1]",
      ":4:14: libraries"},
-    {"tooMany", kTooMany.c_str(), ":769:1: there are 257 robots; a run may have 256"},
+    {"tooMany", kTooMany.c_str(), ":769:1: too many robots: expected at most 256, got 257"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, BadFleet, ::testing::ValuesIn(kBad),
