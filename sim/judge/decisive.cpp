@@ -32,8 +32,7 @@ Decisive decisive_moment(const Evidence& e) {
       if (left_line(e.t)) return leaves_line;
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
       if (e.t - e.judge->last_driven() >= kPause)
-        return {e.judge->last_driven(), "its motors stopped, and were off from here on", true, true,
-                e.judge->last_driven()};
+        return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};
       return {e.judge->in_one_place_since(), "the robot drove in one place from here on", true, false};
     case Verdict::reached:
     case Verdict::over_budget:

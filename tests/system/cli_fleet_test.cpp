@@ -107,7 +107,7 @@ TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
   const nlohmann::json robots = json_of(run)["robots"];
   ASSERT_EQ(robots.size(), 2u) << run.err;
   EXPECT_EQ(robots[0]["verdict"], "interrupted");
-  EXPECT_EQ(robots[0]["why"], "The run ended when the sketch of B took its process down.");
+  EXPECT_EQ(robots[0]["why"], "The run ended when the sketch of B ended its process.");
   EXPECT_EQ(robots[1]["verdict"], "crashed");
 }
 #endif
