@@ -19,8 +19,8 @@ std::string refusal(const FleetTrial& trial) {
 }
 
 TEST(FleetTest, SaysWhatCannotBeRunAndOfWhichRobot) {
-  EXPECT_THAT(refusal({}), HasSubstr("a FleetTrial needs robots"));
-  EXPECT_THAT(refusal({.robots = {{.name = "A"}}}), HasSubstr("robot A needs a sketch"));
+  EXPECT_THAT(refusal({}), HasSubstr("a FleetTrial requires robots"));
+  EXPECT_THAT(refusal({.robots = {{.name = "A"}}}), HasSubstr("robot A requires a sketch"));
   EXPECT_THAT(
       refusal({.robots = {{.name = "A", .sketch = "PidFollower"}, {.name = "A", .sketch = "PidFollower"}}}),
       HasSubstr("two robots are named A"));
@@ -42,7 +42,7 @@ TEST(FleetTest, NamesItsRobotsWhereOneIsUnknown) {
     fleet.robot("C");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("there is no robot C"));
+    EXPECT_THAT(error.what(), HasSubstr("unknown robot: expected "));
   }
 }
 
