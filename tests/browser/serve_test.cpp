@@ -223,8 +223,9 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
                                                      HasSubstr("\n_S.4......._________\n")))
       << "a line through a puddle";
   EXPECT_EQ(seen["own"], true) << "an image is for its own chip";
-  EXPECT_EQ(seen["wrong"],
-            "Wrong.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");
+  EXPECT_EQ(
+      seen["wrong"],
+      "Wrong.elf: expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");
   EXPECT_EQ(read_file(folder_ / "Image.hex"), ":00000001FF\n");
   EXPECT_THAT(seen["sketches"], Contains("./Dropped"));
   EXPECT_EQ(read_file(folder_ / "my.map"), seen["text"].get<std::string>());
