@@ -13,8 +13,8 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kBoards =
-    "Robosim simulates Arduino boards with an AVR chip and the Blue Pill (docs/reference/robots.md lists "
-    "them)";
+    "Robosim simulates Arduino boards with an AVR chip and the Blue Pill (docs/reference/robots.md has the "
+    "list)";
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
