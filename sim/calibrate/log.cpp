@@ -148,8 +148,7 @@ class Reader {
     if (!is_drive_ && names_.size() < (counts_left ? 4u : 2u))
       fail(
           "a sweep without a sensor: expected the columns t_us, optionally count_left and count_right, and "
-          "at "
-          "least one sensor of the robot");
+          "at least one sensor of the robot");
     if (is_drive_ && names_.size() > 5)
       fail("too many columns for a drive: expected t_us, left, right, count_left and count_right");
   }

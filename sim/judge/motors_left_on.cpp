@@ -48,8 +48,7 @@ void MotorsLeftOn::tell(double on_m) {
   told.detector = "motors_left_on";
   told.what = fmt::format(
       "the line was gone, and the robot's wheels turned another {:.0f} mm at unchanged power, while the "
-      "sketch "
-      "no longer read any line sensor",
+      "sketch no longer read any line sensor",
       1e3 * on_m);
   told.mend = "When the sketch stops steering, also stop the motors: they keep their last command.";
   told.first_s = 1e-9 * static_cast<double>(stretch_.began);

@@ -46,8 +46,7 @@ std::vector<exec::Detected> SlowSource::found() const {
         number, std::abs(here.worst.volts), here.worst.volts > 0.0 ? "high" : "low");
     told.mend = fmt::format(
         "Read A{} twice and discard the first reading, put 100 nF between it and ground, or connect a source "
-        "of "
-        "10 kOhm or less.",
+        "of 10 kOhm or less.",
         number);
     told.where = here.where;
     told.first_s = 1e-9 * static_cast<double>(here.first);

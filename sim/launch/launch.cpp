@@ -115,8 +115,7 @@ Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& 
   if (run.sketch.path.extension() == ".hex")
     run.remark =
         "a .hex has no names: loop() is not timed, the heap is unknown, and crashes and waits are reported "
-        "by "
-        "address; run the .elf for more";
+        "by address; run the .elf for more";
   run.request.image = run.image.image.string();
   run.request.map = run.map.path.string();
   run.request.robot = run.robot.path.string();

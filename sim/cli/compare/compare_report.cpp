@@ -167,8 +167,7 @@ std::string lacks_text(const Compared& c) {
   }
   return fmt::format(
       "lacks     {} does not have {}. This difference therefore shows nothing about the sketch: run it on "
-      "the "
-      "chip with --target avr\n",
+      "the chip with --target avr\n",
       c.lacking, what);
 }
 

@@ -78,8 +78,7 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
     if (!map.tours)
       text += fmt::format(
           "the sketch reaches its goal on {0}, but not on most floors like it, so that its driving there is "
-          "not "
-          "reported: --map {0} reports it\n",
+          "not reported: --map {0} reports it\n",
           map.name);
   if (bench.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),

@@ -66,8 +66,7 @@ int wire_command(const WireArguments& arguments) {
   std::vector<std::string> remarks = {
       "Drafted by `robosim wire` from the sketch's names and from its use of the pins in a run.",
       "Look at every line with a question mark. Keys and units: docs/reference/robots.md, \"Your robot, step "
-      "by "
-      "step\"."};
+      "by step\"."};
   if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, try_out.follows(), arguments.map));
   if (try_out.tried() > 1)
     remarks.push_back(fmt::format(
