@@ -344,7 +344,7 @@ Image build(const Request& request) try {
   if (request.sanitize) check_can_sanitize(request.target);
   const Sketch sketch = read_sketch(request.sketch, request.rules);
   if (!target.chip && !sketch.assembler.empty())
-    throw InputError({sketch.assembler[0]}, "assembler sources are for the chip: build for the target avr");
+    throw InputError({sketch.assembler[0]}, "assembler sources require a chip: build for the target avr");
   const bool counts_itself = request.coverage && !target.chip;  // on a chip the emulator counts
   const Cache cache(cache_folder());
   const GenuineCore genuine = find_core();
@@ -398,8 +398,8 @@ Image build(const Request& request) try {
   const bool is_foreign = error.code() == std::errc::permission_denied;
   throw InputError(
       {error.path1().string()},
-      "cannot be used: " + error.code().message() +
-          (is_foreign ? ": expected a folder for compiled sketches that this user may write; remove "
+      "cannot use the folder: " + error.code().message() +
+          (is_foreign ? ": expected a folder for compiled sketches that this user can write; remove "
                         "it, or set XDG_CACHE_HOME to another folder"
                       : ""));
 }

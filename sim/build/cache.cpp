@@ -180,7 +180,7 @@ fs::path cache_folder() {
   if (!usable(fallback) || ::lstat(fallback.c_str(), &info) != 0 || info.st_uid != ::getuid())
     throw InputError(
         {fallback.string()},
-        "is not a folder for compiled sketches: expected one that this user owns and may write; set "
+        "not a folder for compiled sketches: expected one that this user owns and can write; set "
         "XDG_CACHE_HOME to another");
   fs::permissions(fallback, fs::perms::owner_all);
   return fallback;
@@ -302,7 +302,7 @@ std::string read_made(const fs::path& file) {
   const Descriptor made(::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat info {};
   if (!made.is_open() || ::fstat(made.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    throw InputError({file.filename().string()}, "the compiler did not write it: expected a file");
+    throw InputError({file.filename().string()}, "the compiler did not write this file");
   return read_file(made, file.filename(), kMostFile_bytes);
 }
 

@@ -207,7 +207,7 @@ void check_name(const std::string& source) {
   for (const std::string& word : {source, fs::path(source).filename().string()})
     if (word.starts_with('-') || word.starts_with('@'))
       throw InputError({source}, fmt::format("cannot be compiled: expected a name that does not begin with "
-                                             "'{}', which compilers take for an option; rename it",
+                                             "'{}', which compilers read as an option; rename it",
                                              word[0]));
 }
 
@@ -247,7 +247,7 @@ void check_object(const Toolchain& toolchain, const Unit& unit, const fs::path& 
   const bool is_bytecode = language(unit) != Language::assembler && !toolchain.sanitize;
   if (!links_bytecode || is_bytecode || read_made(object).find(".gnu.lto_") == std::string::npos) return;
   throw InputError({unit.source},
-                   "cannot be compiled: expected no sections .gnu.lto_*, which only compilers write");
+                   "cannot be compiled: expected no sections .gnu.lto_*, which only compilers can write");
 }
 
 bool through_assembly(const Toolchain& toolchain, const Unit& unit) {

@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kUnreadableCounts = "gcov cannot read the counts of the sketch";
+
 FileCoverage& file_of(Coverage& coverage, const fs::path& path) {
   auto at = std::find_if(coverage.begin(), coverage.end(),
                          [&](const FileCoverage& one) { return one.file >= path; });
@@ -62,7 +64,7 @@ void add_report(Coverage& coverage, const Sketch& sketch, const std::string& rep
     }
   }
 } catch (const nlohmann::json::exception&) {
-  throw InputError("gcov cannot read what the sketch has counted");
+  throw InputError(kUnreadableCounts);
 }
 
 /// A lock for one process at a time, until the end of its scope.
@@ -70,7 +72,7 @@ class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
       : lock_(::open((folder / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-    if (!lock_.is_open()) throw InputError({folder.string()}, "cannot be written");
+    if (!lock_.is_open()) throw InputError({folder.string()}, "cannot write into the folder");
     while (::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
     }
   }
@@ -168,7 +170,7 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
     for (const CommandResult& result : run_within({}, std::move(commands))) {
       const std::size_t begin = result.output.find("{\"");
       if (result.status != 0 || begin == std::string::npos)
-        throw InputError("gcov cannot read what the sketch has counted: " + result.output);
+        throw InputError(std::string(kUnreadableCounts) + ": " + result.output);
       add_report(coverage, sketch, result.output.substr(begin));
     }
     pending = std::move(later);
@@ -227,7 +229,7 @@ Coverage parse_info(const std::string& text, const fs::path& path) {
       if (key == "FN") file->functions[std::string(rest)].line = static_cast<int>(first);
       if (key == "FNDA") file->functions[std::string(rest)].calls += first;
     } catch (const std::invalid_argument&) {
-      throw InputError({path.string(), at, 0}, "is no line of a coverage file (.info)");
+      throw InputError({path.string(), at, 0}, "expected a line of a coverage file (.info)");
     }
   }
   return coverage;
@@ -252,7 +254,7 @@ Coverage add_to_folder(const fs::path& folder, const Request& request, const Ima
   write_file(folder / "coverage.info", to_info(sum));
   return sum;
 } catch (const fs::filesystem_error& error) {
-  throw InputError({error.path1().string()}, "cannot be used: " + error.code().message());
+  throw InputError({error.path1().string()}, "cannot use the file: " + error.code().message());
 }
 
 std::string summary(const Coverage& coverage) {
@@ -274,7 +276,7 @@ bool make_page(const fs::path& folder) {
   const FolderLock lock(folder);
   const CommandResult result =
       run(Command{{genhtml.string(), "--quiet", "--output-directory", "html", "coverage.info"}, folder, {}});
-  if (result.status != 0) throw InputError("genhtml does not take coverage.info: " + result.output);
+  if (result.status != 0) throw InputError("genhtml rejects coverage.info: " + result.output);
   return true;
 }
 

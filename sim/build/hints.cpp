@@ -13,7 +13,7 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kBoards =
-    "Robosim simulates Arduino boards with an AVR chip, and the Blue Pill (docs/reference/robots.md has the "
+    "Robosim simulates Arduino boards with an AVR chip and the Blue Pill (docs/reference/robots.md has the "
     "list)";
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
@@ -42,21 +42,21 @@ bool is_letter_and_digits(const std::string& name, char letter) {
          std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Returns "of the boards these have a pin A8: mega …"; `needs` returns whether a board has it.
+/// Returns "these boards have a pin A8: mega; …". `has` returns whether a board has it.
 template <typename Has>
 std::string boards_hint(const std::string& what, Has has) {
   std::vector<std::string> boards;
   for (int i = 0; const BoardSpec* const board = board_at(i); ++i)
     if (has(*board)) boards.emplace_back(board->name);
   if (boards.empty()) return fmt::format("no board has {}", what);
-  return fmt::format("of the boards these have {}: {}; --robot NAME@BOARD runs the sketch on one", what,
+  return fmt::format("these boards have {}: {}; run the sketch on one of them with --robot NAME@BOARD", what,
                      fmt::join(boards, ", "));
 }
 
 /// `missing` are the undeclared names.
 std::string pin_hint(const std::string& name, const std::vector<std::string>& missing) {
   if (is_letter_and_digits(name, 'D'))
-    return fmt::format("{} is a pin's name on an ESP8266; on Arduino's boards it is {}", name,
+    return fmt::format("{} is the name of a pin on an ESP8266; on Arduino boards it is {}", name,
                        name.substr(1));
   if (name.size() == 7 && name.rfind("Serial", 0) == 0 && name[6] >= '1' && name[6] <= '9')
     return boards_hint(name, [&](const BoardSpec& board) {
@@ -100,7 +100,7 @@ constexpr std::array kClasses = {
 std::string class_hint(const std::string& name) {
   for (const Class& one : kClasses)
     if (name == one.name)
-      return fmt::format("{} is of a library; put #include <{}> on top", name, one.header);
+      return fmt::format("{} belongs to a library; put #include <{}> at the top", name, one.header);
   return "";
 }
 
@@ -117,8 +117,9 @@ std::string hint_for(const std::string& messages) {
   const std::string first = messages.substr(0, messages.find("error:", first_error + 1));
   const std::string undeclared = quoted(first, " was not declared");
   const std::string no_type = quoted(first, " does not name a type");
-  if (is_of_esp32(undeclared)) return fmt::format("{} is of the ESP32's core; {}", undeclared, kBoards);
-  if (no_type == "include" || no_type == "define") return fmt::format("#{} wants its # in front", no_type);
+  if (is_of_esp32(undeclared))
+    return fmt::format("{} belongs to the core of the ESP32; {}", undeclared, kBoards);
+  if (no_type == "include" || no_type == "define") return fmt::format("#{} requires its # in front", no_type);
   if (no_type == "input" || no_type == "basic" || no_type == "pins")
     return fmt::format("this looks like a micro:bit's program; {}", kBoards);
   if (no_type == "from" || no_type == "import" || no_type == "def")
@@ -129,18 +130,18 @@ std::string hint_for(const std::string& messages) {
     if (const std::string hint = class_hint(name); !hint.empty()) return hint;
   }
   if (has(first, "expected '{' before '::' token"))
-    return "namespace a::b { … } is C++17, and sketches for the chip are C++11: namespace a { namespace b { "
+    return "namespace a::b { … } is C++17, but sketches for the chip are C++11: namespace a { namespace b { "
            "… } }";
-  if (has(first, "before 'constexpr'")) return "if constexpr is C++17, and sketches for the chip are C++11";
+  if (has(first, "before 'constexpr'")) return "if constexpr is C++17, but sketches for the chip are C++11";
   if (has(first, "expected ',' or ';' before") || has(first, "expected ';' before") ||
       has(first, "expected ';' after"))
-    return "a ; may be missing at the end of the line before";
+    return "the previous line may lack a ; at its end";
   if (has(first, "expected '}' at end of input"))
-    return "each { wants its }: one is missing at the end, or before";
+    return "each { requires a }: one is missing at the end or earlier";
   if (has(first, "redefinition of 'void setup()'") || has(first, "redefinition of 'void loop()'"))
-    return "all .ino files of a folder are one sketch, which has one setup() and one loop()";
+    return "all .ino files of a folder form one sketch, with one setup() and one loop()";
   if (has(first, "'const char*'") && has(first, "operator+"))
-    return "texts in quotes are joined as Strings: String(\"a\") + 1";
+    return "to join texts in quotes, make a String of the first: String(\"a\") + 1";
   if (has(first, "lvalue required as left operand")) return "to compare, write ==";
   return "";
 }

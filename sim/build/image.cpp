@@ -28,7 +28,7 @@ std::string missing_tool(const std::string& target_name) {
 
 void check_can_sanitize(const std::string& target) {
   if (find_target(target).sanitizer.undefined.empty())
-    throw InputError(fmt::format("there are no checks for the target {}", target));
+    throw InputError(fmt::format("the target {} has no checks", target));
 }
 
 std::vector<Limit> stated_limits(const Image& image) {

@@ -176,7 +176,7 @@ std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<
     std::error_code error;
     const fs::path absolute = fs::canonical(folder, error);
     if (error || !fs::is_directory(absolute))
-      throw InputError({folder.string()}, "is no folder; allowed are a folder of libraries, and one library");
+      throw InputError({folder.string()}, "not a folder: expected a folder of libraries or one library");
     folders.push_back(absolute);
   }
   folders.push_back(data_folder() / "firmware");

@@ -89,20 +89,19 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
   static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
   static const std::regex flash(R"(region `text' overflowed by (\d+) bytes)");
   const BoardSpec& board = toolchain.board;
+  const auto fail_for_ram = [&](std::uint64_t bytes) {
+    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, but the {} has {} of RAM",
+                                   sketch.name, bytes, board.name, board.ram_bytes));
+  };
   std::smatch match;
   if (std::regex_search(messages, match, ram))
-    throw CompileError(fmt::format(
-        "{} does not fit: its variables take {} bytes, and the {} has {} of RAM", sketch.name,
-        number_in<std::uint64_t>(match[1].str().substr(2), 16) - kAvrData - board.chip->ram_address,
-        board.name, board.ram_bytes));
+    fail_for_ram(number_in<std::uint64_t>(match[1].str().substr(2), 16) - kAvrData - board.chip->ram_address);
   if (std::regex_search(messages, match, more_ram))
-    throw CompileError(fmt::format("{} does not fit: its variables take {} bytes, and the {} has {} of RAM",
-                                   sketch.name, board.ram_bytes + number_in<std::uint64_t>(match[1]),
-                                   board.name, board.ram_bytes));
+    fail_for_ram(board.ram_bytes + number_in<std::uint64_t>(match[1]));
   if (std::regex_search(messages, match, flash))
     throw CompileError(
-        fmt::format("{} does not fit: it takes {} bytes more than the chip's flash, and the {} has {} bytes "
-                    "of it for a sketch{}",
+        fmt::format("{} does not fit: it is {} bytes larger than the flash, and the {} has {} bytes for a "
+                    "sketch{}",
                     sketch.name, match[1].str(), board.name, board.flash_bytes,
                     board.chip->eeprom_bytes == 0 && board.eeprom_bytes > 0
                         ? ", the last 4096 only if it does not use the EEPROM"
@@ -133,30 +132,29 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
   if (const std::string foreign = foreign_header(header); !foreign.empty()) throw InputError(place, foreign);
   const bool chip = toolchain.target.chip;
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
-    throw InputError(place, fmt::format("{} belongs to avr-libc, and the target host has none: it is "
-                                        "for the target avr",
+    throw InputError(place, fmt::format("{} belongs to avr-libc, which the target host does not "
+                                        "have; build for the target avr",
                                         header));
   if (header.find('.') == std::string::npos)
     throw InputError(
-        place,
-        fmt::format("there is no header {}: Arduino boards with an AVR chip have no C++ standard library",
-                    header));
+        place, fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
+                           header));
   if (const std::string purpose = purpose_of_core_library(header); !purpose.empty()) {
     if (std::string_view(toolchain.target.name) == "stm32")
-      throw InputError(place,
-                       fmt::format("{} is for {}, which sketches have on the targets host and avr: the "
-                                   "core for the stm32 has none yet",
-                                   header, purpose));
+      throw InputError(
+          place, fmt::format("{} is for {}, which sketches can use on the targets host and avr, but not "
+                             "yet on the stm32",
+                             header, purpose));
     throw InputError(place,
-                     fmt::format("there is no header {}: it comes with the AVR core, of which a part is "
-                                 "missing here: sudo apt install --reinstall arduino-core-avr",
+                     fmt::format("no such header {}: it belongs to the AVR core, a part of which is missing "
+                                 "here: sudo apt install --reinstall arduino-core-avr",
                                  header));
   }
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
   const std::string known = library_of_header(header);
   throw MissingLibrary(
-      place, fmt::format("there is no header {}: neither in the sketch nor in a library below {}{}", header,
+      place, fmt::format("no such header {} in the sketch, nor in a library below {}{}", header,
                          fmt::join(folders, ", "),
                          known.empty() ? ""
                                        : fmt::format("; Arduino's library manager has it: arduino-cli lib "
@@ -188,8 +186,8 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, const s
 }
 
 constexpr const char* kNotSeen =
-    " is no file of the sketch, its project, its libraries or the core, or may not be read: compilers see "
-    "nothing else of this machine. --libraries DIR names a folder of code that sketches share";
+    " is not a readable file of the sketch, its project, its libraries or the core: compilers see no other "
+    "files of this machine. --libraries DIR names a folder of code that sketches share";
 
 void check_seen(const fs::path& sketch, const Place& place, const std::string& header) {
   const fs::path named = header, from = (sketch / place.file).parent_path();
@@ -218,19 +216,18 @@ void fail_at_walls(const std::string& messages) {
                     kWaitSeconds));
   if (says(kTooMuchTime))
     throw CompileError(fmt::format(
-        "the compilers were stopped: all together took more than {} s of processor time, and may not",
-        kStepSeconds));
+        "the compilers were stopped: together they took more than {} s of processor time", kStepSeconds));
   if (says(kTimeExceeded))
     throw CompileError(fmt::format(
-        "the compiler was stopped after {} s of processor time: the sketch makes it work without end",
+        "the compiler was stopped after {} s of processor time: the sketch keeps it busy for ever",
         kCompileSeconds));
   if (lacks_memory({1, messages}))
     throw CompileError(
-        fmt::format("the compiler took more than {} MB of memory, and may not", kCompileBytes >> 20));
+        fmt::format("the compiler was stopped: it took more than {} MB of memory", kCompileBytes >> 20));
   if (says("File size limit exceeded") || says("File too large"))
     if (!has_lower_limit(RLIMIT_FSIZE, kMadeBytes))
       throw CompileError(
-          fmt::format("the compiler made a file of more than {} MB, and may not", kMadeBytes >> 20));
+          fmt::format("the compiler was stopped: it wrote a file of more than {} MB", kMadeBytes >> 20));
   std::smatch match;
   static const std::regex by_assembler(
       R"(Error: (?:file not found: |can't open )([^\n:]*?)(?: for reading)?(?:\n|:|$))");
@@ -282,11 +279,11 @@ void fail(const Target& target, const std::string& messages) {
       const std::string file = match[1];
       const Place place = file.ends_with(".s") ? Place() : Place{file, number_in(match[2])};
       throw CompileError(
-          place, "asm() holds assembler of the chip (" + match[3].str() + "): it is for the target avr");
+          place, "asm() contains assembler of the chip (" + match[3].str() + "); build for the target avr");
     }
     static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
     if (std::regex_search(messages, match, unplaced))
-      throw CompileError("asm() holds what the chip's assembler does not take: " + match[1].str());
+      throw CompileError("asm() contains text that the chip's assembler rejects: " + match[1].str());
     throw CompileError(messages);
   }
   const std::string hint = hint_for(messages);
@@ -322,7 +319,7 @@ void fail_for_changes(const Toolchain& toolchain, const fs::path& saved, const s
   write_file(saved, assembly);
   const std::size_t error = messages.find("Error: ");
   throw std::runtime_error(fmt::format(
-      "Robosim's own assembly was refused by {}: {}; please report it with the file {}",
+      "{} rejects the assembly that Robosim has generated: {}; please report this with the file {}",
       assembler_name(toolchain.compiler),
       error == messages.npos ? messages : messages.substr(error, messages.find('\n', error) - error),
       saved.string()));

@@ -127,8 +127,8 @@ std::string boards_with(int pin, Use use) {
   for (int i = 0; const BoardSpec* board = board_at(i); ++i)
     if (const Pin found = pin_on(*board, pin, use); found != kNoPin && board->pins[found].digital)
       names.emplace_back(board->name);
-  if (names.empty()) return "no board of Robosim's has one";
-  return fmt::format("of the boards these have one: {}", fmt::join(names, ", "));
+  if (names.empty()) return "no board in Robosim has one";
+  return fmt::format("these boards have one: {}", fmt::join(names, ", "));
 }
 
 std::string pwm_pins(const BoardSpec& board) {
@@ -149,10 +149,11 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
   const PinSpec& spec = board.pins[pin];
   if (use == Use::analog) return "";
   if (!spec.digital)
-    return fmt::format("pin {} of the {} can only be read by analogRead()", spec.name, board.name);
+    return fmt::format("pin {} of the {} can only be read with analogRead()", spec.name, board.name);
   if (use == Use::pwm && !spec.pwm)
-    return fmt::format("pin {} of the {} has no PWM: it is LOW below 128, else HIGH; these have it: {}",
-                       spec.name, board.name, pwm_pins(board));
+    return fmt::format(
+        "pin {} of the {} has no PWM: it is LOW below 128 and HIGH otherwise; these pins have PWM: {}",
+        spec.name, board.name, pwm_pins(board));
   return "";
 }
 
@@ -170,7 +171,7 @@ std::string range_warning(const std::vector<Word>& words, std::size_t at) {
   const int value = (negative ? -1 : 1) * std::stoi(std::string(words[i].text));
   if (value >= 0 && value <= 255) return "";
   return fmt::format(
-      "{}:{}: warning: analogWrite({}, {}): it takes 0 to 255; on most pins {} does what {} does",
+      "{}:{}: warning: analogWrite({}, {}): expected 0 to 255; on most pins {} has the effect of {}",
       words[at].file, words[at].line, words[at + 2].text, value, value, value & 255);
 }
 
@@ -189,8 +190,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   }
   if (!first) return "";
   return fmt::format(
-      "{}:{}: warning: Serial is never begun: put Serial.begin(9600); into setup(), or nothing is "
-      "sent",
+      "{}:{}: warning: Serial is never begun, so that nothing is sent: put Serial.begin(9600); into setup()",
       first->file, first->line);
 }
 

@@ -157,7 +157,7 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
   if (!command.input.empty()) {
     input = Descriptor(::open(command.input.c_str(), O_RDONLY | O_CLOEXEC));
     if (input.get() < 0)
-      throw std::system_error(errno, std::generic_category(), command.input.string() + " cannot be read");
+      throw std::system_error(errno, std::generic_category(), "cannot read " + command.input.string());
     start.input = input.get();
   }
   start.output = start.errors = pipe.write.get();

@@ -22,11 +22,11 @@ struct Command {
 };
 
 /// The first line of the output of a program that was killed because of too much output.
-constexpr const char* kTooMuchOutput = "robosim: more output than is read";
+constexpr const char* kTooMuchOutput = "robosim: too much output";
 /// And of the last that was started, where all together took more than kStepSeconds.
-constexpr const char* kTooMuchTime = "robosim: more processor time than programs may take together";
+constexpr const char* kTooMuchTime = "robosim: too much processor time of all programs together";
 /// And of one that was killed because it hardly worked for kWaitSeconds.
-constexpr const char* kWaits = "robosim: the program waits for what does not come";
+constexpr const char* kWaits = "robosim: the program waits for input that never comes";
 /// What gcc says of a program that took more than kCompileSeconds.
 constexpr const char* kTimeExceeded = "CPU time limit exceeded";
 

@@ -120,9 +120,10 @@ void check_links(const fs::path& folder) {
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (!entry->is_symlink(error) || lies_in(entry->path(), folder)) continue;
-    throw InputError({entry->path().string()},
-                     fmt::format("is a link to {}, outside of the sketch's folder; --untrusted follows none",
-                                 fs::read_symlink(entry->path(), error).string()));
+    throw InputError(
+        {entry->path().string()},
+        fmt::format("a link to {}, outside of the sketch's folder; --untrusted does not follow it",
+                    fs::read_symlink(entry->path(), error).string()));
   }
 }
 

@@ -40,7 +40,7 @@ void take(Sketch& sketch, const fs::path& file) {
 /// Throws InputError where a folder below cannot be read; nothing is below one that is not there.
 void check_all_read(const fs::path& folder, const std::error_code& error) {
   if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
-    throw InputError({folder.string()}, "cannot be read, or a folder in it: " + error.message());
+    throw InputError({folder.string()}, "cannot read the folder or one below it: " + error.message());
 }
 
 void take_all_below(Sketch& sketch, const fs::path& folder) {
@@ -132,7 +132,7 @@ void check_within_project(const fs::path& project, const fs::path& folder) {
 Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   std::error_code error;
   const fs::path sources = fs::canonical(rules.sources, error);
-  if (error) throw InputError({rules.sources.string()}, "there is no such folder");
+  if (error) throw InputError({rules.sources.string()}, "no such folder");
   Sketch sketch;
   sketch.name = folder.filename().string();
   check_within_project(folder, sources);
@@ -145,7 +145,7 @@ Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
     return read_file(sketch.folder / name, kMostSources_bytes).find("void setup") != std::string::npos;
   });
   if (sketch.inos.empty() && sketch.sources.empty())
-    throw InputError({rules.sources.string()}, "holds no sources: neither a .cpp nor an .ino file");
+    throw InputError({rules.sources.string()}, "a folder without sources: expected a .cpp or an .ino file");
   for (const fs::path& include : rules.includes) {
     const fs::path real = fs::canonical(include, error);
     if (error) continue;
@@ -187,7 +187,7 @@ void check_links(Sketch& sketch) {
     for (const std::string& name : *names)
       if (leads_out(name))
         throw InputError(
-            {name}, fmt::format("is a link to {}, outside of the sketch's project: expected a file below {}; "
+            {name}, fmt::format("a link to {}, outside of the sketch's project: expected a file below {}; "
                                 "--libraries DIR names a folder of code that sketches share",
                                 fs::read_symlink(sketch.folder / name, none).string(), reach.string()));
 }
@@ -195,7 +195,7 @@ void check_links(Sketch& sketch) {
 Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   std::error_code error;
   const fs::path absolute = fs::canonical(path, error);
-  if (error) throw InputError({path.string()}, "there is no such sketch");
+  if (error) throw InputError({path.string()}, "no such sketch");
   if (!rules.sources.empty()) return read_project(absolute, rules);
 
   Sketch sketch;
@@ -245,7 +245,7 @@ Sketch read_sketch(const fs::path& path, const ProjectRules& rules) try {
   return sketch;
 } catch (const fs::filesystem_error& error) {  // a folder that may not be read, a link to itself
   const fs::path& place = error.path1().empty() ? path : error.path1();
-  throw InputError({place.string()}, "cannot be read: " + error.code().message());
+  throw InputError({place.string()}, "cannot read the file: " + error.code().message());
 }
 
 std::string content_sha256(const Sketch& sketch) {

@@ -40,14 +40,14 @@ bool is_sketch_path(const std::string& name, const fs::path& folder) {
 fs::path find_sketch(const std::string& name) {
   std::error_code none;
   if (is_sketch_path(name)) {
-    if (!fs::exists(name, none)) throw InputError({name}, "there is no such sketch");
+    if (!fs::exists(name, none)) throw InputError({name}, "no such sketch");
     return name;
   }
   if (is_stock_sketch(name)) return stock_folder() / name;
   throw InputError(
       fmt::format("'{0}' is neither a folder here nor a sketch of Robosim; {1}{2}", name,
                   guess_and_list(name, stock_sketches()),
-                  fs::exists(name, none) ? fmt::format("; for the file here write ./{}", name) : ""));
+                  fs::exists(name, none) ? fmt::format("; to use the file here, give ./{}", name) : ""));
 }
 
 }  // namespace robosim::build

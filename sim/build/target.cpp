@@ -202,8 +202,7 @@ const Target* const kTargets[] = {&kHost, &kAvr, &kStm32};
 const Target& find_target(const std::string& name) {
   for (const Target* target : kTargets)
     if (name == target->name) return *target;
-  throw InputError(
-      fmt::format("there is no target {}; sketches are compiled for {}", name, one_of(targets())));
+  throw InputError(fmt::format("unknown target {}: expected {}", name, one_of(targets())));
 }
 
 std::vector<std::string> targets() {

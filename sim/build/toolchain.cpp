@@ -39,7 +39,7 @@ std::string answer(const Compiler& compiler, std::vector<std::string> question) 
   question.insert(question.begin(), compiler.cxx.string());
   CommandResult result = run(Command{std::move(question), "/", {}});
   if (result.status != 0)
-    throw ToolMissing(fmt::format("{} does not answer {}: {}", compiler.cxx.string(), asked, result.output));
+    throw ToolMissing(fmt::format("{} fails with {}: {}", compiler.cxx.string(), asked, result.output));
   while (!result.output.empty() && result.output.back() == '\n') result.output.pop_back();
   return result.output;
 }
@@ -84,9 +84,8 @@ Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuin
 
 void check_chip(const Target& target, const BoardSpec& board) {
   if (std::string(board.chip->target) == target.name) return;
-  throw InputError(
-      fmt::format("the board {} has no chip of the target {}; the target {} is for a robot with {}",
-                  board.name, target.name, target.name, one_of(boards_of(target.name))));
+  throw InputError(fmt::format("the board {} cannot run the target {}: expected a robot with {}", board.name,
+                               target.name, one_of(boards_of(target.name))));
 }
 
 Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {

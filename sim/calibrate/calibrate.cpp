@@ -29,52 +29,55 @@ std::string what_is_impossible(const Figure& figure) {
   const auto farthest =
       std::max_element(figure.found.begin(), figure.found.end(),
                        [&](const Found& a, const Found& b) { return beyond(a) < beyond(b); });
-  std::string text = fmt::format("{}.{}: it would take {:.3g} {}, and a robot file may have {:.3g} to {:.3g}",
-                                 figure.table, figure.key, farthest->value / figure.scale, figure.unit,
-                                 figure.least / figure.scale, figure.most / figure.scale);
+  std::string text =
+      fmt::format("{0}.{1}: the logs require {2:.3g} {3}, but a robot file accepts {4:.3g} to {5:.3g} {3}",
+                  figure.table, figure.key, farthest->value / figure.scale, figure.unit,
+                  figure.least / figure.scale, figure.most / figure.scale);
   if (figure.key.starts_with("white_"))
     text +=
-        "; its light falls less with height than the model's: give it height = \"2.5 mm\" and calibrate "
-        "again";
+        "; the sensor's light decreases less with height than in the model: set height = \"2.5 mm\" and "
+        "calibrate again";
   return text;
 }
 
 std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_measured) {
   std::vector<std::string> all = c.sweep.remarks;
   if (c.sweep.parts.empty()) {
-    all.push_back("the sensors: no log has a sweep of one that gives more than yes or no");
+    all.push_back("the sensors: no log has a sweep of a sensor with more than two values");
   } else {
     all.push_back(
-        "height and ambient: over one floor, from one height, white_volts or white_time has them all in it");
+        "height and ambient: over one floor and from one height, white_volts or white_time includes both");
     for (const PartFit& part : c.sweep.parts) {
       if (part.footprint.value == 0.0)
         all.push_back(fmt::format(
-            "{}.footprint: neighbouring readings are {:.1f} mm apart, farther than it is wide; turn "
+            "{}.footprint: neighbouring readings are {:.1f} mm apart, more than the footprint's width; turn "
             "more slowly",
             part.part->name, 1e3 * part.spacing));
       for (const auto& element : part.part->elements)
         if (std::none_of(part.elements.begin(), part.elements.end(),
                          [&](const ElementFit& e) { return e.name == element.name; }))
-          all.push_back(element.name + ": no log has a column of it");
+          all.push_back(element.name + ": no log has its column");
     }
-    if (c.sweep.track.value == 0.0) all.push_back("track: it takes encoders, and sweeps of more than a turn");
+    if (c.sweep.track.value == 0.0) all.push_back("track: requires encoders, and sweeps of more than a turn");
   }
   if (!c.drive) {
     all.push_back("the motors: no log has a drive, and there is no --stopwatch");
     return all;
   }
-  all.push_back("stall_current, gear, rotor_inertia and mass: motion tells only what they make together");
-  if (!c.drive->torque_told) all.push_back("stall_torque: it takes drives of three durations at least");
+  all.push_back("stall_current, gear, rotor_inertia and mass: motion shows only their combined effect");
+  if (!c.drive->torque_told) all.push_back("stall_torque: requires drives of at least three durations");
   if (!c.drive->friction_told)
-    all.push_back("no_load_current: it takes drives at two voltages, or how they roll out");
-  if (c.drive->inertia.value == 0.0) all.push_back("the body's inertia: it takes turns on the spot");
+    all.push_back("no_load_current: requires drives at two voltages, or the rolling out after them");
+  if (c.drive->inertia.value == 0.0) all.push_back("the body's inertia: requires turns on the spot");
   all.push_back(
-      "wheel, and how far the two differ: counts tell angles; roll it ten turns along a tape measure");
+      "wheel, and the difference of the two: counts show only angles; roll the robot ten turns along a tape "
+      "measure");
   all.push_back("grip and static_friction: no wheel slips or sticks in these drives");
   if (!supply_measured)
     all.push_back(
-        "supply: measure the battery meanwhile, and give --supply; until then no_load is as unsure as that "
-        "is");
+        "supply: measure the battery during the drives, and give --supply; until then no_load is as "
+        "uncertain "
+        "as the supply");
   return all;
 }
 
@@ -100,7 +103,7 @@ Calibration calibrate(const Task& task) {
   for (const Log& log : logs)
     if (!log.sweeps.empty() && task.tape_m == 0.0)
       throw InputError({log.file, log.sweeps.front().line},
-                       "this is a sweep over a tape; give the tape's width, as in --tape \"19 mm\"");
+                       "a sweep over a tape requires the tape's width, as in --tape \"19 mm\"");
   result.sweep = fit_sweeps(logs, result.robot, task.tape_m);
   robot::Description robot = result.robot;
   if (result.sweep.track.value > 0.0) robot.chassis.track = {result.sweep.track.value, 0.0};

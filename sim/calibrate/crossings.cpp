@@ -63,9 +63,9 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
   for (std::size_t i = 0; i < sweep.t.size(); ++i) {
     const double reading = sweep.readings[column][i];
     if (!rc && reading > kCodes - 1.0)
-      throw InputError(
-          {log.file, sweep.lines[i]},
-          fmt::format("{} is {}; a code of analogRead() is from 0 to 1023", sweep.names[column], reading));
+      throw InputError({log.file, sweep.lines[i]},
+                       fmt::format("{}: expected a code of analogRead() from 0 to 1023, got {}",
+                                   sweep.names[column], reading));
     trace.y.push_back(signal(reading, part, supply, 0.5e6 * trace.timing));
   }
   const robot::EncoderSpec* encoders[2] = {encoder_of(robot, 0), encoder_of(robot, 1)};
@@ -86,8 +86,8 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
   if (std::fabs(right - left) < 1.0 * robot.chassis.track.value)
     throw InputError(
         {log.file, sweep.line},
-        fmt::format("the wheels' counts change by {:.0f} and {:.0f} in this sweep, less than a sixth of a "
-                    "turn; does a motor or an encoder stand still?",
+        fmt::format("the wheels turn too little in this sweep: expected at least a sixth of a turn, got "
+                    "{:.0f} and {:.0f} counts; check whether each motor turns and each encoder counts",
                     sweep.count[0].back() - sweep.count[0].front(),
                     sweep.count[1].back() - sweep.count[1].front()));
   // It turns about the resting point of the axle, this far to the left of its middle.
@@ -112,17 +112,19 @@ Levels rough_levels(const Trace& trace, const std::string& name, const robot::Re
   if (range < kLeastContrast * whole)
     throw InputError(
         place,
-        fmt::format("{} reads nearly the same throughout this sweep; it must see floor and tape", name));
+        fmt::format(
+            "{}: expected readings over floor and tape, got nearly the same value throughout this sweep",
+            name));
   if (std::fabs(levels.black - levels.white) < 0.5 * range && std::fabs(at(0.0) - levels.white) > 0.7 * range)
-    throw InputError(place,
-                     fmt::format("{} reads {} over the tape than beside it, but by the robot file it gives "
-                                 "{} over black; is the tape black, and the floor white?",
-                                 name, sign > 0.0 ? "less" : "more", sign > 0.0 ? "more" : "less"));
+    throw InputError(
+        place, fmt::format("{} reads {} over the tape than next to it, but with this robot file it reads "
+                           "{} over black; check that the tape is black and the floor white",
+                           name, sign > 0.0 ? "less" : "more", sign > 0.0 ? "more" : "less"));
   if (std::fabs(levels.black - levels.white) < 0.5 * range)
-    throw InputError(place,
-                     fmt::format("{} is over the tape in less than {:.0f} % of this sweep; does it cross the "
-                                 "tape?",
-                                 name, 100.0 * kTapeShare));
+    throw InputError(
+        place, fmt::format("{} is over the tape in less than {:.0f} % of this sweep; check that it crosses "
+                           "the tape",
+                           name, 100.0 * kTapeShare));
   if (trace.step == 0.0) return levels;
   const double half = 0.5 * (levels.white + levels.black);
   double over[2] = {}, at_end[2] = {};
@@ -134,8 +136,8 @@ Levels rough_levels(const Trace& trace, const std::string& name, const robot::Re
   for (const std::size_t dark : {0u, 1u})
     if (at_end[dark] > kMostSaturated * over[dark])
       throw InputError(
-          place, fmt::format("{} reads {} in {:.0f} % of its readings over the {}: it is saturated there, "
-                             "and does not tell how {} that is",
+          place, fmt::format("{} reads {} in {:.0f} % of its readings over the {}: the sensor is saturated "
+                             "there, so that it does not show how {} that is",
                              name, (dark == 1) == (sign > 0.0) ? 1023 : 0, 100.0 * at_end[dark] / over[dark],
                              dark ? "tape" : "floor", dark ? "dark" : "bright"));
   return levels;
@@ -173,9 +175,10 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
   const Place place{*trace.file, trace.sweep->line};
   if (found.empty())
     throw InputError(
-        place, fmt::format("{} crosses the tape at no time in this sweep as a whole: floor, tape, floor, "
-                           "with 5 readings on the tape at least",
-                           name));
+        place,
+        fmt::format("{} never crosses the tape completely in this sweep: expected floor, tape and floor, "
+                    "with at least 5 readings on the tape",
+                    name));
   double seen = 0.0;
   for (Crossing& crossing : found) {
     const double duration = crossing.leaves - crossing.enters;
@@ -191,10 +194,11 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
   }
   if (!trace.angle.empty() && std::fabs(seen / tape_m - 1.0) > kMostDisagreement)
     throw InputError(
-        place, fmt::format("{} sees a tape {:.1f} mm wide by the wheels' counts, but --tape is {:.1f} mm; "
-                           "one of it, the encoders' periods, wheel, track and the sensor's place in the "
-                           "robot file is wrong",
-                           name, 1e3 * seen, 1e3 * tape_m));
+        place,
+        fmt::format("{}: expected a tape {:.1f} mm wide by --tape, got {:.1f} mm by the wheels' counts; "
+                    "check --tape and, in the robot file, the encoders' periods, wheel, track and the "
+                    "sensor's place",
+                    name, 1e3 * tape_m, 1e3 * seen));
   return found;
 }
 

@@ -114,9 +114,9 @@ void Bench::check() {
       whole += drive.t.back() - drive.t.front();
       if (whole > kMostDriving)
         throw InputError({log.file, drive.line},
-                         fmt::format("with this drive all drives take {:.0f} s; at most {:.0f} s "
-                                     "of driving are read",
-                                     whole, kMostDriving));
+                         fmt::format("the drives are too long: expected at most {:.0f} s together, got "
+                                     "{:.0f} s with this drive",
+                                     kMostDriving, whole));
       for (const std::size_t side : {0u, 1u}) check(log, drive, side);
       plans_.push_back(plan(drive, counts));
     }
@@ -152,7 +152,7 @@ Bench::PerTurn Bench::per_turn(const Log& log) const {
     if (!encoder) continue;
     if (!log.counts_per_period)
       throw InputError({log.file},
-                       "counts edges, but does not say how many in each period of a channel; put "
+                       "the log has counts of edges, but not their number in each period of a channel; put "
                        "“# counts_per_period = 2” before its tables (1: rising edges, 2: both)");
     counts[encoder->wheel] = encoder->periods * *log.counts_per_period;
   }
@@ -175,18 +175,20 @@ void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
   }
   const Place place{log.file, drive.line};
   if (told == 0)
-    throw InputError({log.file, drive.lines.front()}, fmt::format("{} is 0 in the first row; a drive begins "
-                                                                  "with what the motors are told",
-                                                                  name));
+    throw InputError({log.file, drive.lines.front()},
+                     fmt::format("{}: expected the motor's command in the drive's "
+                                 "first row, got 0",
+                                 name));
   if (std::fabs(along) < 5.0 * std::abs(told))
     throw InputError(
-        place, fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: it does not turn, or its "
-                           "encoder does not count",
-                           name, told, counted));
+        place,
+        fmt::format("the {} motor is driven with {}, but its encoder counts {:.0f}: the motor does not "
+                    "turn, or the encoder does not count",
+                    name, told, counted));
   if (along < 0.0)
     throw InputError(place,
-                     fmt::format("the {} motor is told {}, but its encoder counts {:.0f}: its leads or the "
-                                 "encoder's channels are swapped",
+                     fmt::format("the {} motor is driven with {}, but its encoder counts {:.0f}: the motor's "
+                                 "leads or the encoder's channels are swapped",
                                  name, told, counted));
 }
 

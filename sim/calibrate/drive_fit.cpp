@@ -67,8 +67,7 @@ std::optional<DriveFit> fit_drives(const std::vector<Log>& logs, const std::vect
   if (!counted && timed.empty()) return std::nullopt;
   Bench bench(logs, timed, robot, measured_supply.value);
   if (!bench.has_motors())
-    throw InputError({robot.file.string()},
-                     "has no part of type motor on each wheel, and drives are of motors");
+    throw InputError({robot.file.string()}, "drives require a part of type motor on each wheel");
   bench.check();
 
   std::vector<int> free{no_load_left};

@@ -53,7 +53,7 @@ class Reader {
 
   Log read() {
     if (text_.find_first_not_of(" \t\r\n") == text_.npos)
-      throw InputError({log_.file}, "is empty; it must hold what the sketch CalibrationLogger has printed");
+      throw InputError({log_.file}, "the log is empty: expected the output of the sketch CalibrationLogger");
     refuse_bytes();
     const int first = first_line();
     for (std::size_t begin = 0; begin < text_.size();) {
@@ -66,7 +66,9 @@ class Reader {
     }
     finish_table();
     if (log_.sweeps.empty() && log_.drives.empty())
-      throw InputError({log_.file}, "has no table: no line begins with t_us, the first column's name");
+      throw InputError(
+          {log_.file},
+          "the log has no table: expected a line that begins with t_us, the first column's name");
     return std::move(log_);
   }
 
@@ -81,8 +83,8 @@ class Reader {
       const auto byte = static_cast<unsigned char>(c);
       if (c == '\n') ++line;
       if ((byte < 32 && c != '\n' && c != '\t' && !ends) || byte == 127)
-        throw InputError({log_.file, line}, fmt::format("has a byte 0x{:02X}, so this is not a log; it must "
-                                                        "be text, as CalibrationLogger prints it",
+        throw InputError({log_.file, line}, fmt::format("not a log: expected text, as CalibrationLogger "
+                                                        "prints it, got a byte 0x{:02X}",
                                                         byte));
     }
   }
@@ -97,7 +99,7 @@ class Reader {
     if (line.empty()) return;
     if (line.front() == '#') return setting(trimmed(line.substr(1)));
     const auto fields = csv_fields(line);
-    if (!fields) fail("has a quote that is never closed; a row is numbers with commas between them");
+    if (!fields) fail("a quote is never closed: expected a row of numbers separated by commas");
     if (trimmed(fields->front()) == "t_us") return begin_table(*fields);
     row(*fields);
   }
@@ -109,10 +111,10 @@ class Reader {
     const std::string_view text_of_it = trimmed(text.substr(equals + 1));
     const auto value = number(text_of_it);
     const auto refuse = [&](const char* allowed) {
-      fail(fmt::format("{} is “{}”; it must be {}", key, shortened(text_of_it), allowed));
+      fail(fmt::format("{}: expected {}, got “{}”", key, allowed, shortened(text_of_it)));
     };
     if (key == "timing_step_us") {
-      if (!value || !(*value > 0.0 && *value <= 1000.0)) refuse("a number of microseconds, at most 1000");
+      if (!value || !(*value > 0.0 && *value <= 1000.0)) refuse("a number of microseconds up to 1000");
       log_.timing_step = 1e-6 * *value;
     } else {
       if (!value || (*value != 1.0 && *value != 2.0 && *value != 4.0)) refuse("1, 2 or 4");
@@ -126,9 +128,9 @@ class Reader {
     names_.clear();
     for (const std::string& field : fields) {
       const std::string name(trimmed(field));
-      if (name.empty()) fail("a column has no name");
+      if (name.empty()) fail("a column without a name");
       if (std::find(names_.begin(), names_.end(), name) != names_.end())
-        fail(fmt::format("there are two columns {}", shortened(name)));
+        fail(fmt::format("the column {} is given twice", shortened(name)));
       names_.push_back(name);
     }
     columns_.assign(names_.size(), {});
@@ -141,32 +143,33 @@ class Reader {
       fail(fmt::format("the column {} is missing", counts_left ? "count_right" : "count_left"));
     if (is_drive_ && !counts_left)
       fail(
-          "a drive without the columns count_left and count_right says nothing; without encoders use a "
-          "stopwatch: docs/howto/calibrating.md");
+          "a drive requires the columns count_left and count_right; without encoders use a stopwatch: "
+          "docs/howto/calibrating.md");
     if (!is_drive_ && names_.size() < (counts_left ? 4u : 2u))
       fail(
-          "no column is named after a sensor of the robot; a sweep has t_us, perhaps count_left and "
-          "count_right, and sensors");
+          "a sweep without a sensor: expected the columns t_us, optionally count_left and count_right, and "
+          "at least one sensor of the robot");
     if (is_drive_ && names_.size() > 5)
-      fail("a drive has no columns but t_us, left, right, count_left, count_right");
+      fail("too many columns for a drive: expected t_us, left, right, count_left and count_right");
   }
 
   bool has(const char* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
 
   void row(const std::vector<std::string>& fields) {
     if (names_.empty())
-      fail(fmt::format("“{}” stands before any column names; the first row of a table must begin with t_us",
+      fail(fmt::format("a row before the column names: expected a first row that begins with t_us, got “{}”",
                        shortened(fields.front())));
     if (fields.size() != names_.size())
-      fail(fmt::format("a row has {} fields, but the column names of line {} are {}", fields.size(),
-                       table_line_, names_.size()));
-    if (lines_.size() >= kMostRows) fail(fmt::format("a table has at most {} rows", kMostRows));
+      fail(fmt::format("the row's fields: expected {}, as many as column names on line {}, got {}",
+                       names_.size(), table_line_, fields.size()));
+    if (lines_.size() >= kMostRows)
+      fail(fmt::format("the table has too many rows: expected at most {}", kMostRows));
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const std::string_view field = trimmed(fields[i]);
       const auto value = number(field);
-      if (!value) fail(fmt::format("{} is “{}”; it must be a number", names_[i], shortened(field)));
+      if (!value) fail(fmt::format("{}: expected a number, got “{}”", names_[i], shortened(field)));
       if (!std::isfinite(*value))
-        fail(fmt::format("{} is {}; it must be a finite number", names_[i], *value));
+        fail(fmt::format("{}: expected a finite number, got {}", names_[i], *value));
       check(names_[i], *value);
       columns_[i].push_back(*value);
     }
@@ -177,16 +180,19 @@ class Reader {
     if (name == "t_us") {
       const auto& times = columns_[static_cast<std::size_t>(place_of("t_us"))];
       if (!times.empty() && value <= times.back())
-        fail(fmt::format("time goes back: t_us is {}, and {} in the row before", value, times.back()));
-      if (value < 0.0 || value > 4.3e9) fail(fmt::format("t_us is {}; it must be from 0 to 4.3e9", value));
+        fail(fmt::format("t_us: expected a later time than {} in the row before, got {}", times.back(),
+                         value));
+      if (value < 0.0 || value > 4.3e9)
+        fail(fmt::format("t_us: expected a number from 0 to 4.3e9, got {}", value));
     } else if (name == "left" || name == "right") {
       if (std::fabs(value) > 255.0 || value != std::floor(value))
-        fail(fmt::format("{} is {}; it must be a whole number from -255 to 255", name, value));
+        fail(fmt::format("{}: expected a whole number from -255 to 255, got {}", name, value));
     } else if (name == "count_left" || name == "count_right") {
-      if (std::fabs(value) > 1e9) fail(fmt::format("{} is {}; it must be from -1e9 to 1e9", name, value));
+      if (std::fabs(value) > 1e9)
+        fail(fmt::format("{}: expected a number from -1e9 to 1e9, got {}", name, value));
     } else if (value < 0.0 || value > kMostReading) {
-      fail(fmt::format("{} is {}; a reading is from 0 to 1023, or of an RC sensor in microseconds", name,
-                       value));
+      fail(fmt::format("{}: expected a reading from 0 to 1023, or of an RC sensor in microseconds, got {}",
+                       name, value));
     }
   }
 
@@ -198,9 +204,9 @@ class Reader {
     if (names_.empty()) return;
     const std::size_t least = is_drive_ ? kLeastDrive : kLeastSweep;
     if (lines_.size() < least)
-      throw InputError({log_.file, table_line_}, fmt::format("this {} has {} row{}; it must have {} at least",
-                                                             is_drive_ ? "drive" : "sweep", lines_.size(),
-                                                             lines_.size() == 1 ? "" : "s", least));
+      throw InputError({log_.file, table_line_},
+                       fmt::format("the {} is too short: expected at least {} rows, got {}",
+                                   is_drive_ ? "drive" : "sweep", least, lines_.size()));
     const auto column = [&](const char* name) { return columns_[static_cast<std::size_t>(place_of(name))]; };
     std::vector<double> t = column("t_us");
     for (double& time : t) time *= 1e-6;

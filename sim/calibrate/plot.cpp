@@ -124,7 +124,7 @@ void draw_drive(std::string& text, double x, double y, const DriveCurve& curve) 
       for (const double turns : side) up = {std::min(up.low, turns), std::max(up.high, turns)};
   const double margin = 0.05 * (up.high - up.low);
   Panel panel(text, x, y, {curve.t.front(), curve.t.back()}, {up.low - margin, up.high + margin});
-  panel.frame(fmt::format("drive, told {} and {}", curve.told[0], curve.told[1]), "s", "turns of the wheel");
+  panel.frame(fmt::format("drive with {} and {}", curve.told[0], curve.told[1]), "s", "turns of the wheel");
   for (const std::size_t side : {0u, 1u}) {
     panel.dots(curve.t, curve.measured[side], kMeasured[side]);
     panel.note(static_cast<double>(side) + (up.high < -up.low ? 12.0 : 0.0), side == 0 ? "left" : "right",

@@ -34,12 +34,12 @@ std::string lines_of(const Figure& figure) {
 
 std::string report(const Calibration& result) {
   std::string text =
-      fmt::format("{}: what the logs tell, ± twice the standard deviation\n", result.robot.name);
+      fmt::format("{}: values from the logs, ± twice the standard deviation\n", result.robot.name);
   std::string rough;
   for (const Figure& figure : result.figures)
     (least_sure(figure) <= kSure ? text : rough) += lines_of(figure);
-  if (!rough.empty()) text += "rough: by more than a tenth\n" + rough;
-  if (!result.unsure.empty()) text += "too unsure to be written\n";
+  if (!rough.empty()) text += "rough: uncertain by more than a tenth\n" + rough;
+  if (!result.unsure.empty()) text += "too uncertain to be written\n";
   for (const Figure& figure : result.unsure) text += lines_of(figure);
   for (const PartFit& part : result.sweep.parts) {
     std::size_t crossings = 0;
@@ -50,10 +50,10 @@ std::string report(const Calibration& result) {
       light += element.noise;
     }
     text += fmt::format(
-        "{}: {} crossings, readings {:.2f} mm apart; over black it is {:.0f} % as noisy as over white",
+        "{}: {} crossings, readings {:.2f} mm apart; over black the noise is {:.0f} % of that over white",
         part.part->name, crossings, 1e3 * part.spacing, light > 0.0 ? 100.0 * dark / light : 0.0);
     if (part.seen.value > 0.0)
-      text += fmt::format("; by the wheels the tape is {:.1f} mm wide at half depth, by --tape {:.1f} mm",
+      text += fmt::format("; the tape is {:.1f} mm wide at half depth by the wheels, {:.1f} mm by --tape",
                           1e3 * part.seen.value, 1e3 * result.tape_m);
     text += "\n";
   }
@@ -61,12 +61,12 @@ std::string report(const Calibration& result) {
     text +=
         fmt::format("motors: time constant {:.0f} ms straight on", 1e3 * result.drive->time_constant.value);
     text += result.drive->curves.empty()
-                ? fmt::format("; the drives are met within {:.1f} times what they are measured to\n",
+                ? fmt::format("; the model meets the drives within {:.1f} times their measuring accuracy\n",
                               result.drive->rms)
-                : fmt::format("; {} drives are met within {:.1f} counts (root mean square)\n",
+                : fmt::format("; the model meets {} drives within {:.1f} counts (root mean square)\n",
                               result.drive->curves.size(), result.drive->rms);
   }
-  text += "not told\n";
+  text += "not determined\n";
   for (const std::string& sentence : result.not_told) text += "  " + sentence + "\n";
   return text;
 }

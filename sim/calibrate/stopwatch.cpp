@@ -15,7 +15,8 @@ Stopwatch read_stopwatch(const std::string& file) {
   const ConfigValue* drives = reader.find("drive");
   reader.finish();
   if (!drives || drives->kind != ConfigValue::Kind::array || drives->items.empty())
-    throw InputError({file}, "has no [[drive]]; each has pwm, time and distance");
+    throw InputError({file},
+                     "[[drive]] is missing: expected a table with pwm, time and distance for each drive");
   for (const ConfigValue& item : drives->items) {
     TableReader drive(item, "[[drive]]");
     Timed timed{file, item.place.line};

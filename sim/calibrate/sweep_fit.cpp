@@ -255,8 +255,8 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
             throw InputError(
                 {log.file, sweep.line},
                 fmt::format(
-                    "{} gives {:.3g} over the floor and {:.3g} over the tape here, but {:.3g} and "
-                    "{:.3g} in the sweep {}; are both of the same robot, at the same height?",
+                    "{} reads {:.3g} over the floor and {:.3g} over the tape here, but {:.3g} and {:.3g} in "
+                    "the sweep {}; check that both are of the same robot at the same height",
                     element.fit.name, levels.white, levels.black, first.white, first.black,
                     to_string(Place{*element.traces.front().file, element.traces.front().sweep->line})));
           if (element.traces.empty()) element.rough = levels;
@@ -316,7 +316,7 @@ SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robo
         if (!columns.contains(name))
           throw InputError({log.file, sweep.line},
                            known.empty()
-                               ? fmt::format("there is a column {}, but the robot has no floor sensors", name)
+                               ? fmt::format("unknown column {}: the robot has no floor sensors", name)
                                : unknown_name("floor sensor", name, known));
   SweepFit fit;
   std::vector<double> tracks;
@@ -327,7 +327,7 @@ SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robo
     if (sensors->read == ReflectanceSpec::Read::digital) {
       if (is_swept(logs, *sensors))
         fit.remarks.push_back(sensors->name +
-                              ": a comparator's answers tell neither its threshold nor its footprint");
+                              ": a comparator's output shows neither its threshold nor its footprint");
       continue;
     }
     parts.emplace_back(sensors, gather(logs, robot, *sensors, columns, tape_m));

@@ -40,11 +40,11 @@ bool DrivenRun::take(wire::Line line) {
     return false;
   }
   if (const auto* refused = std::get_if<wire::Refused>(&line.content)) throw InputError(refused->message);
-  throw wire::RunnerError("the runner answered something that was not asked");
+  throw wire::RunnerError("unexpected answer of the runner");
 }
 
 void DrivenRun::act(const std::string& lines, std::size_t agent) {
-  if (over()) throw InputError("the run is over: nothing more can be done");
+  if (over()) throw InputError("the run is over and accepts no more requests");
   wire::Line line = ask(wire::Act{lines, static_cast<int>(agent)});
   if (const auto* accepted = std::get_if<wire::Accepted>(&line.content)) {
     scripts_.at(agent) += accepted->lines;
@@ -54,7 +54,7 @@ void DrivenRun::act(const std::string& lines, std::size_t agent) {
 }
 
 std::vector<std::uint8_t> DrivenRun::eeprom(std::size_t agent) {
-  if (over()) throw InputError("the run is over: its memory is gone");
+  if (over()) throw InputError("the run is over, and its memory no longer exists");
   wire::Line line = ask(wire::ReadEeprom{static_cast<int>(agent)});
   if (auto* memory = std::get_if<wire::Eeprom>(&line.content)) return std::move(memory->bytes);
   take(std::move(line));

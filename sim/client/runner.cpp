@@ -33,7 +33,7 @@ std::string program_of(const std::string& target) {
           "the target " + target + " is missing: Robosim was built without the Debian packages " + packages +
           ". Install them (sudo apt install " + packages + "), configure and build Robosim again");
     }
-    throw ToolMissing("the runner of target " + target + " is not there: " + program.string() +
+    throw ToolMissing("the runner of target " + target + " is missing: " + program.string() +
                       ". This version has " + one_of(available_targets()) + ".");
   }
   return program.string();
@@ -44,9 +44,9 @@ void blame_for_batch(wire::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
     throw InputError(
-        "one of the sketches on the host has overwritten the events of the run: run each alone, or on its "
+        "one of the sketches on the host has overwritten the events of the run: run each alone or on its "
         "chip");
-  const std::string cause = "it wrote to where the events of its run are kept";
+  const std::string cause = "it overwrote the events of its run";
   result.crash.emplace().reason = cause;
   result.crash->check = "sandbox";
   result.verdict = "crashed";
@@ -78,7 +78,7 @@ Runner::Runner(const Program& program) : name_(fs::path(program.path).filename()
     throw wire::RunnerError(error.what());
   }
   const auto text = process_->read_line(kHelloPatience_ms);
-  if (!text) throw wire::RunnerError("the runner " + name_ + " did not say hello: it " + process_->finish());
+  if (!text) throw wire::RunnerError("the runner " + name_ + " sent no hello: it " + process_->finish());
   hello_ = wire::parse_hello(*text, name_);
 }
 
@@ -152,7 +152,7 @@ std::optional<Answer> Runner::take(bool wait, const wire::OnEvent& on_event) {
   std::optional<wire::Line> line = answer(wait, on_event);
   if (!line) return std::nullopt;
   if (auto* wanted = std::get_if<Answer>(&line->content)) return std::move(*wanted);
-  throw wire::RunnerError("the runner " + name_ + " answered something that was not asked");
+  throw wire::RunnerError("unexpected answer of the runner " + name_);
 }
 
 wire::RobotInfo Runner::describe_robot(const std::string& robot, bool full) {

@@ -22,12 +22,13 @@ Imported read_lines(std::string_view text, const std::string& file, const std::v
     return first.find(',') == first.npos ? read_points(text, file) : read_curvature(text, file);
   throw InputError(
       {file, lines.front().number},
-      "has neither two numbers, a point or a segment's length and curvature, nor six, a maze's cell "
-      "with its walls");
+      "unknown kind of line: expected two numbers (a point, or a segment's length and curvature) or six (a "
+      "maze's cell with its walls)");
 }
 
 Imported read_any(std::string_view text, const std::string& file, double walls_m) {
-  if (text.find('\0') != text.npos) throw InputError({file}, "is no text; courses are read from text files");
+  if (text.find('\0') != text.npos)
+    throw InputError({file}, "not a text file: expected a course as text, got zero bytes");
   const std::vector<NumberedLine> lines = lines_of(text);
   if (lines.empty()) throw InputError({file}, "the file is empty");
   const std::string_view first = lines.front().text;
@@ -38,7 +39,7 @@ Imported read_any(std::string_view text, const std::string& file, double walls_m
   if (!is_json && !are_numbers && !first.starts_with("#length")) return read_maze(text, file, walls_m);
   if (are_numbers && numbers_in(lines.front(), file).size() == 6)
     return read_maze_numbers(text, file, walls_m);
-  if (walls_m > 0.0) throw InputError({file}, "is no maze, and only a maze has walls");
+  if (walls_m > 0.0) throw InputError({file}, "walls require a maze, got another kind of course");
   return read_lines(text, file, lines);
 }
 

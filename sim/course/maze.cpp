@@ -106,7 +106,7 @@ Imported map_of(const Maze& maze, double walls_m) {
     map.goal_cell.reset();
     map.stations.clear();
     map.goal.clear();
-    imported.remarks.push_back("no way leads from the maze's start to its goal, so the map has none");
+    imported.remarks.push_back("the maze's goal cannot be reached from its start, so the map has no goal");
   }
   return imported;
 }
@@ -120,11 +120,12 @@ Imported read_maze(std::string_view text, const std::string& file, double walls_
   const int width = static_cast<int>((std::min<std::size_t>(wide, 4 * kMostCells + 1) - 1 + 3) / 4);
   const int height = static_cast<int>((std::min<std::size_t>(lines.size(), 2 * kMostCells + 1) - 1) / 2);
   if (wide > 4 * kMostCells + 1 || lines.size() > 2 * kMostCells + 1)
-    throw InputError({file}, fmt::format("is larger than a maze of {0} x {0} cells", kMostCells));
+    throw InputError({file},
+                     fmt::format("the maze is too large: expected at most {0} x {0} cells", kMostCells));
   if (width < 2 || height < 2 || lines.size() % 2 == 0)
     throw InputError(
-        {file}, fmt::format("is no course that is known: no JSON, no numbers, and as a maze it would have "
-                            "2 H + 1 lines of 4 W + 1 characters, not {} of {}",
+        {file}, fmt::format("unknown kind of course: expected JSON, numbers, or a maze of 2 H + 1 lines of "
+                            "4 W + 1 characters, got {} lines of {}",
                             lines.size(), wide));
   Maze maze;
   maze.resize(width, height);
@@ -138,7 +139,7 @@ Imported read_maze(std::string_view text, const std::string& file, double walls_
   if (first != 'o' && first != '+')
     throw InputError(
         {file, lines[0].number, 1},
-        fmt::format("is no course that is known: no JSON, no numbers, and a maze begins with o or +, not "
+        fmt::format("unknown kind of course: expected JSON, numbers, or a maze that begins with o or +, got "
                     "“{}”",
                     first >= ' ' && first <= '~' ? std::string(1, first) : "?"));
   for (int y = 0; y < height; ++y) {
@@ -171,16 +172,17 @@ Imported read_maze_numbers(std::string_view text, const std::string& file, doubl
     };
     if (n.size() != 6 || !in(0, kMostCells - 1) || !in(1, kMostCells - 1) || !in(2, 1) || !in(3, 1) ||
         !in(4, 1) || !in(5, 1))
-      throw InputError({file, line.number},
-                       fmt::format("a cell of a maze is “x y N E S W”: x and y from 0 to {}, walls 0 or 1",
-                                   kMostCells - 1));
+      throw InputError(
+          {file, line.number},
+          fmt::format("the maze's cell: expected x y N E S W, with x and y from 0 to {} and walls 0 or 1",
+                      kMostCells - 1));
     rows.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), n[2] > 0.0, n[3] > 0.0});
     width = std::max(width, rows.back().x + 1);
     height = std::max(height, rows.back().y + 1);
   }
   if (rows.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-    throw InputError({file}, fmt::format("has {} cells; a maze of {} x {} has {}", rows.size(), width, height,
-                                         width * height));
+    throw InputError({file}, fmt::format("a maze of {} x {} cells: expected {} cells, got {}", width, height,
+                                         width * height, rows.size()));
   maze.resize(width, height);
   for (const Row& row : rows) {
     maze.east[maze.index(row.x, row.y)] = row.east;

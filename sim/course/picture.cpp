@@ -17,14 +17,13 @@ Imported import_picture(std::string png, const std::string& file, const std::str
   map.height = static_cast<int>(std::ceil(high / map.cell_m - 1e-9));
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   if (cells > grid::kMaxBareCells)
-    throw InputError({file}, "as a floor it is larger than a map may be; are its pixels so large?");
+    throw InputError({file},
+                     "the picture is too large for the floor of a map; check --pixel, the side of a pixel");
   map.cells.assign(cells, grid::Cell::floor);
   map.light_line = map.image->darkness_in({0.0, 0.0}, {wide, high}) > 0.5;
   imported.remarks.push_back(
-      "where the picture's line goes is not read from it: add a [[path]] (docs/reference/maps.md) before you "
-      "run a "
-      "robot "
-      "there, as start, laps, cross-track error and “lost” are measured by it");
+      "the course of the line is not read from the picture: add a [[path]] (docs/reference/maps.md) before "
+      "you run a robot there, because start, laps, cross-track error and “lost” are measured along it");
   return imported;
 }
 

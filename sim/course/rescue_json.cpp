@@ -51,19 +51,21 @@ class RescueReader {
     columns_ = size("width");
     rows_ = size("length");
     const Json& tiles = json["tiles"];
-    if (!tiles.is_array() && !tiles.is_object()) refuse("“tiles” is neither a list nor an object");
+    if (!tiles.is_array() && !tiles.is_object()) refuse("tiles: expected a list or an object");
     for (const auto& item : tiles) add(item);
-    if (tiles_.empty()) refuse("has no tiles");
+    if (tiles_.empty()) refuse("tiles: expected at least one tile");
   }
 
   Imported read() {
     const std::optional<Key> start = key("startTile"), second = key("startTile2");
-    if (!start || !tiles_.contains(*start)) refuse("“startTile” is not among the tiles");
+    if (!start || !tiles_.contains(*start)) refuse("startTile: expected one of the tiles");
     Tile& first = tiles_.at(*start);
     char entry = 0;
     for (const char side : entries_of(first))
       if (tiles_.contains(next(first, side))) entry = side;
-    if (!entry) refuse(fmt::format("no tile is joined to the start tile, {},{}", start->x, start->y));
+    if (!entry)
+      refuse(fmt::format("startTile: expected a tile that is joined to another one, got {},{}", start->x,
+                         start->y));
     follow(first, entry);
     if (second && tiles_.contains(*second) && has_evacuation()) after_evacuation(tiles_.at(*second));
     const std::size_t routes = lines_.size();
@@ -76,10 +78,10 @@ class RescueReader {
 
   int size(const char* name) const {
     if (!json_.contains(name) || !json_[name].is_number_integer())
-      refuse(fmt::format("“{}” is no whole number of tiles", name));
+      refuse(fmt::format("{}: expected a whole number of tiles", name));
     const auto value = json_[name].get<std::int64_t>();
     if (value < 1 || value > kMostTiles)
-      refuse(fmt::format("“{}” is {}; allowed are 1 to {}", name, value, kMostTiles));
+      refuse(fmt::format("{}: expected 1 to {} tiles, got {}", name, kMostTiles, value));
     return static_cast<int>(value);
   }
 
@@ -92,7 +94,7 @@ class RescueReader {
     const auto number = [&](const char* name) {
       if (!json.is_object() || !json.contains(name) || !json[name].is_number_integer() ||
           std::abs(json[name].get<std::int64_t>()) > kMostTiles)
-        refuse(fmt::format("{} has not whole numbers x, y and z", what));
+        refuse(fmt::format("{}: expected whole numbers x, y and z", what));
       return json[name].get<int>();
     };
     return {number("x"), number("y"), number("z")};
@@ -102,7 +104,7 @@ class RescueReader {
     if (!json.contains(name) || json[name].is_null()) return 0;
     for (const auto& [word, side] : {std::pair{"left", 'L'}, {"top", 'T'}, {"right", 'R'}, {"bottom", 'B'}})
       if (json[name] == word) return side;
-    refuse(fmt::format("tile {},{}: “{}” is no side: left, top, right or bottom", at.x, at.y, name));
+    refuse(fmt::format("tile {},{}: {}: expected left, top, right or bottom", at.x, at.y, name));
   }
 
   void add(const Json& item) {
@@ -111,17 +113,17 @@ class RescueReader {
     const Key& at = tile.at;
     const std::string where = fmt::format("tile {},{}", at.x, at.y);
     if (at.x < 0 || at.y < 0 || at.x >= columns_ || at.y >= rows_)
-      refuse(fmt::format("{} is outside the field of {} x {} tiles", where, columns_, rows_));
+      refuse(fmt::format("{}: expected a tile inside the field of {} x {} tiles", where, columns_, rows_));
     const int rot = item.contains("rot") && item["rot"].is_number_integer() ? item["rot"].get<int>() : 0;
     if (rot != 0 && rot != 90 && rot != 180 && rot != 270)
-      refuse(fmt::format("{}: “rot” is {}; allowed are 0, 90, 180 and 270", where, rot));
+      refuse(fmt::format("{}: rot: expected 0, 90, 180 or 270, got {}", where, rot));
     tile.quarters = rot / 90;
     const Json none;
     const Json& type = item.contains("tileType") ? item["tileType"] : none;
     if (type.is_string()) tile.id = type.get<std::string>();
     if (type.is_object() && type.contains("_id") && type["_id"].is_string())
       tile.id = type["_id"].get<std::string>();
-    if (tile.id.empty()) refuse(where + " has no “tileType”");
+    if (tile.id.empty()) refuse(where + ": tileType is missing");
     draw(tile, type, where);
     tile.up = side_named(item, "levelUp", at);
     tile.down = side_named(item, "levelDown", at);
@@ -137,7 +139,7 @@ class RescueReader {
       tile.bumps = count("speedbumps");
       tile.ramp = items.contains("rampPoints") && items["rampPoints"] == true;
     }
-    if (!tiles_.emplace(at, std::move(tile)).second) refuse(where + " is there twice");
+    if (!tiles_.emplace(at, std::move(tile)).second) refuse(where + " is given twice");
   }
 
   // Adds the drawings of a tile.
@@ -155,8 +157,8 @@ class RescueReader {
     }
     // The paths in the file: from side to side.
     if (!type.is_object() || !type.contains("paths") || !type["paths"].is_object() || type["paths"].empty())
-      refuse(fmt::format("{}: the type “{}” is not known, and the file does not say its paths", where,
-                         tile.id.substr(0, 40)));
+      refuse(fmt::format("{}: unknown type of tile: expected a known tileType or one with paths, got “{}”",
+                         where, tile.id.substr(0, 40)));
     for (const auto& [from, to] : type["paths"].items()) {
       const char a = side_named({{from, from}}, from.c_str(), tile.at);
       const char b = side_named(type["paths"], from.c_str(), tile.at);
@@ -271,7 +273,7 @@ class RescueReader {
       return follow(tile, side);
     }
     remarks_.push_back(
-        "no tile of the evacuation zone is beside “startTile2”, so the way behind the zone is missing");
+        "no tile of the evacuation zone is next to startTile2, so the path after the zone is missing");
   }
 
   // Adds a strip across the path, on this side of a tile's edge.
@@ -307,7 +309,7 @@ class RescueReader {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";
     if (middles.size() != checkpoints_.size() || middles.size() < 2)
-      return remarks_.push_back("the way cannot be followed tile by tile, so the goal is none");
+      return remarks_.push_back("the path cannot be followed tile by tile, so the goal is none");
     map.goal = "rescue-line";
     grid::RescueCourse& rescue = map.course.rescue.emplace();
     rescue.tile = kTile;
@@ -347,18 +349,18 @@ class RescueReader {
     };
     imported.remarks = remarks_;
     say(obstacles, "tile",
-        "with obstacles: each has a wall of 100 mm in its middle, as the file does not say where");
-    say(bumps, "speed bump", "left out: floors are flat");
-    say(ramps, "tile", "of ramps: floors are flat, so they are level lines");
-    say(seesaws, "seesaw", "left out: floors are flat");
-    say(levels, "tile", "of another level: all levels lie in one plane");
+        "with obstacles: each gets a wall of 100 mm in its middle, because the file gives no position");
+    say(bumps, "speed bump", "skipped: floors are flat");
+    say(ramps, "tile", "with ramps: floors are flat, so their lines are level");
+    say(seesaws, "seesaw", "skipped: floors are flat");
+    say(levels, "tile", "on another level: all levels lie in one plane");
     say(evacuation, "tile",
-        "of the evacuation zone: its floor is there, its walls and victims are not; the goal ends before it");
-    say(simplified_, "tile",
-        "with roundabouts, or of a type that is not known: only the way through is drawn");
+        "of the evacuation zone: only its floor is imported, without walls and victims; the goal ends before "
+        "it");
+    say(simplified_, "tile", "with roundabouts or of an unknown type: only the path through it is drawn");
     if (json_.contains("indexCount") && json_["indexCount"].is_number_integer() &&
         json_["indexCount"].get<std::int64_t>() != static_cast<std::int64_t>(tiles_on_route_))
-      imported.remarks.push_back(fmt::format("the way leads over {}, and the file says {}",
+      imported.remarks.push_back(fmt::format("the path leads over {}, but the file states {}",
                                              counted(tiles_on_route_, "tile"), json_["indexCount"].dump()));
     return imported;
   }

@@ -41,11 +41,11 @@ class Reader {
   Reader(const Json& json, const std::string& file) : json_(json), file_(file) {
     if (!json.is_object() || !json.contains("circles") || !json["circles"].is_array())
       refuse(
-          "is no course of robotrace_course_cad or rcj-rescue-cms: it has neither a list “circles” nor "
-          "“tiles”");
+          "unknown kind of course: expected JSON of robotrace_course_cad (a list “circles”) or of "
+          "rcj-rescue-cms (“tiles”)");
     const Json& circles = json["circles"];
     if (circles.size() < 2 || circles.size() > kMostCircles)
-      refuse(fmt::format("the number of circles is {}; a course has 2 to {}", circles.size(), kMostCircles));
+      refuse(fmt::format("circles: expected 2 to {} circles, got {}", kMostCircles, circles.size()));
     for (std::size_t i = 0; i < circles.size(); ++i) circles_.push_back(circle(circles[i], i + 1));
   }
 
@@ -93,18 +93,18 @@ class Reader {
     const auto found = of->find(key);
     if (found == of->end()) return otherwise;
     if (!found->is_number() || !(std::fabs(found->get<double>()) <= kMostCoordinate))
-      refuse(fmt::format("“{}” is no number of centimetres up to {:.0f}", key, kMostCoordinate));
+      refuse(fmt::format("{}: expected a number of centimetres up to {:.0f}", key, kMostCoordinate));
     return found->get<double>();
   }
 
   Circle circle(const Json& json, std::size_t n) const {
     if (!json.is_object() || !json.contains("x") || !json.contains("y") || !json.contains("r"))
-      refuse(fmt::format("circle {} has not x, y and r", n));
+      refuse(fmt::format("circle {}: expected x, y and r", n));
     const double radius = number(json, "r", nullptr, 0.0) * kCm;
-    if (!(radius > 0.0)) refuse(fmt::format("circle {}: r is not above 0", n));
+    if (!(radius > 0.0)) refuse(fmt::format("circle {}: r: expected a radius above 0", n));
     const bool clockwise = json.contains("turn") && json["turn"] == "cw";
     if (json.contains("turn") && !clockwise && json["turn"] != "ccw")
-      refuse(fmt::format("circle {}: turn is neither “cw” nor “ccw”", n));
+      refuse(fmt::format("circle {}: turn: expected “cw” or “ccw”", n));
     return {{number(json, "x", nullptr, 0.0) * kCm, number(json, "y", nullptr, 0.0) * kCm},
             radius,
             clockwise ? -1.0 : 1.0};
@@ -124,7 +124,7 @@ class Reader {
     const double square = dot(d, d);
     if (square <= 0.0 || delta * delta > square + kTouching * kTouching)
       refuse(fmt::format(
-          "circles {} and {} have no tangent in the senses of their turns: one is within the other, or "
+          "circles {} and {} have no tangent in the directions of their turns: one lies inside the other, or "
           "they overlap",
           i + 1, j + 1));
     const double length = std::sqrt(std::max(square - delta * delta, 0.0));
@@ -135,7 +135,7 @@ class Reader {
 
   Imported finish(const grid::Path& path, const std::vector<double>& corners, double start_to_goal) const {
     const double line = number(json_, "line_width_cm", nullptr, kRobotraceLine / kCm) * kCm;
-    if (!(line >= 0.001 && line <= 0.1)) refuse("“line_width_cm” is not between 0.1 and 10");
+    if (!(line >= 0.001 && line <= 0.1)) refuse("line_width_cm: expected a number from 0.1 to 10");
     grid::Map map = map_around({path}, line, kBoardMargin);
     map.light_line = true;
     map.goal = "laps:1";
@@ -151,8 +151,7 @@ class Reader {
     if (start_to_goal == 0.0)
       return {std::move(map),
               {"start and goal do not fit on the straight between the last circle and the first, so they "
-               "have no marks; "
-               "a robot starts in its middle"}};
+               "have no marks; a robot starts in the middle of this straight"}};
     const double goal = path.length() - start_to_goal;
     mark(0.0, -kMarkAway);
     mark(goal, -kMarkAway);
@@ -177,7 +176,7 @@ Imported read_robotrace(const nlohmann::json& json, const std::string& file) {
 nlohmann::json json_of(std::string_view text, const std::string& file) {
   if (!is_within_json_limits(text))
     throw InputError({file},
-                     fmt::format("is too deep or too long: expected at most {} brackets in one another and "
+                     fmt::format("the JSON is too deep or too long: expected at most {} nested brackets and "
                                  "{} values",
                                  kDeepestJson, kMostJsonValues));
   try {
@@ -185,7 +184,7 @@ nlohmann::json json_of(std::string_view text, const std::string& file) {
   } catch (const Json::parse_error& error) {
     const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
     throw InputError({file, 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'))},
-                     "begins as JSON, but is none from here on");
+                     "not valid JSON from here on");
   }
 }
 

@@ -25,7 +25,7 @@ void close(grid::Path& path) {
 }
 
 Imported finish(const grid::Path& path, const std::string& file) {
-  if (path.length() < 0.1) throw InputError({file}, "the course is shorter than 100 mm");
+  if (path.length() < 0.1) throw InputError({file}, "the course is too short: expected at least 100 mm");
   grid::Map map = map_around({path}, kRobotraceLine, kBoardMargin);
   map.light_line = true;
   return {std::move(map), {}};
@@ -53,8 +53,8 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
 
 void check_length(const grid::Path& path, const std::string& file, int line) {
   if (path.length() > grid::Path::kMost)
-    throw InputError({file, line},
-                     fmt::format("the course is longer than {:.0f} km", grid::Path::kMost / 1e3));
+    throw InputError({file, line}, fmt::format("the course is too long: expected at most {:.0f} km",
+                                               grid::Path::kMost / 1e3));
 }
 
 }  // namespace
@@ -66,10 +66,13 @@ Imported read_curvature(std::string_view text, const std::string& file) {
     const std::vector<double> numbers = numbers_in(line, file);
     if (numbers.size() != 2 || !(numbers[0] >= 0.0))
       throw InputError({file, line.number},
-                       "a segment is its length in m and its curvature in 1/m, as in 0.5, -2.0");
+                       "the segment: expected its length in m and its curvature in 1/m, as in 0.5, -2.0");
     const double turn = numbers[0] * numbers[1];
-    if (std::fabs(turn) > 100.0)
-      throw InputError({file, line.number}, fmt::format("this segment turns by {:.0f} rad", turn));
+    constexpr double kMostTurn = 100.0;  // rad
+    if (std::fabs(turn) > kMostTurn)
+      throw InputError({file, line.number}, fmt::format("the segment turns too far: expected at most {:.0f} "
+                                                        "rad, got {:.0f} rad",
+                                                        kMostTurn, turn));
     if (numbers[0] > kSamePoint && turn == 0.0) path.add_straight(numbers[0]);
     if (numbers[0] > kSamePoint && turn != 0.0) path.add_arc(1.0 / std::fabs(numbers[1]), turn);
     check_length(path, file, line.number);
@@ -83,11 +86,13 @@ Imported read_points(std::string_view text, const std::string& file) {
   for (const NumberedLine& line : lines_of(text)) {
     if (line.text.starts_with('#')) continue;
     const std::vector<double> numbers = numbers_in(line, file);
-    if (numbers.size() != 2) throw InputError({file, line.number}, "a point is two numbers, x and y in m");
+    if (numbers.size() != 2)
+      throw InputError({file, line.number}, "the point: expected two numbers, x and y in m");
     const Vec2 p{numbers[0], numbers[1]};
     if (points.empty() || length(p - points.back()) > kSamePoint) points.push_back(p);
   }
-  if (points.size() < 2) throw InputError({file}, "has one point only; a course has two at least");
+  if (points.size() < 2)
+    throw InputError({file}, "the course has too few points: expected at least 2, got 1");
   const std::vector<Vec2> kept = thinned(points);
   grid::Path path({kept[0], (kept[1] - kept[0]) * (1.0 / length(kept[1] - kept[0]))});
   for (std::size_t i = 1; i < kept.size(); ++i) {

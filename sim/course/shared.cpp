@@ -42,7 +42,8 @@ std::vector<double> numbers_in(const NumberedLine& line, const std::string& file
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || !(std::fabs(value) <= grid::Path::kMost))
       throw InputError({file, line.number},
-                       fmt::format("“{}” is no number up to {:.0f}", word.substr(0, 40), grid::Path::kMost));
+                       fmt::format("expected a number from -{0:.0f} to {0:.0f}, got “{1}”", grid::Path::kMost,
+                                   word.substr(0, 40)));
     numbers.push_back(value);
     rest.remove_prefix(word.size());
   }
@@ -69,9 +70,10 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
   map.height = static_cast<int>(std::ceil((most.y + shift.y + margin) / map.cell_m));
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   if (cells > grid::kMaxBareCells)
-    throw InputError(fmt::format(
-        "the course is {:.0f} x {:.0f} m large; at most {:.0f} square metres are allowed", most.x - least.x,
-        most.y - least.y, static_cast<double>(grid::kMaxBareCells) * map.cell_m * map.cell_m));
+    throw InputError(
+        fmt::format("the course is too large: expected at most {:.0f} square metres, got {:.0f} x {:.0f} m",
+                    static_cast<double>(grid::kMaxBareCells) * map.cell_m * map.cell_m, most.x - least.x,
+                    most.y - least.y));
   for (const grid::Path& path : paths) {
     const Pose begin = path.begin();
     const Vec2 from = begin.position + shift;

@@ -33,7 +33,7 @@ bool ElfFile::is_one(std::string_view content) {
 
 ElfFile::ElfFile(std::string content, std::string file)
     : content_(std::move(content)), file_(std::move(file)) {
-  if (!is_one(content_)) throw InputError({file_}, "is no ELF file");
+  if (!is_one(content_)) throw InputError({file_}, "not an ELF file");
   ::elf_version(EV_CURRENT);
   elf_.reset(::elf_memory(content_.data(), content_.size()));
   GElf_Ehdr header;
@@ -54,7 +54,9 @@ ElfFile::ElfFile(std::string content, std::string file)
 
 void ElfFile::End::operator()(Elf* elf) const { ::elf_end(elf); }
 
-void ElfFile::damaged() const { throw InputError({file_}, "is damaged: it ends before what it announces"); }
+void ElfFile::damaged() const {
+  throw InputError({file_}, "the ELF file is damaged: it ends before its announced end");
+}
 
 std::vector<ElfSegment> ElfFile::segments() const {
   std::vector<ElfSegment> found;

@@ -16,11 +16,13 @@ std::string target_of_elf(std::string_view content, const std::string& file) {
                         header.e_ident[EI_VERSION] == EV_CURRENT;
   if (is_known && header.e_machine == EM_AVR) return "avr";
   if (is_known && header.e_machine == EM_ARM) return "stm32";
-  throw InputError({file}, "is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
+  throw InputError({file},
+                   "expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
 }
 
 InputError wrong_target(const std::string& file, std::string_view is, std::string_view wanted) {
-  return InputError({file}, fmt::format("is for the target {}, and the target {} is asked for", is, wanted));
+  return InputError(
+      {file}, fmt::format("expected an image for the target {}, got one for the target {}", wanted, is));
 }
 
 }  // namespace robosim

@@ -18,13 +18,13 @@ constexpr std::size_t kMostPlaces = 8;
 std::string mend_for(const std::string& call) {
   const auto is = [&](const char* name) { return call.starts_with(name); };
   if (is("delay"))
-    return "Let loop() come round, and ask millis() whether the time has passed, in the place of delay().";
+    return "Return from loop() and check with millis() whether the time has passed, instead of calling "
+           "delay().";
   if (is("pulseIn"))
-    return "Give pulseIn() a timeout, its third argument, of as little as the distance that matters takes.";
-  if (is("write") || is("print") || is("flush") || is("Serial"))
-    return "Print less, less often, or with a faster Serial.begin(): what does not fit into its buffer of 64 "
-           "bytes is waited for.";
-  return "Read the sensors in there, too, or let loop() come round in between.";
+    return "Give pulseIn() a timeout, its third argument, no longer than the echo of the greatest distance "
+           "of interest.";
+  if (is("write") || is("print") || is("flush") || is("Serial")) return kPrintLess;
+  return "Read the sensors in there as well, or return from loop() in between.";
 }
 
 }  // namespace
@@ -72,9 +72,8 @@ exec::Detected Blind::told(const Steering& now) const {
   told.where = stretch_.busy.where;
   told.first_s = 1e-9 * static_cast<double>(stretch_.began);
   told.what = fmt::format(
-      "the robot drove {:.0f} mm ({:.2f} s) without a look at a line sensor, and the line went out from "
-      "under "
-      "them{}",
+      "the robot drove {:.0f} mm ({:.2f} s) without reading a line sensor, and the line went out from under "
+      "the sensors{}",
       1e3 * (now.distance_m - stretch_.from_m), seconds, call.empty() ? "" : ": the sketch was in " + call);
   told.mend = mend_for(call);
   return told;

@@ -11,12 +11,12 @@ Decisive decisive_moment(const Evidence& e) {
   switch (e.verdict) {
     case Verdict::lost:
       return seen ? leaves_line
-                  : Decisive{e.t, "the robot drove, and no sensor has seen a line", true, false};
+                  : Decisive{e.t, "the robot drove, but no sensor had seen a line", true, false};
     case Verdict::stuck:
       if (left_line(e.judge->stuck_since())) return leaves_line;
       return {e.judge->stuck_since(),
               e.in_contact ? "from here on it pushed against " + e.stopped_by
-                           : "its motors were driven from here on, and it did not move",
+                           : "its motors were driven from here on, but it did not move",
               true, false};
     case Verdict::toppled:
       return {e.t, "the robot toppled", true, false};
@@ -24,7 +24,7 @@ Decisive decisive_moment(const Evidence& e) {
       return {e.t, "the sketch crashed", false, true};
     case Verdict::hung:
     case Verdict::ended:
-      return {e.t, "the sketch goes round here, and calls nothing any more", false, true};
+      return {e.t, "the sketch loops here and calls no functions any more", false, true};
     case Verdict::timeout:
       if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
         return {e.power.since, "the board lost its power", true, false};
@@ -32,8 +32,7 @@ Decisive decisive_moment(const Evidence& e) {
       if (left_line(e.t)) return leaves_line;
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
       if (e.t - e.judge->last_driven() >= kPause)
-        return {e.judge->last_driven(), "its motors stopped, and were off from here on", true, true,
-                e.judge->last_driven()};
+        return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};
       return {e.judge->in_one_place_since(), "the robot drove in one place from here on", true, false};
     case Verdict::reached:
     case Verdict::over_budget:

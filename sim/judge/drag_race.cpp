@@ -29,7 +29,7 @@ bool has_reached(const world::Body& body, Vec2 middle, Vec2 direction) {
 DragRace::DragRace(const grid::Map& map) {
   if (!map.course.race || map.course.race->braking == 0.0)
     throw InputError({map.file},
-                     "the goal drag-race needs a map with a path and, in [race], start, goal and braking");
+                     "the goal drag-race requires a map with a path and, in [race], start, goal and braking");
   const grid::RaceLines& lines = *map.course.race;
   const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
   const Pose finish = path.at(lines.goal, false);
@@ -66,14 +66,14 @@ void DragRace::look(const Glance& now, Events& events) {
 double DragRace::score_s() const { return time_s() + kPenalty * (overran_ + touches_ + hands_); }
 
 std::string DragRace::summary() const {
-  if (jumped_) return "the robot left before the starting signal, and is out";
+  if (jumped_) return "the robot left before the starting signal and is disqualified";
   if (passed_ == kNever) return "the finish line was not passed";
   const std::string passed = fmt::format("the finish line was passed after {:.2f} s", time_s());
-  if (!rested_) return passed + ", but the robot did not stop behind it";
+  if (!rested_) return passed + ", but the robot did not stop after it";
   const int penalties = overran_ + touches_ + hands_;
   if (penalties == 0) return passed + ", and the robot stopped within the braking distance";
   return fmt::format("{}, {} × 5 s were added{}: {:.2f} s count", passed, penalties,
-                     overran_ ? ", for the braking distance was overrun" : "", score_s());
+                     overran_ ? ", because the braking distance was overrun" : "", score_s());
 }
 
 void DragRace::score(wire::Metrics& metrics) const {

@@ -46,13 +46,13 @@ std::vector<exec::Detected> EepromWear::found() const {
   const Cell& cell = found_->cell;
   const double span_s = 1e-9 * static_cast<double>(cell.last - cell.began);
   std::string what = fmt::format(
-      "byte {} of the EEPROM stands 100,000 writes, which is {} of driving at this rate: it was written {} "
+      "byte {} of the EEPROM withstands 100,000 writes, or {} of driving at this rate: it was written {} "
       "times in {:.1f} s{}",
       found_->address, time_text(cell.lasts_s()), cell.writes, span_s,
-      cell.needless > 0 ? fmt::format(", {} of them with what it held,", cell.needless) : "");
+      cell.needless > 0 ? fmt::format(", {} of them with the value that it held,", cell.needless) : "");
   const bool by_update = 2 * cell.needless >= cell.writes;
-  const char* mend = by_update ? "Write by EEPROM.update(), which writes only what differs."
-                               : "Save when it is needed, not in each pass of loop().";
+  const char* mend = by_update ? "Write with EEPROM.update(), which writes only changed bytes."
+                               : "Save only when needed, not in each pass of loop().";
   return {
       {kName, std::move(what), mend, found_->where, 1e-9 * static_cast<double>(found_->first), cell.writes}};
 }

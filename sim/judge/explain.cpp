@@ -290,6 +290,14 @@ bool has_left_line(const Evidence& e) {
           !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
 }
 
+constexpr const char* kTryHost =
+    "run it on the host as well: if it keeps the line there, look for an int that exceeds 32767, as in 1000 "
+    "* "
+    "analogRead(A1); on the chip int has 16 bits, and the compiler does not warn about it";
+constexpr const char* kTryWirings =
+    "the order of the sensors, their values over black, or a motor's side or direction may differ from the "
+    "robot file: robosim wire tries the alternatives";
+
 // Returns N of the delay(N) that the sketch is in, if it is long; else 0.
 int long_delay(const Evidence& e) {
   constexpr int kLong_ms = 50;
@@ -316,47 +324,31 @@ bool steered_away(const Evidence& e) {
 NextStep next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
   if (e.power.empty() && (e.verdict == Verdict::stuck || e.verdict == Verdict::timeout))
-    return {"capacity_mAh and charge, in [battery] of the robot file, say how long its battery lasts"};
+    return {"capacity_mAh and charge, in [battery] of the robot file, determine how long its battery lasts"};
   if (e.crash && !e.crash->check.empty()) return {advice(e)};
   if (!e.divisions_by_zero.empty())
-    return {fmt::format("look first at the division by zero{}: what it gives means nothing",
+    return {fmt::format("look first at the division by zero{}: its result is meaningless",
                         place_of(e.divisions_by_zero.front().where))};
   if (e.moved)
     if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
   if (reads_no_more(e))
     return {
-        fmt::format("the sketch has looked at no line sensor since {}: it must read them again and again, in "
-                    "loop()",
+        fmt::format("the sketch has read no line sensor since {}: it must read them repeatedly, in loop()",
                     seconds(e.sensors_read))};
   if (steered_away(e)) {
     const std::string how =
-        fmt::format("it steered away from the line: that was under its {} sensors, and it turned {}; ",
+        fmt::format("it steered away from the line: the line was under its {} sensors, but it turned {}; ",
                     e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left");
-    if (e.int_bits == 16)
-      return {
-          how +
-              "run it on the host too: if it keeps the line there, look where an int goes beyond 32767, as "
-              "in "
-              "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it. If "
-              "not, the order of the sensors, what they give over black, or a motor's side or direction may "
-              "be another one than in the robot file: robosim wire tries them out",
-          NextStep::By::host};
-    return {
-        how +
-        "is the order of the sensors, what they give over black, or a motor's side or direction another one "
-        "than in the robot file? robosim wire tries them out"};
+    if (e.int_bits == 16) return {how + kTryHost + ". If not, " + kTryWirings, NextStep::By::host};
+    return {how + kTryWirings};
   }
   if (e.moved && long_delay(e) > 0 && has_left_line(e))
     return {
-        fmt::format("the sketch is in delay({}){}: as long as that lasts it reads no sensor, and the robot "
-                    "drives on",
+        fmt::format("the sketch is in delay({}){}: during this time it reads no sensor, but the robot drives "
+                    "on",
                     long_delay(e), place_of(e.activity.where))};
   if (e.moved) {
-    if (e.verdict == Verdict::lost && e.int_bits == 16)
-      return {
-          "run it on the host too: if it keeps the line there, look where an int goes beyond 32767, as in "
-          "1000 * analogRead(A1); on the chip int has 16 bits, and the compiler warns of none of it",
-          NextStep::By::host};
+    if (e.verdict == Verdict::lost && e.int_bits == 16) return {kTryHost, NextStep::By::host};
     if (e.verdict == Verdict::lost)
       return {"watch it in slow motion, or record what the sensors saw", NextStep::By::watching};
     return {};
@@ -390,7 +382,7 @@ NextStep next_step(const Evidence& e) {
       fmt::format("; the sketch waits for {}, which is {}", pin_name(e, pin), e.pin_level ? "HIGH" : "LOW");
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.pin == pin && wired.type == "button")
-      return {text + fmt::format(": press it by a script with the line: at 1s press {} 200ms", wired.part),
+      return {text + fmt::format(": press it with this line in a script: at 1s press {} 200ms", wired.part),
               NextStep::By::script};
   }
   return {text};

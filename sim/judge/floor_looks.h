@@ -24,6 +24,11 @@ struct Steering {
 /// Returns the call in which firmware waits; empty if there is none, or it returns at once.
 std::string waiting_call(const exec::Activity& activity);
 
+/// The fix for a sketch that waits while it prints.
+inline constexpr const char* kPrintLess =
+    "Print less, less often, or with a faster Serial.begin(): printing waits until its buffer of 64 bytes "
+    "has room.";
+
 class FloorLooks {
  public:
   FloorLooks(const robot::Robot& robot, exec::Executor& executor);

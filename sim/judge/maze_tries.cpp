@@ -38,7 +38,7 @@ MazeTries::MazeTries(const grid::Map& map, Vec2 start, int tries) : start_(start
   const auto station = std::find_if(map.stations.begin(), map.stations.end(),
                                     [](const grid::NamedStation& s) { return s.name == "goal"; });
   if (!map.goal_cell && station == map.stations.end())
-    throw InputError({map.file}, "the goal line-maze needs the maze's end: a G, or a station named goal");
+    throw InputError({map.file}, "the goal line-maze requires the maze's end: a G, or a station named goal");
   const Vec2 end = map.centre(map.goal_cell ? *map.goal_cell : station->cell);
   const auto disc =
       std::find_if(map.course.areas.begin(), map.course.areas.end(),
@@ -46,7 +46,7 @@ MazeTries::MazeTries(const grid::Map& map, Vec2 start, int tries) : start_(start
   if (disc == map.course.areas.end())
     throw InputError(
         {map.file},
-        fmt::format("the goal line-maze needs a disc where the maze ends: an [[area]] at {:.10g} mm, "
+        fmt::format("the goal line-maze requires a disc where the maze ends: an [[area]] at {:.10g} mm, "
                     "{:.10g} mm with a radius",
                     1e3 * end.x, 1e3 * end.y));
   disc_ = points_of(*disc);

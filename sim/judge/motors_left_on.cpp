@@ -47,12 +47,10 @@ void MotorsLeftOn::tell(double on_m) {
   exec::Detected& told = found_.emplace_back();
   told.detector = "motors_left_on";
   told.what = fmt::format(
-      "the line was gone, and the robot's wheels turned {:.0f} mm on at the powers they had, while the "
-      "sketch "
-      "asked no line sensor any more",
+      "the line was gone, and the robot's wheels turned another {:.0f} mm at unchanged power, while the "
+      "sketch no longer read any line sensor",
       1e3 * on_m);
-  told.mend =
-      "Where a sketch stops steering, let it stop its motors, too: they keep what they were given last.";
+  told.mend = "When the sketch stops steering, also stop the motors: they keep their last command.";
   told.first_s = 1e-9 * static_cast<double>(stretch_.began);
 }
 

@@ -41,6 +41,9 @@ struct NextStep {
   By by = By::none;
 };
 
+/// The text of a moment at which the motors stopped for good.
+inline constexpr const char* kMotorsStayOff = "its motors stopped here and stayed off";
+
 /// The moment at which the run went wrong, for `robosim why`.
 struct Decisive {
   SimTime t = 0;

@@ -31,13 +31,12 @@ void OverwrittenRecord::written(std::uint16_t address, std::uint8_t before, std:
 
 std::vector<exec::Detected> OverwrittenRecord::found() const {
   if (!found_ || found_->last - found_->began > kLongest) return {};
-  return {
-      {kName,
-       fmt::format("byte {} of the EEPROM was written {} times, one right after the other, each time with "
-                   "another value: all but the last are lost",
-                   found_->address, found_->writes),
-       "Count the address on with each byte.", found_->where, 1e-9 * static_cast<double>(found_->found),
-       found_->writes}};
+  return {{kName,
+           fmt::format("byte {} of the EEPROM was written {} times in immediate succession, each time with "
+                       "another value: all but the last are lost",
+                       found_->address, found_->writes),
+           "Increment the address with each byte.", found_->where, 1e-9 * static_cast<double>(found_->found),
+           found_->writes}};
 }
 
 }  // namespace robosim::judge

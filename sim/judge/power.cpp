@@ -12,15 +12,16 @@ std::string told(const Power& power) {
     if (power.empty()) return text + ": its battery is empty";
     if (power.charge)
       return fmt::format(
-          "{}: its battery, at {:.0f} % of its charge, gives {:.2f} V of the {:.2f} V that it needs", text,
+          "{}: its battery, at {:.0f} % of its charge, gives {:.2f} V of the required {:.2f} V", text,
           100.0 * *power.charge, power.volts, power.needed);
     return text;
   }
   if (power.empty()) return "its battery is empty";
   if (power.resets == 0) return "";
-  return fmt::format("the chip was reset {} for want of voltage, {} at {:.2f} s",
-                     power.resets == 1 ? "once" : fmt::format("{} times", power.resets),
-                     power.resets == 1 ? "and ran again" : "and last ran again", since);
+  return fmt::format(
+      "the chip was reset {}, {} at {:.2f} s",
+      power.resets == 1 ? "once by a brown-out" : fmt::format("{} times by brown-outs", power.resets),
+      power.resets == 1 ? "and ran again" : "and last ran again", since);
 }
 
 }  // namespace robosim::judge

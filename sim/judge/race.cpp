@@ -27,7 +27,7 @@ Race::Race(const grid::Map& map, Finish finish) : finish_(finish) {
   if (!map.course.race || map.course.race->braking > 0.0)
     throw InputError(
         {map.file},
-        fmt::format("the goal {} needs a map with a closed path and, in [race], its start and goal lines",
+        fmt::format("the goal {} requires a map with a closed path and, in [race], its start and goal lines",
                     finish == Finish::line ? "ukmars" : "robotrace"));
   const grid::RaceLines& lines = *map.course.race;
   const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];

@@ -33,9 +33,9 @@ class PathPoints {
     for (const grid::Path& path : map.course.paths) length += path.length();
     if (length > kMostOfAllPaths)
       throw InputError({map.file},
-                       fmt::format("the paths are {:.10g} m long in all; with the goal rescue-line at "
-                                   "most {:.10g} m are allowed",
-                                   length, kMostOfAllPaths));
+                       fmt::format("the paths are too long for the goal rescue-line: expected at most "
+                                   "{:.10g} m together, got {:.10g} m",
+                                   kMostOfAllPaths, length));
     for (std::size_t i = 0; i < map.course.paths.size(); ++i)
       for (double at = 0.0; at <= map.course.paths[i].length(); at += kAlong) {
         const Vec2 p = map.course.paths[i].at(at, false).position;
@@ -72,7 +72,7 @@ class PathPoints {
 
 RescueRun::RescueRun(const grid::Map& map, Vec2 start) : path_({}), start_(start) {
   if (!map.course.rescue)
-    throw InputError({map.file}, "the goal rescue-line needs a map with a path and a [rescue]");
+    throw InputError({map.file}, "the goal rescue-line requires a map with a path and a [rescue]");
   const grid::RescueCourse& rescue = *map.course.rescue;
   path_ = map.course.paths.front();
   tile_ = rescue.tile;
@@ -82,7 +82,7 @@ RescueRun::RescueRun(const grid::Map& map, Vec2 start) : path_({}), start_(start
   time_limit_ = (is_entry_ ? 6 : 8) * 60 * kSecond;
   make_steps();
   if (steps_.size() < 2)
-    throw InputError(path_.place, "the goal rescue-line needs a path over two tiles at least");
+    throw InputError(path_.place, "the goal rescue-line requires a path over at least two tiles");
   for (const double along : rescue.checkpoints) step_at(along)->checkpoint = true;
   steps_.front().checkpoint = steps_.back().checkpoint = false;
   mark(map);

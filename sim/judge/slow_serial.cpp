@@ -54,13 +54,10 @@ std::vector<exec::Detected> SlowSerial::found() const {
   told.detector = "slow_serial";
   told.what = fmt::format(
       "Serial's buffer was full, and {} waited for room: for up to {:.0f} ms ({:.0f} mm) the driving robot "
-      "did "
-      "not look at its line, and so for {:.0f} % of its time",
+      "did not read its line sensors, in total for {:.0f} % of its time",
       first_.call, 1e3 * longest_s_, 1e3 * furthest_m_,
       100.0 * static_cast<double>(waited_) / static_cast<double>(driven_));
-  told.mend =
-      "Print less, only now and then, or with a faster Serial.begin(): bytes that do not fit into its buffer "
-      "of 64 are waited for.";
+  told.mend = kPrintLess;
   told.where = first_.where;
   told.first_s = 1e-9 * static_cast<double>(first_at_);
   told.times = times_;

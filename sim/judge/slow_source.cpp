@@ -40,13 +40,13 @@ std::vector<exec::Detected> SlowSource::found() const {
     told.detector = "slow_source";
     const int number = here.worst.pin - board_->analog_pin_0;
     told.what = fmt::format(
-        "A{} was read up to {:.2f} V too {}: what is wired to it does not charge the converter's capacitor "
-        "in "
-        "time, on which is the voltage of the pin that was read before",
+        "A{} was read up to {:.2f} V too {}: the source wired to it does not charge the converter's "
+        "capacitor "
+        "in time, which still has the voltage of the previously read pin",
         number, std::abs(here.worst.volts), here.worst.volts > 0.0 ? "high" : "low");
     told.mend = fmt::format(
-        "Read A{} twice and drop the first reading, put 100 nF between it and ground, or a source of 10 kOhm "
-        "or less on it.",
+        "Read A{} twice and discard the first reading, put 100 nF between it and ground, or connect a source "
+        "of 10 kOhm or less.",
         number);
     told.where = here.where;
     told.first_s = 1e-9 * static_cast<double>(here.first);

@@ -32,7 +32,7 @@ FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& 
 const BoardSpec& board_of(const wire::RobotInfo& robot) {
   const BoardSpec* board = find_board(robot.board.name.c_str());
   if (!board)
-    throw wire::RunnerError("the runner named a board that this program lacks: " + robot.board.name);
+    throw wire::RunnerError("the runner named a board that this program does not have: " + robot.board.name);
   return *board;
 }
 
@@ -64,9 +64,9 @@ Carrier fit_to_target(const Choice& own, const std::string& target, const Descri
   carrier.announcement =
       alone.find('.') == alone.npos
           ? fmt::format(
-                "on {} the robot is {}: its {} has no such chip, and a {} takes its place, on the same pins",
+                "on {} the robot is {}: its {} has no such chip, so a {} replaces it on the same pins",
                 target, carrier.robot.name, fitted.own_board, board)
-          : fmt::format("on {} a {} takes the place of the {} in {}, on the same pins: that has no such chip",
+          : fmt::format("on {} a {} replaces the {} in {} on the same pins, because that has no such chip",
                         target, board, fitted.own_board, alone);
   return carrier;
 }

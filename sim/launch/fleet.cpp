@@ -67,7 +67,9 @@ class MemberReader {
     const ConfigValue* value = reader_.find(key);
     if (!value) return "";
     const std::string& word = as_string(*value, key);
-    if (word.empty()) throw InputError(value->place, fmt::format("{} is empty; leave the key out", key));
+    if (word.empty())
+      throw InputError(value->place,
+                       fmt::format("{}: expected a word, got an empty string; omit the key", key));
     return word;
   }
   /// Returns a path relative to the file's folder.
@@ -96,7 +98,7 @@ class MemberReader {
     if (!ns || *ns <= 0)
       throw InputError(
           reader_.table().find("clock")->place,
-          fmt::format("clock is “{}”; it must be a time above 0 with its unit, as in \"49.7d\"", word));
+          fmt::format("clock: expected a time above 0 with a unit, as in \"49.7d\", got \"{}\"", word));
     return *ns;
   }
   template <class Check>
@@ -133,8 +135,8 @@ void check_member_name(const std::string& name, const Place& place) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (!name.empty() && name.size() <= kLongestName && std::all_of(name.begin(), name.end(), fits)) return;
   throw InputError(
-      place, fmt::format("“{}” cannot be a robot's name; that is letters, digits, _ and -, {} at most", name,
-                         kLongestName));
+      place, fmt::format("invalid name of a robot: expected up to {1} letters, digits, _ and -, got “{0}”",
+                         name, kLongestName));
 }
 
 Fleet read_fleet(const fs::path& file) {
@@ -152,16 +154,18 @@ Fleet parse_fleet(std::string_view text, const fs::path& file) {
   const ConfigValue* tables = reader.find("agent");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
-    throw InputError({file.string(), 0, 0}, "holds no robot; each begins with a line [[agent]]");
+    throw InputError({file.string(), 0, 0},
+                     "the fleet has no robots: expected a table [[agent]] for each robot");
   if (tables->items.size() > wire::kMostAgents)
     throw InputError(
         tables->items[wire::kMostAgents].place,
-        fmt::format("there are {} robots; a run may have {}", tables->items.size(), wire::kMostAgents));
+        fmt::format("too many robots: expected at most {}, got {}", wire::kMostAgents, tables->items.size()));
   for (const ConfigValue& table : tables->items) {
     Member member = MemberReader(table, file.parent_path()).member();
     if (const Member* other = fleet.find(member.name))
-      throw InputError(table.find("name")->place, fmt::format("there is a robot {} already, on line {}",
-                                                              member.name, other->place.line));
+      throw InputError(table.find("name")->place,
+                       fmt::format("name: {} is already the name of the robot on line {}", member.name,
+                                   other->place.line));
     fleet.members.push_back(std::move(member));
   }
   return fleet;

@@ -29,7 +29,7 @@ Chosen choose(const Launch& launch) {
 namespace {
 
 constexpr const char* kForTheChip =
-    "\nFor the target avr it compiles, and runs there: add --target avr, which emulates the chip.";
+    "\nThe sketch compiles for the target avr: add --target avr to run it on the emulated chip.";
 
 /// A sketch that does not compile on the host may need the chip, for example its assembler.
 bool compiles_for_avr(const build::Request& request) try {
@@ -114,8 +114,8 @@ Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& 
                ""};
   if (run.sketch.path.extension() == ".hex")
     run.remark =
-        "a .hex has no names: its loop() is not timed, its heap is not known, and where it crashes or waits "
-        "is said by address; its .elf tells more";
+        "a .hex has no names: loop() is not timed, the heap is unknown, and crashes and waits are reported "
+        "by address; run the .elf for more";
   run.request.image = run.image.image.string();
   run.request.map = run.map.path.string();
   run.request.robot = run.robot.path.string();

@@ -52,7 +52,7 @@ void check_path(const std::string& what, const std::string& path) {
   check_in_scope(path);
   std::error_code error;
   if (fs::exists(path, error)) return;
-  throw InputError({path, 0, 0}, "there is no such file (a " + what + " with / or . in its name is a path)");
+  throw InputError({path, 0, 0}, "no such file (a " + what + " with / or . in its name is a path)");
 }
 
 /// Returns nothing if it is not a file: a pipe would wait for a writer.
@@ -67,7 +67,8 @@ std::string beginning_of(const fs::path& path) try {
 
 /// Returns the end of the message for an unknown map or robot: names the user's file of that name, if any.
 std::string file_hint(const std::string& name, const std::string& ending) {
-  if (is_there(name + ending)) return fmt::format("; for the file in this folder write {}{}", name, ending);
+  if (is_there(name + ending))
+    return fmt::format("; to use the file in this folder, give {}{}", name, ending);
   return " (a name with / or . is a path)";
 }
 
@@ -146,7 +147,7 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
     if (!image.empty()) return choose_sketch(image.string(), {}, untrusted);
     if (!has_sketch(".") && !is_project(".")) {
       throw InputError(
-          "the current folder holds no sketch (a file that ends with .ino); name one, as in “robosim run "
+          "the current folder has no sketch (a file that ends in .ino); name one, as in “robosim run "
           "PidFollower” (there are " +
           all_of(build::stock_sketches()) + ") or “robosim run my/Sketch”");
     }
@@ -210,10 +211,10 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
   std::erase_if(beside, [&](const std::string& map) { return is_linkers(sketch_folder / (map + ".map")); });
   if (beside.size() == 1) {
     const std::string file = beside[0] + ".map";
-    return {file, sketch_folder / file, fmt::format("the map is {}, the only one beside the sketch", file)};
+    return {file, sketch_folder / file, fmt::format("the map is {}, the only one next to the sketch", file)};
   }
   const std::string why =
-      beside.empty() ? "" : fmt::format(" ({} maps are beside the sketch)", beside.size());
+      beside.empty() ? "" : fmt::format(" ({} maps are next to the sketch)", beside.size());
   return {"oval", stock_map_folder() / "oval.map", "the map is oval" + why + "; choose another with --map"};
 }
 
@@ -243,11 +244,11 @@ Choice choose_robot(const std::string& name, const SketchChoice& sketch, const s
   const bool is_ours = name.empty() && !is_path(choice.path.string());
   if (other && is_ours) {
     choice.board = other;
-    choice.board_said = fmt::format("the {} stands in", other->name);
+    choice.board_said = fmt::format("the {} replaces the board", other->name);
   }
   if (board)
-    choice.board_said =
-        fmt::format("{} says {}", sketch.project.file.filename().string(), sketch.project.board_name);
+    choice.board_said = fmt::format("{} names the board {}", sketch.project.file.filename().string(),
+                                    sketch.project.board_name);
   return choice;
 }
 
@@ -267,13 +268,13 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder, cons
   }
   std::error_code error;
   if (fs::exists(sketch_folder / "robot.toml", error)) {
-    return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml beside the sketch"};
+    return {"robot.toml", sketch_folder / "robot.toml", "the robot is robot.toml next to the sketch"};
   }
   const std::string robot = target == "stm32" ? "bluepill5" : stock_robot_for(board);
   return {
       robot, robot,
       "the robot is " + robot +
-          "; choose another with --robot, or put a robot.toml beside the sketch (robosim wire drafts one)"};
+          "; choose another with --robot, or put a robot.toml next to the sketch (robosim wire drafts one)"};
 }
 
 std::string choose_target(const std::string& name, const SketchChoice& sketch) {
@@ -291,15 +292,15 @@ void check_target(const std::string& target) {
   if (is_one_of(target, available)) return;
   check_exists(target);
   throw ToolMissing(
-      fmt::format("this build of Robosim cannot run the target {}; it has {}", target, all_of(available)));
+      fmt::format("this build of Robosim cannot run the target {}: expected {}", target, one_of(available)));
 }
 
 void check_build_target(const std::string& target) {
   const auto available = build::targets();
   if (is_one_of(target, available)) return;
   check_exists(target);
-  throw ToolMissing(fmt::format("this build of Robosim does not build for the target {}; it has {}", target,
-                                all_of(available)));
+  throw ToolMissing(fmt::format("this build of Robosim cannot compile for the target {}: expected {}", target,
+                                one_of(available)));
 }
 
 void name_flag(const std::string& flag, const std::function<void()>& check) try {

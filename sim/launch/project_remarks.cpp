@@ -10,7 +10,7 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
   const project::Project& project = sketch.project;
   std::vector<std::string> remarks = project.remarks;
   if (!is_path(sketch.name) && sketch.path == sketch.name && build::is_stock_sketch(sketch.name))
-    remarks.push_back(fmt::format("{} is the folder here, not Robosim's sketch of that name", sketch.name));
+    remarks.push_back(fmt::format("{} is the folder of that name here, not the sample sketch", sketch.name));
   if (project.wanted.empty()) return remarks;
   std::vector<std::filesystem::path> chosen(libraries.begin(), libraries.end());
   chosen.insert(chosen.end(), project.libraries.begin(), project.libraries.end());
@@ -19,13 +19,13 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
     const std::string name =
         wanted.version.empty() ? wanted.name : fmt::format("{} {}", wanted.name, wanted.version);
     const auto found = build::libraries_called(wanted.name, folders);
-    const std::string says = fmt::format("{} wants {}", project.file.filename().string(), name);
+    const std::string says = fmt::format("{} requires {}", project.file.filename().string(), name);
     if (found.empty())
-      remarks.push_back(
-          fmt::format("{}, and no folder of libraries has it: arduino-cli lib install \"{}{}{}\" fetches it",
-                      says, wanted.name, wanted.version.empty() ? "" : "@", wanted.version));
+      remarks.push_back(fmt::format(
+          "{}, which is in no folder of libraries; install it with arduino-cli lib install \"{}{}{}\"", says,
+          wanted.name, wanted.version.empty() ? "" : "@", wanted.version));
     else if (!wanted.version.empty() && found[0].version != wanted.version)
-      remarks.push_back(fmt::format("{}; its version {} is in {}, and is taken", says, found[0].version,
+      remarks.push_back(fmt::format("{}; version {} in {} is used instead", says, found[0].version,
                                     found[0].folder.string()));
   }
   return remarks;

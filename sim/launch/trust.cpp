@@ -24,10 +24,11 @@ struct Lack {
 std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const wire::Hello& host_runner) {
   std::vector<Lack> found;
   if (const std::string why = ProgramSandbox::missing(); chosen.sketch.elf_target.empty() && !why.empty())
-    found.push_back({"compilers", "a sketch can make them read any file that you may read", why});
+    found.push_back({"compilers", "a sketch can make them read any file that you can read", why});
   const bool matters = launch.untrusted || host_runner.sandbox == "missing";
   if (chosen.target == "host" && matters && !host_runner.no_sandbox_why.empty())
-    found.push_back({"runs on the host", "a sketch can do whatever you may do", host_runner.no_sandbox_why});
+    found.push_back(
+        {"runs on the host", "a sketch can do everything that you can do", host_runner.no_sandbox_why});
   std::vector<std::string> sentences;
   for (const Lack& lack : found) {
     if (launch.untrusted)
@@ -41,8 +42,8 @@ void check_folder(const SketchChoice& sketch) {
   if (!sketch.elf_target.empty() && !build::lies_in(sketch.path, sketch.folder))
     throw InputError(
         {sketch.path.string()},
-        fmt::format("what stands next to the image names {} as its sketch's folder, outside of its "
-                    "own; --untrusted follows no such folder",
+        fmt::format("the files next to the image name {} as the sketch's folder, outside of the image's "
+                    "folder; --untrusted does not follow it",
                     sketch.folder.string()));
   const project::Project& project = sketch.project;
   std::vector<fs::path> folders = project.libraries;
@@ -51,7 +52,7 @@ void check_folder(const SketchChoice& sketch) {
   for (const fs::path& folder : folders)
     if (!build::lies_in(folder, sketch.folder))
       throw InputError({project.file.string()},
-                       fmt::format("{} is outside of the sketch's folder; --untrusted follows no such folder",
+                       fmt::format("{} is outside of the sketch's folder; --untrusted does not follow it",
                                    folder.string()));
 }
 
@@ -67,8 +68,8 @@ void check_robot(const SketchChoice& sketch, const Choice& robot) {
     std::error_code none;
     if (!fs::exists(file, none)) return;
     if (!build::lies_in(file, sketch.folder))
-      throw InputError(base->place, fmt::format("base is \"{}\", outside of the sketch's folder; --untrusted "
-                                                "follows no such name",
+      throw InputError(base->place, fmt::format("base: \"{}\" is outside of the sketch's folder; --untrusted "
+                                                "does not follow it",
                                                 base->string));
   }
 }

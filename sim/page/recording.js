@@ -115,8 +115,8 @@ export async function readRecording(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length));
   if (begins !== MAGIC) {
     throw new BadFile(begins.startsWith('robosim.rec/')
-      ? 'This recording is of a newer version of Robosim than this page.'
-      : 'This is no recording of Robosim’s.');
+      ? 'This recording was made by a newer version of Robosim than this page.'
+      : 'This is not a recording of Robosim.');
   }
   const all = await inflated(bytes.subarray(MAGIC.length));
   const end = all.indexOf(10);
@@ -146,7 +146,7 @@ export function shared({ robosim, map, map_text, floor, notes }) { return { robo
 /** The recording inside another page of ours. */
 export function bytesOfPage(html) {
   const found = /<script id="recording"[^>]*>([^<]*)(<\/script>)?/.exec(html);
-  if (!found) throw new BadFile('This page holds no recording of Robosim’s.');
+  if (!found) throw new BadFile('This page has no recording of Robosim.');
   if (!found[2]) throw new BadFile('This page is cut off inside its recording: record the run again.');
   return bytesOfBase64(found[1]);
 }

@@ -275,23 +275,23 @@ export function runOfTable(text, title) {
   const find = (table, first) => names.findIndex((n) => n.toLowerCase() in table && n.toLowerCase().startsWith(first));
   const [time, x, y] = [find(TIME, ''), find(PLACE, 'x'), find(PLACE, 'y')];
   if (time < 0 || x < 0 || y < 0)
-    throw new BadFile(`${title}: a log needs columns for time, x and y (t_s, t_ms or t_us; x_mm or x_m; y_mm or y_m); its first line has ${names.slice(0, 8).join(', ') || 'none'}.`);
+    throw new BadFile(`${title}: the log’s columns: expected time, x and y (t_s, t_ms or t_us; x_mm or x_m; y_mm or y_m), got ${names.slice(0, 8).join(', ') || 'none'}.`);
   const columns = names.map(() => new Float64Array(rows.length - 1));
   for (let i = 1; i < rows.length; i++) {
     const row = cells(rows[i]);
     for (let k = 0; k < names.length; k++) columns[k][i - 1] = Number(separator === ',' ? row[k] : row[k]?.replace(',', '.'));
     if (![time, x, y].every((k) => Number.isFinite(columns[k][i - 1]) && row[k] !== ''))
-      throw new BadFile(`${title}, line ${i + 1}: time, x and y must be numbers, and are ${row[time]}, ${row[x]}, ${row[y]}.`);
+      throw new BadFile(`${title}, line ${i + 1}: time, x and y: expected numbers, got ${row[time]}, ${row[x]}, ${row[y]}.`);
     if (i > 1 && columns[time][i - 1] < columns[time][i - 2])
-      throw new BadFile(`${title}, line ${i + 1}: time goes back, from ${columns[time][i - 2]} to ${columns[time][i - 1]}.`);
+      throw new BadFile(`${title}, line ${i + 1}: time goes backwards, from ${columns[time][i - 2]} to ${columns[time][i - 1]}.`);
   }
-  if (rows.length < 3) throw new BadFile(`${title}: a log needs at least two rows.`);
+  if (rows.length < 3) throw new BadFile(`${title}: the log is too short: expected at least two rows.`);
   const scale = (k, table) => columns[k].map((value) => value * table[names[k].toLowerCase()]);
   const all = Object.fromEntries(names.map((name, k) => [name, columns[k]]));
   all.x_mm = scale(x, PLACE);
   all.y_mm = scale(y, PLACE);
   const run = new Run(title, seconds(columns[time], TIME[names[time].toLowerCase()]), all);
-  run.what = `a log of ${(run.duration - run.t[0]).toFixed(2)} s${[x, y].every((k) => names[k].includes('_')) ? '' : ', x and y taken for mm'}`;
+  run.what = `a log of ${(run.duration - run.t[0]).toFixed(2)} s${[x, y].every((k) => names[k].includes('_')) ? '' : ', x and y read as mm'}`;
   for (let k = 0; k < names.length; k++)
     if (k !== time && k !== x && k !== y && !run.signal(names[k])) run.addSignal(names[k], '');
   return run;

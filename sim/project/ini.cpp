@@ -47,18 +47,19 @@ IniFile::IniFile(const std::filesystem::path& path) {
     }
     open = nullptr;
     const auto refuse = [&](const std::string& what) {
-      throw InputError({path.string(), number}, what + "; allowed are [SECTION] and KEY = VALUE");
+      throw InputError({path.string(), number},
+                       what + ": expected [SECTION] or KEY = VALUE, got “" + text + "”");
     };
     if (text[0] == '[') {
-      if (text.back() != ']') refuse("“" + text + "” has no ] at its end");
+      if (text.back() != ']') refuse("a section without ] at its end");
       section = trimmed(text.substr(1, text.size() - 2));
       if (!has(section)) order_.push_back(section);
       values_[section];
       continue;
     }
     const std::size_t at = text.find_first_of("=:");
-    if (at == std::string::npos) refuse("“" + text + "” has no =");
-    if (section.empty()) refuse("“" + text + "” stands before the first section");
+    if (at == std::string::npos) refuse("a line without =");
+    if (section.empty()) refuse("a line before the first section");
     std::string key = trimmed(text.substr(0, at));
     std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
     open = &values_[section][key];

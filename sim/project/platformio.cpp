@@ -109,7 +109,7 @@ class Settings {
     if (!extends) return nullptr;
     if (depth == kDeepest)
       throw InputError({path_.string(), extends->line},
-                       "extends: the sections extend each other in a circle");
+                       "extends: sections that extend each other in a circle");
     for (const std::string& other : list_of(extends->text))
       if (const IniValue* value = find_in(other, key, depth + 1, without)) return value;
     without.insert(section);
@@ -130,7 +130,7 @@ class Settings {
     const IniValue* value = in.rfind(kEnvironment, 0) == 0 ? find(in.substr(4), key) : find_in(in, key);
     if (!value) return std::nullopt;
     if (depth == kDeepest)
-      throw InputError({path_.string(), line}, fmt::format("${{{}}} stands for itself", name));
+      throw InputError({path_.string(), line}, fmt::format("${{{}}} refers to itself", name));
     return filled(*value, in, depth + 1);
   }
 
@@ -145,7 +145,8 @@ class Settings {
       const std::string name = value.text.substr(begin + 2, end - begin - 2);
       text += value_of(name, section, value.line, depth).value_or("${" + name + "}");
       if (text.size() > kMostProjectFile_bytes)
-        throw InputError({path_.string(), value.line}, "its ${…} stand for more than 1 MB of text");
+        throw InputError({path_.string(), value.line},
+                         "the value is too large: expected at most 1 MB of text for its ${…}");
       at = end + 1;
     }
   }
@@ -174,15 +175,17 @@ std::string choose(Project& project, const Settings& settings, const std::string
   std::vector<std::string> usual = list_of(settings.common("default_envs", ""));
   for (const std::string& name : usual)
     if (!is_one(name))
-      throw InputError({project.file.string()}, fmt::format("default_envs: there is no [env:{}]", name));
+      throw InputError({project.file.string()}, fmt::format("default_envs: no such section [env:{}]", name));
   if (usual.empty()) usual = all;
   if (usual.empty())
-    throw InputError({project.file.string()}, "has no environment, a section such as [env:uno]");
+    throw InputError({project.file.string()},
+                     "the file has no environment: expected a section such as [env:uno]");
   for (const std::string& name : usual) {
     if (!board_of_platformio(settings.text(name, "board"))) continue;
     if (usual.size() > 1)
-      project.remarks.push_back(fmt::format(
-          "of {} environments in platformio.ini {} is taken; choose another with --env", usual.size(), name));
+      project.remarks.push_back(
+          fmt::format("{1}, one of {0} environments in platformio.ini, is used; choose another with --env",
+                      usual.size(), name));
     return name;
   }
   return usual[0];
@@ -219,7 +222,7 @@ void take_flags(Project& project, const std::string& text, const fs::path& folde
   if (left_out.empty()) return;
   std::string names = fmt::format("{}", fmt::join(left_out, " "));
   std::replace(names.begin(), names.end(), '\n', ' ');
-  project.remarks.push_back("of build_flags -D, -U and -I are taken, and not " + names);
+  project.remarks.push_back("only -D, -U and -I of build_flags are used; ignored: " + names);
 }
 
 bool is_folder(const fs::path& path) {
@@ -239,8 +242,8 @@ void take_libraries(Project& project, const Settings& settings, const fs::path& 
   const auto wanted = list_of(settings.text(project.environment, "lib_deps"));
   if (!wanted.empty() && !is_folder(fetched))
     project.remarks.push_back(fmt::format(
-        "lib_deps names {}, and {} is not there yet (“pio pkg install” fetches it); libraries are "
-        "looked for elsewhere",
+        "lib_deps names {}, but {} does not exist yet (“pio pkg install” fetches it); libraries are searched "
+        "for elsewhere",
         wanted.size() == 1 ? wanted[0] : fmt::format("{} libraries", wanted.size()),
         fetched.lexically_relative(folder).string()));
 }
@@ -251,10 +254,11 @@ void check_framework(const Project& project, const Settings& settings) {
       std::find(frameworks.begin(), frameworks.end(), "arduino") != frameworks.end())
     return;
   const IniValue* value = settings.find(project.environment, "framework");
-  throw InputError({project.file.string(), value->line},
-                   fmt::format("framework {}: Robosim compiles for the framework arduino; a finished "
-                               "firmware.elf of any runs on its chip",
-                               frameworks[0]));
+  throw InputError(
+      {project.file.string(), value->line},
+      fmt::format("framework: expected arduino, got {}; Robosim can run the finished firmware.elf "
+                  "of any framework on its chip",
+                  frameworks[0]));
 }
 
 }  // namespace
@@ -271,7 +275,7 @@ Project read_platformio(const fs::path& given, const std::string& wanted) {
   project.sources = (folder / settings.common("src_dir", "src")).lexically_normal();
   if (!is_folder(project.sources))
     throw InputError({project.sources.string()},
-                     "there is no such folder, and platformio.ini has its sources there");
+                     "no such folder; platformio.ini names it as the folder of the sources");
   project.includes = {(folder / settings.common("include_dir", "include")).lexically_normal()};
   take_flags(project,
              settings.text(project.environment, "build_flags") + "\n" +

@@ -53,7 +53,7 @@ fs::path full_path(const fs::path& path) { return fs::absolute(path).lexically_n
 
 void refuse_environment(const fs::path& file, const std::string& what, const std::string& name,
                         const std::vector<std::string>& all) {
-  throw InputError({file.string()}, "--env: " + (all.empty() ? fmt::format("there is no {} at all", what)
+  throw InputError({file.string()}, "--env: " + (all.empty() ? fmt::format("the file has no {}s", what)
                                                              : unknown_name(what, name, all)));
 }
 
@@ -63,7 +63,7 @@ Project read_project(const fs::path& folder, const std::string& environment) {
     if (is_file(folder / name)) return read_sketch_yaml(folder / name, environment);
   if (!environment.empty())
     throw InputError(fmt::format(
-        "--env: {} has neither a platformio.ini with environments nor a sketch.yaml with profiles",
+        "--env requires a platformio.ini with environments or a sketch.yaml with profiles; {} has neither",
         folder == "." ? "the current folder" : folder.string()));
   return {};
 }
@@ -114,20 +114,21 @@ void find_stand_in(Project& project, const std::string& chip) {
   if (project.board || project.board_name.empty()) return;
   project.stand_in = board_with_chip(chip, project.board_name);
   if (!project.stand_in) return;
-  project.remarks.push_back(
-      fmt::format("{} says {}, a board that Robosim does not have: the program is for an {} at {} MHz, "
-                  "which the {} has",
-                  project.file.filename().string(), project.board_name, project.stand_in->chip->name,
-                  project.stand_in->clock_hz / 1'000'000, project.stand_in->name));
+  project.remarks.push_back(fmt::format(
+      "{} names the board {}, which Robosim does not have: the program is for an {} at {} MHz, as "
+      "on the {}",
+      project.file.filename().string(), project.board_name, project.stand_in->chip->name,
+      project.stand_in->clock_hz / 1'000'000, project.stand_in->name));
 }
 
 void check_board(const Project& project) {
   if (project.board || project.stand_in || project.board_name.empty()) return;
   throw InputError(
       project.board_place,
-      fmt::format("Robosim has no board {}; it simulates Arduino boards with an AVR chip, and the Blue Pill: "
-                  "{}. --robot ROBOT@BOARD runs the sketch on another, as in --robot uno5@nano",
-                  project.board_name, project.platformio ? all_platformio_ids() : all_fqbns()));
+      fmt::format(
+          "unknown board {}: expected an Arduino board with an AVR chip or the Blue Pill ({}); to run "
+          "the sketch on another board, give --robot ROBOT@BOARD, as in --robot uno5@nano",
+          project.board_name, project.platformio ? all_platformio_ids() : all_fqbns()));
 }
 
 std::vector<fs::path> sketchbooks() {

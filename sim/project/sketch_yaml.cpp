@@ -73,8 +73,9 @@ Project read_sketch_yaml(const fs::path& path, const std::string& wanted) {
   if (project.environment.empty() && !default_fqbn.is_there() && !names.empty()) {
     project.environment = first_known.empty() ? names[0] : first_known;
     if (names.size() > 1)
-      project.remarks.push_back(fmt::format("of {} profiles in {} {} is taken; choose another with --env",
-                                            names.size(), path.filename().string(), project.environment));
+      project.remarks.push_back(
+          fmt::format("{2}, one of {0} profiles in {1}, is used; choose another with --env", names.size(),
+                      path.filename().string(), project.environment));
   }
   if (project.environment.empty()) {
     if (default_fqbn.is_there()) set_board(project, default_fqbn);
@@ -84,7 +85,7 @@ Project read_sketch_yaml(const fs::path& path, const std::string& wanted) {
   if (!profile.is_there()) {
     if (!wanted.empty()) refuse_environment(path, "profile", wanted, names);
     throw InputError({path.string(), root["default_profile"].line()},
-                     fmt::format("default_profile: there is no profile {}", project.environment));
+                     fmt::format("default_profile: no such profile {}", project.environment));
   }
   set_board(project, profile["fqbn"].is_there() ? profile["fqbn"] : default_fqbn);
   take_libraries(project, profile["libraries"]);

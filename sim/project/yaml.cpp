@@ -53,8 +53,8 @@ void check_depth(const std::string& content, const std::filesystem::path& path) 
     depth += depth_of(type);
     if (depth > kDeepestYaml)
       throw InputError({path.string(), line},
-                       fmt::format("is nested too deep: at most {} lists and mappings are "
-                                   "read in one another",
+                       fmt::format("the YAML is nested too deeply: expected at most {} levels of lists and "
+                                   "mappings",
                                    kDeepestYaml));
   }
 }
@@ -73,7 +73,7 @@ YamlFile::YamlFile(const std::filesystem::path& path) : document_(std::make_uniq
   if (!yaml_parser_load(&parser.yaml, &document_->yaml))
     throw InputError(
         {path.string(), parser.line()},
-        std::string("is no YAML: ") + (parser.yaml.problem ? parser.yaml.problem : "it cannot be read"));
+        std::string("not valid YAML: ") + (parser.yaml.problem ? parser.yaml.problem : "it cannot be read"));
 }
 
 YamlFile::~YamlFile() { yaml_document_delete(&document_->yaml); }

@@ -122,7 +122,7 @@ void inflate(std::string_view bytes, const Put& put) {
 std::string inflated(std::string_view bytes, std::size_t most_bytes) {
   std::string out;
   inflate(bytes, [&](std::string_view piece) {
-    if (piece.size() > most_bytes - out.size()) throw InputError("it holds too much");
+    if (piece.size() > most_bytes - out.size()) throw InputError("its content is too large");
     out += piece;
   });
   return out;

@@ -128,7 +128,7 @@ void Gatherer::watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>
   std::vector<std::vector<std::int64_t>> values;
   for (std::size_t i = 0; i < line->numbers.size(); ++i) {
     auto read = line->readers[i].read(rows.bytes[line->numbers[i]], static_cast<std::size_t>(rows.count));
-    if (!read) throw wire::BadValue("bytes", "must hold as many numbers as there are rows");
+    if (!read) throw wire::BadValue("bytes", "expected as many numbers as rows");
     values.push_back(std::move(*read));
   }
   std::vector<float> readings(values.size() - 1);
@@ -144,8 +144,8 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
   Streams& own = streams_[static_cast<std::size_t>(serial.agent)];
   if (own.serial_cut || own.serial_text.size() + serial.text.size() > kMostSerial_bytes / streams_.size()) {
     if (!own.serial_cut)
-      header_.notes.push_back(
-          {serial.t_ns, "the recording keeps no more of what the sketch sends", std::nullopt, serial.agent});
+      header_.notes.push_back({serial.t_ns, "the recording stores no more of the sketch's serial output",
+                               std::nullopt, serial.agent});
     own.serial_cut = true;
     return;
   }

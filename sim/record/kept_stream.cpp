@@ -10,7 +10,7 @@ void KeptStream::add(const wire::Rows& rows) {
     all_ = KeptRows(specs_.size(), packer_);
   }
   if (rows.bytes.size() != specs_.size() || specs_.empty())
-    throw wire::BadValue("bytes", "must be as many as the columns of " + rows.stream);
+    throw wire::BadValue("bytes", "expected as many as the columns of " + rows.stream);
   if (is_thin_) return thinner_->add(rows.bytes, rows.count);
   all_.add(rows);
   // Twice as fast as rows arrive: it has caught up when they have doubled.

@@ -75,7 +75,7 @@ std::string recording_in(std::string content) {
   if (is_recording(content)) return content;
   const std::string_view page = content;
   const std::size_t begin = page.find(kBegin);
-  if (begin == std::string_view::npos) throw InputError("it is neither a .rec nor a page of Robosim's");
+  if (begin == std::string_view::npos) throw InputError("expected a .rec or a page written by Robosim");
   const std::string_view rest = page.substr(begin + kBegin.size());
   const std::size_t end = rest.find(kEnd);
   if (end == std::string_view::npos) throw InputError("the page is cut off");

@@ -55,7 +55,7 @@ std::string PngRecorder::content(const std::string& svg) const {
   start.output = painted.get();
   start.errors = ChildStart::kNothing;
   const Ending ending = Child(start).wait();
-  if (!ending.ok()) throw InputError({name_}, "could not be painted: rsvg-convert " + ending.text());
+  if (!ending.ok()) throw InputError({name_}, "cannot be painted: rsvg-convert " + ending.text());
   return all_of(painted);
 }
 

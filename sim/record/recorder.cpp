@@ -45,8 +45,7 @@ std::vector<std::string> endings_where(bool only_pictures) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::vector<std::string>& endings) {
-  throw InputError(file.string() + ": the file's ending chooses the format, and it must be " +
-                   one_of(endings));
+  throw InputError(file.string() + ": expected a name that ends in " + one_of(endings));
 }
 
 }  // namespace

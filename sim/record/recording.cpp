@@ -22,11 +22,11 @@ constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& problem) {
-  throw InputError({file}, "this is no recording that can be read: " + problem);
+  throw InputError({file}, "not a readable recording: " + problem);
 }
 
 void append(std::string& to, std::string_view piece, std::size_t most_bytes) {
-  if (piece.size() > most_bytes - to.size()) throw InputError("it holds too much");
+  if (piece.size() > most_bytes - to.size()) throw InputError("its content is too large");
   to += piece;
 }
 
@@ -73,9 +73,9 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
   const std::string_view magic = kRecordingMagic;
   if (!bytes.starts_with(magic)) {
     if (is_recording(bytes))
-      refuse(file, "it is of a newer version of Robosim, " +
+      refuse(file, "it was made by a newer version of Robosim, " +
                        wire::excerpt(bytes.substr(0, std::min(bytes.find('\n'), std::size_t{40}))));
-    refuse(file, "it does not begin as one");
+    refuse(file, "it does not begin like one");
   }
   Recording recording;
   recording.file_ = file;
@@ -108,7 +108,7 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
           refuse(file, "its column " + column.name + " is longer than the file");
         total += static_cast<std::size_t>(column.bytes);
         numbers += column.order == 0 ? 0 : static_cast<std::uint64_t>(stream.count);
-        if (numbers > kMostNumbers) refuse(file, "it holds too many numbers");
+        if (numbers > kMostNumbers) refuse(file, "it has too many numbers");
       }
     }
   }

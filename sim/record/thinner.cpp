@@ -75,7 +75,7 @@ void Thinner::add(const std::vector<std::string>& bytes, std::int64_t count) {
   std::vector<std::vector<std::int64_t>> columns;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     auto values = readers_[i].read(bytes[i], static_cast<std::size_t>(count));
-    if (!values) throw wire::BadValue("bytes", "must hold as many numbers as there are rows");
+    if (!values) throw wire::BadValue("bytes", "expected as many numbers as rows");
     columns.push_back(std::move(*values));
   }
   if (count == 0) return;

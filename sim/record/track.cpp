@@ -117,8 +117,7 @@ Track track_of_table(std::string_view text, const std::string& file) {
       if (!time || !x || !y)
         throw InputError(
             {file, number},
-            "a log needs columns for time, x and y (t_s, t_ms or t_us; x_mm or x_m; y_mm or y_m), "
-            "and this line names " +
+            "the log's columns: expected time, x and y (t_s, t_ms or t_us; x_mm or x_m; y_mm or y_m), got " +
                 wire::excerpt(line));
       continue;
     }
@@ -127,19 +126,20 @@ Track track_of_table(std::string_view text, const std::string& file) {
                at_y = number_in(cells, y->column);
     if (!t || !at_x || !at_y)
       throw InputError({file, number},
-                       "time, x and y must be numbers, and the line is " + wire::excerpt(line));
+                       "time, x and y: expected numbers, got the line " + wire::excerpt(line));
     const double t_s = *t * time->factor;
     if (!track.t_s.empty() && t_s < track.t_s.back())
       throw InputError({file, number},
-                       fmt::format("time goes back, from {} s to {} s", track.t_s.back(), t_s));
+                       fmt::format("time goes backwards, from {} s to {} s", track.t_s.back(), t_s));
     track.t_s.push_back(t_s);
     track.x_mm.push_back(*at_x * x->factor);
     track.y_mm.push_back(*at_y * y->factor);
   }
-  if (track.t_s.size() < 2) throw InputError({file}, "a log needs a line of names and at least two rows");
+  if (track.t_s.size() < 2)
+    throw InputError({file}, "the log is too short: expected a line of names and at least two rows");
   const bool has_units = names[x->column].size() > 1 && names[y->column].size() > 1;
   track.what = fmt::format("a log of {:.2f} s{}", track.t_s.back() - track.t_s.front(),
-                           has_units ? "" : ", x and y taken for mm");
+                           has_units ? "" : ", x and y read as mm");
   return track;
 }
 
@@ -174,7 +174,7 @@ Apart apart(const Track& one, const Track& other) {
     found.until_s = t;
     ++counted;
   }
-  if (counted == 0) throw InputError("the two have no time in common");
+  if (counted == 0) throw InputError("the two runs have no time in common");
   found.mean_mm /= static_cast<double>(counted);
   return found;
 }

@@ -20,10 +20,10 @@ constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 std::string exceeded_budget(const robot::Budget& budget, const std::optional<exec::Resources>& used) {
   if (!used) return "";
   if (budget.stack_bytes > 0 && used->stack_bytes_max > budget.stack_bytes)
-    return fmt::format("its stack took {} bytes; the robot file allows {}", used->stack_bytes_max,
+    return fmt::format("its stack took {} bytes, but the robot file allows {}", used->stack_bytes_max,
                        budget.stack_bytes);
   if (budget.loop_s > 0.0 && used->loop_us_max > 1e6 * budget.loop_s)
-    return fmt::format("a pass of loop() took {:.3f} ms; the robot file allows {:.3f} ms",
+    return fmt::format("a pass of loop() took {:.3f} ms, but the robot file allows {:.3f} ms",
                        1e-3 * used->loop_us_max, 1e3 * budget.loop_s);
   return "";
 }

@@ -14,8 +14,8 @@ LinePattern::LinePattern(const std::string& text) {
   auto expression = std::make_shared<const re2::RE2>(text, options);
   if (!expression->ok())
     throw InputError(fmt::format(
-        "\"{}\" is no regular expression of those that take no more time than there is text (ECMAScript's "
-        "without lookahead and references back): {}",
+        "invalid regular expression \"{}\": expected one that runs in linear time (ECMAScript's without "
+        "lookahead and back references); {}",
         text, expression->error()));
   expression_ = std::move(expression);
 }

@@ -57,7 +57,7 @@ void Simulation::Inside::add_agent(const AgentSetup& own) {
 const Agent& Simulation::Inside::agent(int number) const {
   if (number < 0 || number >= agent_count())
     throw InputError(
-        fmt::format("there is no robot {}; they are numbered from 0 to {}", number, agent_count() - 1));
+        fmt::format("unknown robot: expected a number from 0 to {}, got {}", agent_count() - 1, number));
   return *agents[static_cast<std::size_t>(number)];
 }
 

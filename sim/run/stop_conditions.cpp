@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/spelling.h"
 
 namespace robosim::run {
 namespace {
@@ -23,8 +24,8 @@ std::size_t station_index(const judge::Progress& progress, const std::string& na
     if (stations[i].name == name || std::to_string(i + 1) == name) return i;
     names.push_back(stations[i].name);
   }
-  throw InputError(fmt::format("there is no station {}; {}", name,
-                               names.empty() ? "the map has none" : "the stations are " + one_of(names)));
+  throw InputError(names.empty() ? fmt::format("unknown station {}: the map has no stations", name)
+                                 : fmt::format("unknown station: {}", expected_one_of(name, names)));
 }
 
 const robot::Reading* find_reading(const std::vector<robot::Reading>& readings, const std::string& part) {
@@ -54,8 +55,9 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
       if (find_reading(readings, stop.text)) break;
       std::vector<std::string> names;
       for (const robot::Reading& reading : readings) names.emplace_back(reading.part);
-      throw InputError(fmt::format("the robot has no part {} that could be read; {}", stop.text,
-                                   names.empty() ? "it has none" : "those are " + one_of(names)));
+      throw InputError(names.empty()
+                           ? fmt::format("unknown part to read: {}: the robot has none", stop.text)
+                           : fmt::format("unknown part to read: {}", expected_one_of(stop.text, names)));
     }
     case Stop::Kind::line:
       watch.line = LinePattern(stop.text);
@@ -63,14 +65,14 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
     case Stop::Kind::event: {
       const std::vector<std::string>& kinds = wire::event_kinds();
       if (std::find(kinds.begin(), kinds.end(), stop.text) == kinds.end())
-        throw InputError(fmt::format("there is no event \"{}\"; those are {}", stop.text, one_of(kinds)));
+        throw InputError(fmt::format("unknown event: {}", expected_one_of(stop.text, kinds)));
       break;
     }
     default:
       break;
   }
   if (stop.text.empty() && (stop.kind == Stop::Kind::serial || stop.kind == Stop::Kind::note))
-    throw InputError("the text to wait for is empty");
+    throw InputError("the text to wait for: expected a string that is not empty");
   return watch;
 }
 

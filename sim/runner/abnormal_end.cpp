@@ -27,7 +27,7 @@ namespace {
 judge::Outcome ended_by(const wire::AgentRequest& other) {
   judge::Outcome outcome;
   outcome.verdict = judge::Verdict::interrupted;
-  outcome.why = fmt::format("The run ended when the sketch of {} took its process down.", other.name);
+  outcome.why = fmt::format("The run ended when the sketch of {} ended its process.", other.name);
   return outcome;
 }
 
@@ -41,12 +41,12 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
   if (acting < 0 || acting > static_cast<int>(request.agents.size())) {  // overwritten by a sketch
     if (suspects.size() == 1) return suspects[0];
     throw InputError(
-        "one of the sketches on the host has taken down the process that they share, and hidden which: run "
-        "each alone, or on its chip");
+        "one of the sketches on the host has ended the process that they share, and hidden its identity: run "
+        "each sketch alone or on its chip");
   }
   throw std::runtime_error(fmt::format(
       "the run's process ended while the chip of robot {} was emulated; a sketch on the host that writes to "
-      "wild addresses can do that, too: run with --sanitize, or each on its chip",
+      "wild addresses can also cause this: run with --sanitize, or each sketch on its chip",
       agents_of(request)[static_cast<std::size_t>(acting)].name));
 }
 
@@ -81,7 +81,7 @@ wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t 
   if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
   return result_of_crash(
       request,
-      fmt::format("it took more than the {} MB of memory that it may have", exec::kConfinedMemory >> 20),
+      fmt::format("it took more than {} MB of memory, which is its limit", exec::kConfinedMemory >> 20),
       exec::kSandboxCheck, guilty, time);
 }
 
@@ -89,10 +89,9 @@ std::string cause_of(const Ending& ending) {
   if (ending.status > exec::kSignalStatus && exec::why_not_confined().empty())
     return exec::signal_text(ending.status - exec::kSignalStatus);
   if (ending.signal > 0)
-    return fmt::format("it took its process down by signal {} ({})", ending.signal,
-                       ::strsignal(ending.signal));
+    return fmt::format("it ended its process with signal {} ({})", ending.signal, ::strsignal(ending.signal));
   if (ending.status == kWatchdogStatus) return kLoops;
-  return fmt::format("it took its process down with exit status {}", ending.status);
+  return fmt::format("it ended its process with exit status {}", ending.status);
 }
 
 }  // namespace robosim::runner

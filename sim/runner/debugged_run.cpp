@@ -121,7 +121,7 @@ bool DebuggedRun::halts_at_end(const judge::Outcome& outcome) {
   if (!moment) return false;  // the power was always off
   Place place = *search.found;
   place.stop.edge = Edge::end;
-  server_.say("The run is over: " + outcome.why + " This is its last instruction; go on to end it.");
+  server_.say("The run is over: " + outcome.why + " This is its last instruction; continue to end the run.");
   seek(*moment, place);
   return true;
 }

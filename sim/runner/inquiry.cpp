@@ -65,8 +65,7 @@ exec::CauseFinder& finder_of(const run::Setup& setup) {
   exec::CauseFinder* const finder = setup.agents.front().executor->find_causes();
   if (finder) return *finder;
   throw InputError(
-      "what caused a verdict can be told of a sketch on the target avr only, as it was built with its debug "
-      "information");
+      "tracing the cause of a verdict requires a sketch on the target avr, built with its debug information");
 }
 
 }  // namespace
@@ -237,7 +236,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
     if (!pause.file.empty())
       chain.push_back(
           {seconds(last),
-           fmt::format("for {:.0f} ms it looked at no line sensor, and was here", 1e3 * seconds(next - last)),
+           fmt::format("for {:.0f} ms it read no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
     // If nothing drives, much contributes: uses fewer lines of each file, and more files.
@@ -261,7 +260,7 @@ void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>&
   const SimTime asked = std::min(t + kStillOff, end - kTick);
   const Steps steps =
       trace(t, whole_ticks(asked) + kTick, [&] { causes_.ask(motor_pins(wiring_), asked + kTick); });
-  chain.push_back(motors_at(t, "its motors stopped, and were off from here on"));
+  chain.push_back(motors_at(t, judge::kMotorsStayOff));
   add_links(steps, t, chain.size() + kMostOfStopping, kFewLines, chain);
 }
 

@@ -21,23 +21,25 @@ namespace {
 void check_several(const wire::RunRequest& request) {
   if (request.agents.empty()) return;
   if (request.agents.size() >= wire::kMostAgents)
-    throw InputError(
-        fmt::format("there are {} robots; a run may have {}", request.agents.size() + 1, wire::kMostAgents));
-  if (request.name.empty()) throw InputError("where there are several robots each has a name, the first too");
+    throw InputError(fmt::format("too many robots: expected at most {}, got {}", wire::kMostAgents,
+                                 request.agents.size() + 1));
+  if (request.name.empty())
+    throw InputError("the first robot requires a name, because there are several robots");
   std::set<std::string> names;
   for (const wire::AgentRequest& agent : agents_of(request))
     if (!names.insert(agent.name).second)
-      throw InputError(fmt::format("two robots are named {}; each has a name of its own", agent.name));
+      throw InputError(
+          fmt::format("two robots are named {}: expected a different name for each robot", agent.name));
   if (request.gdb_port > 0)
-    throw InputError("a debugger halts one robot's chip, not the others'; debug a robot in a run of its own");
-  if (!request.counters.empty()) throw InputError("lines are counted in runs of one robot only");
+    throw InputError("a debugger halts only one robot's chip; debug that robot in a run of its own");
+  if (!request.counters.empty()) throw InputError("counting lines requires a run of one robot");
 }
 
 void check_why(const wire::RunRequest& request) {
   if (!request.why) return;
-  if (!request.agents.empty()) throw InputError("what caused a verdict is told of runs of one robot only");
+  if (!request.agents.empty()) throw InputError("tracing the cause of a verdict requires a run of one robot");
   if (request.interactive || request.gdb_port > 0)
-    throw InputError("a run whose cause is asked for goes on to its verdict by itself");
+    throw InputError("tracing the cause of a verdict requires a run without a driver or debugger");
 }
 
 run::Errand errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
@@ -182,8 +184,8 @@ std::vector<judge::Outcome> RequestedRun::simulate() const {
   } catch (const run::BadAgent& error) {
     if (error.other < 0) blame(name(error.agent), error);
     throw InputError(
-        fmt::format("robot {} starts on top of robot {}: their starts must be so far apart that their "
-                    "outlines do not touch",
+        fmt::format("robot {} starts on top of robot {}: expected starts so far apart that the outlines do "
+                    "not touch",
                     name(error.agent), name(error.other)));
   }
 }

@@ -73,8 +73,8 @@ const ExecutorFactory& factory_of(const ExecutorFactory& runner, const std::stri
     if (other.target == target) return other;
     names.push_back(other.target);
   }
-  throw InputError(
-      fmt::format("“{}” is no target of robosim-{}; it runs {}", target, runner.target, one_of(names)));
+  throw InputError(fmt::format("unknown target of robosim-{}: expected {}, got “{}”", runner.target,
+                               one_of(names), target));
 }
 
 /// Returns the numbers of the request's robots whose firmware is native code.
@@ -270,19 +270,19 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   const auto refused = [&](const std::string& cause) {
     return result_of_crash(request, cause, exec::kSandboxCheck, guilty(), time);
   };
-  if (told.forged) return refused("it wrote to where its verdict goes");
+  if (told.forged) return refused("it wrote to the place of its verdict");
   if (told.found == RunWatch::Found::loops)
     return result_of_crash(request, relay.reached() == run::kLoading ? kNeverLoads : kLoops, "", guilty(),
                            time);
   if (told.found == RunWatch::Found::exhausts)
     return refused(fmt::format(
-        "it took more processor time than a run may: {} s, and the simulated time on top", kLongestRun_s));
+        "it took more processor time than allowed: {} s in addition to the simulated time", kLongestRun_s));
   if (told.found == RunWatch::Found::sleeps)
     return refused(
-        fmt::format("it slept for {} s of wall time, and simulated time stood still", kLongestSleep_s));
+        fmt::format("it slept for {} s of wall time without advancing simulated time", kLongestSleep_s));
   const std::optional<Ending> ending = end_of(child);
-  if (!ending) return refused("it closed what its verdict goes through");
-  if (was_refused(*ending)) return refused("the sandbox refuses a system call of its");
+  if (!ending) return refused("it closed the pipe of its verdict");
+  if (was_refused(*ending)) return refused("the sandbox refuses a system call of the sketch");
   if (ending->status == exec::kNoMemoryStatus) return answer_without_memory(request, guilty(), time);
   if (!ending->ok()) return result_of_crash(request, cause_of(*ending), "", guilty(), time);
   if (!told.answer) return refused("it ended its process before the run was over");

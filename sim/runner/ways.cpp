@@ -41,16 +41,18 @@ class Ear final : public run::Listener {
 };
 
 void check(const wire::RunRequest& request, bool may_copy) {
-  if (!may_copy) throw InputError("only runs on chips part: on the host the run's process is shut in");
+  if (!may_copy)
+    throw InputError(
+        "splitting a run requires a chip target, because on the host the run's process is confined");
   const std::size_t ways = request.ways->scripts.size();
   if (ways == 0 || ways > kMostWays)
-    throw InputError(fmt::format("a run parts into {} ways; 1 to {} are allowed", ways, kMostWays));
-  if (!request.agents.empty()) throw InputError("a run of several robots does not part");
+    throw InputError(fmt::format("the ways of a run: expected 1 to {}, got {}", kMostWays, ways));
+  if (!request.agents.empty()) throw InputError("splitting a run requires a run of one robot");
   if (request.interactive || request.gdb_port > 0 || request.why || request.source_ns)
-    throw InputError("a run that is driven, debugged or asked for its cause does not part");
+    throw InputError("a run that is driven, debugged or traced to its cause cannot be split");
   if (request.samples_every_ns > 0 || request.columns_every_ns > 0 || request.pins || request.serial ||
       request.notes || request.io)
-    throw InputError("of a run that parts nothing is streamed");
+    throw InputError("a run that is split cannot stream events");
 }
 
 /// Returns the steps with their times from `parted` on.
@@ -64,8 +66,9 @@ std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways
       trigger = {at, parted + trigger.time, {}, {}, 0};
       continue;
     }
-    if (trigger.kind != at) throw InputError(step.place, "a way's lines begin with at, or wait for `after`");
-    if (trigger.time < parted) throw InputError(step.place, "this is due before the run parts");
+    if (trigger.kind != at)
+      throw InputError(step.place, "expected a line that begins with at, or with the way's `after`");
+    if (trigger.time < parted) throw InputError(step.place, "this line is due before the run is split");
   }
   return steps;
 }

@@ -56,25 +56,26 @@ bool Guard::is_ours(std::string_view host) const {
 }
 
 std::optional<Refusal> Guard::refuse(const Asked& asked) const {
-  if (!is_plain(asked.path)) return Refusal{400, "this path is none of Robosim's"};
+  if (!is_plain(asked.path)) return Refusal{400, "invalid path: Robosim serves no such path"};
   if (!is_ours(asked.host))
-    return Refusal{421, "this server is Robosim's, and goes by another name: see where it was started"};
-  if (!asked.origin.empty() && asked.origin != "http://" + asked.host)
-    return Refusal{403, "a page of another site may not use Robosim"};
+    return Refusal{421, "wrong name of the server: expected the address that robosim serve has printed"};
+  const Refusal foreign{403, "pages of other sites cannot use Robosim"};
+  if (!asked.origin.empty() && asked.origin != "http://" + asked.host) return foreign;
   if (!asked.fetch_site.empty() && asked.fetch_site != "same-origin" && asked.fetch_site != "none")
-    return Refusal{403, "a page of another site may not use Robosim"};
+    return foreign;
   if (!token_.empty() && !equal(asked.token, token_))
     return Refusal{401, "the token is missing: open the address that robosim serve has printed"};
   if (asked.range.find(',') != asked.range.npos)
     return Refusal{416, "the header Range has several ranges: expected one at most"};
   if (asked.method == "GET" || asked.method == "HEAD") return std::nullopt;
-  if (asked.method != "POST") return Refusal{405, "allowed are GET and POST"};
+  if (asked.method != "POST") return Refusal{405, "unknown method: expected GET or POST"};
   if (asked.robosim.empty()) return Refusal{403, "the header X-Robosim is missing"};
-  if (asked.content_type != "application/json") return Refusal{415, "what is sent must be application/json"};
+  if (asked.content_type != "application/json")
+    return Refusal{415, "the Content-Type: expected application/json"};
   if (!asked.content_encoding.empty())
     return Refusal{415, "the body has a Content-Encoding: expected none; send the JSON as it is"};
   if (!asked.transfer_encoding.empty() || !is_count(asked.content_length))
-    return Refusal{411, "the length of the body is not known: expected a Content-Length in bytes"};
+    return Refusal{411, "the length of the body is unknown: expected a Content-Length in bytes"};
   return std::nullopt;
 }
 
@@ -87,7 +88,7 @@ std::string random_token() {
   std::string token;
   for (int i = 0; i < 16; ++i) {
     const int byte = source.get();
-    if (byte < 0) throw InputError({"/dev/urandom"}, "gives no random numbers");
+    if (byte < 0) throw InputError({"/dev/urandom"}, "cannot read random numbers");
     token += fmt::format("{:02x}", byte);
   }
   return token;

@@ -18,7 +18,7 @@ int serve(char** words) {
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // one thread waits for them
   std::signal(SIGPIPE, SIG_IGN);
   robosim::serve::Server server({words[1], words[4], words[2], std::atoi(words[3])});
-  fmt::print("Open {}\nCtrl-C ends it.\n", server.url());
+  fmt::print("Open {}\nPress Ctrl-C to stop the server.\n", server.url());
   std::fflush(stdout);
   std::thread waiting([&] {
     int signal = 0;
@@ -34,7 +34,7 @@ int serve(char** words) {
 
 int main(int count, char** words) {
   if (count != 5) {
-    fmt::print(stderr, "robosim: start it by robosim serve\n");
+    fmt::print(stderr, "robosim: start this program with robosim serve\n");
     return 2;
   }
   try {

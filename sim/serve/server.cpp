@@ -34,7 +34,7 @@ constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // from one byte to the next
 constexpr const char* kCookie = "robosim=";
 
-const Refusal kTooLong{413, "a request has at most 256 KB, and one with an image 3 MB"};
+const Refusal kTooLong{413, "the request is too large: expected at most 256 KB, or 3 MB with an image"};
 
 std::string json_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -81,8 +81,8 @@ void refuse(Response& response, const Refusal& refusal) {
 
 /// Returns the complete answer.
 std::string too_slow(std::chrono::milliseconds patience) {
-  const std::string sentence =
-      fmt::format("a request must be here within {} s", 1e-3 * static_cast<double>(patience.count()));
+  const std::string sentence = fmt::format("the request is too slow: expected all of it within {} s",
+                                           1e-3 * static_cast<double>(patience.count()));
   const std::string body = json_text({{"error", sentence}});
   return fmt::format(
       "HTTP/1.1 408 Request Timeout\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
@@ -139,9 +139,9 @@ int bind(httplib::Server& server, const Settings& settings) {
   if (port < 0)
     throw InputError(
         settings.port == 0
-            ? fmt::format("{} cannot be listened on: it is no address of this machine", settings.address)
-            : fmt::format("port {} of {} cannot be listened on: something else does, or it is no address "
-                          "of this machine",
+            ? fmt::format("cannot listen on {}: it is not an address of this machine", settings.address)
+            : fmt::format("cannot listen on port {} of {}: another program uses the port, or it is not an "
+                          "address of this machine",
                           settings.port, settings.address));
   return port;
 }
@@ -172,7 +172,7 @@ struct Server::Inside {
     http.set_pre_routing_handler(
         [this](const Request& request, Response& response) { return check(request, response); });
     http.set_error_handler([](const Request&, Response& response) {
-      if (response.body.empty()) refuse(response, {response.status, "there is nothing of this name here"});
+      if (response.body.empty()) refuse(response, {response.status, "no such page"});
     });
     http.Get("/", [this](const Request& request, Response& response) { front(request, response); });
     give("/bench.css", bench_css(), "text/css");
@@ -200,7 +200,7 @@ struct Server::Inside {
     });
     http.Get(R"(/recording/([0-9]+\.html))", [this](const Request& request, Response& response) {
       const std::string page = workshop.page_of(number_of(request.matches[1].str()));
-      if (page.empty()) return refuse(response, {404, "this run is not kept any more: run it again"});
+      if (page.empty()) return refuse(response, {404, "this run is no longer stored: run it again"});
       response.set_content(page, "text/html; charset=utf-8");
     });
   }
@@ -291,7 +291,7 @@ struct Server::Inside {
           const auto done = workshop.run(wanted, [&](const std::string& text) {
             return text.empty() ? sink.is_writable() : line({{"say", text}});
           });
-          line(json_of(done.value_or(Workshop::Done{5, 0, "others are running already: try again"})));
+          line(json_of(done.value_or(Workshop::busy())));
           sink.done();
           return true;
         });
@@ -304,33 +304,33 @@ struct Server::Inside {
 
   // The run begins when its page listens, and ends when it stops listening.
   void watch(const Request& request, Response& response) {
-    response.set_chunked_content_provider("text/event-stream", [this,
-                                                                number = std::stoi(request.matches[1].str())](
-                                                                   std::size_t, httplib::DataSink& sink) {
-      const auto event = [&](const std::string& lines) {
-        const std::string text = server_sent(lines);
-        return sink.write(text.data(), text.size());
-      };
-      bool heard = true;
-      const auto done = workshop.watch(number, [&](Workshop::Said said, const std::string& text) {
-        heard = text.empty()
-                    ? sink.is_writable()
-                    : event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
-        return heard;
-      });
-      if (!heard || workshop.ending()) return false;  // the closed stream is the page's signal
-      event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "there is no such run to watch"}))) + "\n");
-      sink.done();
-      return true;
-    });
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, number = std::stoi(request.matches[1].str())](std::size_t, httplib::DataSink& sink) {
+          const auto event = [&](const std::string& lines) {
+            const std::string text = server_sent(lines);
+            return sink.write(text.data(), text.size());
+          };
+          bool heard = true;
+          const auto done = workshop.watch(number, [&](Workshop::Said said, const std::string& text) {
+            heard = text.empty()
+                        ? sink.is_writable()
+                        : event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
+            return heard;
+          });
+          if (!heard || workshop.ending()) return false;  // the closed stream is the page's signal
+          event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "no such run to watch"}))) + "\n");
+          sink.done();
+          return true;
+        });
   }
 
   void ask(const Request& request, Response& response) {
     const Json json = wire::parsed_json(request.body);
     if (!json.is_object() || request.body.size() > kLongestRequest)
-      return refuse(response, {400, "what is sent is no JSON object of at most 4000 bytes"});
+      return refuse(response, {400, "the request: expected a JSON object of at most 4000 bytes"});
     if (!workshop.ask(std::stoi(request.matches[1].str()), json_text(json) + "\n"))
-      return refuse(response, {409, "this run takes no requests: it is over, or has too many"});
+      return refuse(response, {409, "this run accepts no requests: it is over or has too many"});
     response.set_content("{}", "application/json");
   }
 

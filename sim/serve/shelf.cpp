@@ -43,15 +43,15 @@ fs::path place_of(const HeldFolder& folder, const std::string& name) {
   static const std::regex plain("[A-Za-z0-9][A-Za-z0-9_-]{0,62}\\.(ino|hex|elf|toml|map)");
   if (!std::regex_match(name, plain) || name == "checks.toml")
     throw InputError(
-        "the name of a file must end with .ino, .hex, .elf, .toml or .map, and before that have 1 to 63 "
-        "letters, digits, - and _; checks.toml is not written");
+        "invalid name of a file: expected 1 to 63 letters, digits, - and _ with the ending .ino, .hex, .elf, "
+        ".toml or .map; checks.toml is never written");
   return has_ending(name, ".ino") ? fs::path(name).stem() / name : fs::path(name);
 }
 
 // Writes by handles, so that no link leads elsewhere, whenever it appears.
 void write_below(const HeldFolder& folder, const fs::path& place, const Offered& offered) {
   const auto foreign = [&] {
-    return InputError(offered.name + " is there, and is no file of the folder's own");
+    return InputError(offered.name + " exists, but is not a regular file of this folder");
   };
   const auto parent = [&] {
     const fs::path above = place.has_parent_path() ? place.parent_path() : fs::path(".");
@@ -67,7 +67,7 @@ void write_below(const HeldFolder& folder, const fs::path& place, const Offered&
   struct stat info {};
   if (::fstatat(into.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0) {
     if (!S_ISREG(info.st_mode)) throw foreign();
-    if (!offered.replace) throw IsThere{offered.name + " is there already"};
+    if (!offered.replace) throw IsThere{offered.name + " exists already"};
   }
   ::unlinkat(into.get(), fresh.c_str(), 0);
   const int how = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
@@ -76,14 +76,14 @@ void write_below(const HeldFolder& folder, const fs::path& place, const Offered&
   if (problem == 0 && ::renameat(into.get(), fresh.c_str(), into.get(), name.c_str()) != 0) problem = errno;
   if (problem == 0) return;
   ::unlinkat(into.get(), fresh.c_str(), 0);
-  throw InputError({offered.name}, std::string("cannot be written: ") + std::strerror(problem));
+  throw InputError({offered.name}, std::string("cannot write the file: ") + std::strerror(problem));
 }
 
 }  // namespace
 
 Offered read_offered(const std::string& text) {
   const Json json = wire::parsed_json(text);
-  if (!json.is_object()) throw InputError("what is sent is no JSON object");
+  if (!json.is_object()) throw InputError("the request: expected a JSON object");
   Offered offered;
   for (const auto& item : json.items()) {
     if (item.key() == "name" && item.value().is_string())
@@ -96,12 +96,13 @@ Offered read_offered(const std::string& text) {
       offered.replace = item.value();
     else
       throw InputError(
-          "what is sent may have the texts name, text and base64 (of an image), and replace, true or false");
+          "unknown key: expected the texts name, text and base64 (of an image), or replace, which is true or "
+          "false");
   }
   if (!is_image(offered.name) && offered.text.find('\0') != std::string::npos)
-    throw InputError("what is sent is no text");
+    throw InputError("text: expected text, got zero bytes");
   if (json.contains("base64") != is_image(offered.name))
-    throw InputError("a .hex or .elf is sent as base64, and what else there is as text");
+    throw InputError("the content: expected base64 for a .hex or .elf and text for other files");
   return offered;
 }
 
@@ -110,7 +111,7 @@ std::string keep(const HeldFolder& folder, const Offered& offered) {
   if (has_ending(offered.name, ".map")) grid::parse_map(offered.text, offered.name);
   if (has_ending(offered.name, ".elf")) target_of_elf(offered.text, offered.name);
   if (has_ending(offered.name, ".hex") && !offered.text.starts_with(":"))
-    throw InputError(offered.name + ":1: is no line of an Intel HEX file");
+    throw InputError(offered.name + ":1: expected a line of an Intel HEX file");
   write_below(folder, place, offered);
   return "./" + place.string();
 }
@@ -118,7 +119,7 @@ std::string keep(const HeldFolder& folder, const Offered& offered) {
 std::string map_text(const HeldFolder& folder, const std::string& name) {
   const Choices choices = choices_in(folder);
   if (std::find(choices.maps.begin(), choices.maps.end(), name) == choices.maps.end())
-    throw InputError("there is no map of that name in the folder that is served, nor of ours");
+    throw InputError("name: expected a map of the served folder or a sample map");
   if (name.starts_with("./")) return folder.read(name, kLongestMap);
   return read_file(launch::stock_map_folder() / (name + ".map"), kLongestMap);
 }

@@ -21,14 +21,14 @@ constexpr double kLongestRun_s = 3600.0;
 std::string text(const Json& json, const char* key, const std::string& usual, std::size_t longest) {
   if (!json.contains(key)) return usual;
   if (!json[key].is_string() || json[key].get_ref<const std::string&>().size() > longest)
-    throw InputError(fmt::format("{} must be a text of at most {} characters", key, longest));
+    throw InputError(fmt::format("{}: expected a text of at most {} characters", key, longest));
   return json[key];
 }
 
 double number(const Json& json, const char* key, double usual, double least, double most) {
   if (!json.contains(key)) return usual;
   if (!json[key].is_number() || !(json[key] >= least && json[key] <= most))
-    throw InputError(fmt::format("{} must be a number from {} to {}", key, least, most));
+    throw InputError(fmt::format("{}: expected a number from {} to {}", key, least, most));
   return json[key];
 }
 
@@ -37,13 +37,13 @@ std::string one_in(const Json& json, const char* key, const std::vector<std::str
   if (name.empty() && !needed) return name;
   if (std::find(choices.begin(), choices.end(), name) == choices.end())
     throw InputError(
-        fmt::format("there is no {} of that name in the folder that is served, nor of ours", key));
+        fmt::format("{0}: expected a {0} of the served folder or one that comes with Robosim", key));
   return name;
 }
 
 std::map<std::string, std::string> scripts_in(const Json& json) {
   if (!json.is_object() || json.size() > wire::kMostAgents)
-    throw InputError(fmt::format("scripts must be an object of at most {} texts, by the robots' names",
+    throw InputError(fmt::format("scripts: expected an object of at most {} texts, by the robots' names",
                                  wire::kMostAgents));
   std::map<std::string, std::string> scripts;
   std::size_t size = 0;
@@ -53,7 +53,7 @@ std::map<std::string, std::string> scripts_in(const Json& json) {
     size += scripts[name].size();
   }
   if (size > kLongestScript)
-    throw InputError(fmt::format("scripts must have at most {} characters in all", kLongestScript));
+    throw InputError(fmt::format("scripts: expected at most {} characters together", kLongestScript));
   return scripts;
 }
 
@@ -61,12 +61,12 @@ std::map<std::string, std::string> scripts_in(const Json& json) {
 
 Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
   const Json json = wire::parsed_json(text_of_it);
-  if (!json.is_object()) throw InputError("what is sent is no JSON object");
+  if (!json.is_object()) throw InputError("the request: expected a JSON object");
   for (const auto& item : json.items()) {
     const char* const known[] = {"sketch", "robot", "map",    "target", "seed",
                                  "for_s",  "goal",  "script", "scripts"};
     if (std::find(std::begin(known), std::end(known), item.key()) == std::end(known))
-      throw InputError("what is sent has a key that Robosim does not know");
+      throw InputError("unknown key in the request: expected " + one_of(known));
   }
   Wanted wanted;
   wanted.sketch = one_in(json, "sketch", choices.sketches, true);
@@ -74,15 +74,15 @@ Wanted read_wanted(const std::string& text_of_it, const Choices& choices) {
   wanted.map = one_in(json, "map", choices.maps, false);
   wanted.target = text(json, "target", wanted.target, 10);
   if (wanted.target != "host" && wanted.target != "avr" && wanted.target != "stm32")
-    throw InputError("target must be host, avr or stm32");
+    throw InputError("target: expected host, avr or stm32");
   wanted.seed = static_cast<std::uint64_t>(number(json, "seed", 1.0, 0.0, 9e15));
   wanted.for_s = number(json, "for_s", wanted.for_s, 0.001, kLongestRun_s);
   wanted.goal = text(json, "goal", "", kLongestGoal);
-  if (wanted.goal.starts_with("-")) throw InputError("goal must be the name of a goal, such as laps:3");
+  if (wanted.goal.starts_with("-")) throw InputError("goal: expected the name of a goal, such as laps:3");
   wanted.script = text(json, "script", "", kLongestScript);
   if (json.contains("scripts")) wanted.scripts = scripts_in(json["scripts"]);
   if (!wanted.scripts.empty() && !launch::is_fleet_file(wanted.sketch))
-    throw InputError("scripts are of several robots, and this is a sketch");
+    throw InputError("scripts requires the file of several robots, got a sketch");
   return wanted;
 }
 

@@ -76,7 +76,7 @@ PageFolder::PageFolder() {
   do {  // another server may consider it abandoned before it is locked
     std::string name = (place / fmt::format("{}XXXXXX", kFolders)).string();
     if (!::mkdtemp(name.data()))
-      throw InputError({name}, std::string("cannot be made: ") + std::strerror(errno));
+      throw InputError({name}, std::string("cannot create the folder: ") + std::strerror(errno));
     path_ = name;
     held_ = hold(path_);
   } while (!held_.is_open() || ::fstat(held_.get(), &info) != 0 || info.st_nlink == 0);
@@ -182,12 +182,12 @@ Workshop::Done Workshop::follow(Child& child, const std::vector<Source>& sources
         }
         text.assign(buffer, static_cast<std::size_t>(got));
       }
-      if (done.sentence.empty() && !sources[i].take(text)) stop("nobody was listening any more");
+      if (done.sentence.empty() && !sources[i].take(text)) stop("the browser has stopped listening");
       if (done.sentence.empty() && ending_) stop("the server has ended");
     }
     if (done.sentence.empty() &&
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > longest_s)
-      stop(fmt::format("it took more than {} s", longest_s));
+      stop(fmt::format("the run took more than {} s", longest_s));
   }
   done.status = child.wait().status;
   return done;
@@ -218,7 +218,7 @@ std::optional<Workshop::Done> Workshop::run(const Wanted& wanted,
                          return printed <= kMostText && say(text);
                        }}},
                      kLongest_s);
-  if (printed > kMostText) done.sentence = "it printed more than 1 MB";
+  if (printed > kMostText) done.sentence = "the run printed more than 1 MB";
   put_away(number, done);
   return done;
 }
@@ -238,7 +238,7 @@ std::optional<Workshop::Done> Workshop::watch(int number, const Tell& tell) {
     const std::lock_guard lock(mutex_);
     const auto found = prepared_.find(number);
     if (found == prepared_.end()) return std::nullopt;
-    if (!place) return Done{5, 0, "others are running already: try again"};
+    if (!place) return busy();
     wanted = found->second;
     prepared_.erase(found);
   }

@@ -62,6 +62,8 @@ class Workshop {
     int recording = 0;     ///< its number, for page_of; 0 = none
     std::string sentence;  ///< why it was stopped; "" = it ended by itself
   };
+  /// Returns how a run ends that cannot begin because kAtOnce others are running.
+  static Done busy() { return {5, 0, "too many runs at once: try again later"}; }
   /// Runs it now. `say` gets its output, piece by piece, and may be called without text. If it returns false,
   /// the listener has gone, and the run is stopped. Returns nothing if kAtOnce runs exist already.
   std::optional<Done> run(const Wanted& wanted, const std::function<bool(const std::string&)>& say);

@@ -28,6 +28,10 @@ std::string as_word(const std::string& text) {
   return word;
 }
 
+std::string of_another_run(const std::string& folder) {
+  return "the recordings in " + folder + " are of another run than the test's: this is a fault of Robosim";
+}
+
 }  // namespace
 
 std::string artifact_folder() {
@@ -146,7 +150,7 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& s
   const wire::RunResult again = runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
   recorders.finish(again);
   if (!expected || again.trace_hash == expected->trace_hash) return "";
-  return "the recordings in " + name + " are of another run than the test's: a fault of Robosim's own";
+  return of_another_run(name);
 }
 
 std::string keep(const RunLog& log, const Stage& stage, const std::string& script, client::Runner& runner) {
@@ -169,10 +173,9 @@ std::string keep(const RunLog& log, const Stage& stage, const std::string& scrip
         runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
     recorders.finish(again);
     if (!log.result || again.trace_hash == log.result->trace_hash) return "";
-    return "the recordings in " + folder.string() +
-           " are of another run than the test's: a fault of Robosim's own";
+    return of_another_run(folder.string());
   } catch (const std::exception& problem) {
-    return fmt::format("what is kept in {} is not complete: {}", log.artifacts, problem.what());
+    return fmt::format("the files saved in {} are incomplete: {}", log.artifacts, problem.what());
   }
 }
 

@@ -127,7 +127,7 @@ std::string Drive::epilogue(Duration until) const {
   for (const RunLog::Entry& entry : log_->events)
     if (entry.t_ns <= until.count()) told.push_back(&entry);
   if (told.size() > kEventsTold) told.erase(told.begin(), told.end() - kEventsTold);
-  text += told.empty() ? "\n  before that: nothing was said or done" : "\n  before that:";
+  text += told.empty() ? "\n  before that: no events" : "\n  before that:";
   for (const RunLog::Entry* entry : told)
     text += fmt::format("\n    {:>10}  {}", seconds(entry->t_ns), entry->text);
   if (const auto all = moments(); !all.empty()) {

@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/spelling.h"
 #include "sim/testing/artifacts.h"
 #include "sim/testing/inside.h"
 #include "sim/testing/rehearsal.h"
@@ -60,7 +61,7 @@ Fleet::Fleet(FleetTrial trial) : in_(std::make_unique<Inside>()) {
 Simulation& Fleet::robot(const std::string& name) {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end())
-    throw InputError(fmt::format("there is no robot {}; those are {}", name, one_of(names_)));
+    throw InputError(fmt::format("unknown robot: {}", expected_one_of(name, names_)));
   return *robots_[static_cast<std::size_t>(found - names_.begin())];
 }
 

@@ -66,14 +66,14 @@ int Graph::junctions() const { return static_cast<int>(nodes.size()) - stations(
 
 std::string difference(const Graph& truth, const Graph& found) {
   if (truth.stations() != found.stations() || truth.junctions() != found.junctions())
-    return fmt::format("it has {}; the floor has {}", sizes(found), sizes(truth));
+    return fmt::format("it has {}, but the floor has {}", sizes(found), sizes(truth));
   if (found.nodes.empty()) return "";
   for (int node = 0; node < static_cast<int>(truth.nodes.size()); ++node) {
     const int arms = static_cast<int>(truth.nodes[static_cast<std::size_t>(node)].arms.size());
     for (int arm = 0; arm < std::max(1, arms); ++arm)
       if (agree(truth, found, node, arm)) return "";
   }
-  return "it has as many stations and junctions as the floor, and its lines join them in another way";
+  return "it has as many stations and junctions as the floor, but its lines connect them differently";
 }
 
 bool IsTheSameGraphAs::MatchAndExplain(const Graph& found, std::ostream* out) const {

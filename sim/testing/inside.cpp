@@ -179,7 +179,7 @@ void Simulation::Inside::complain_unasked(const wire::RunResult& result) const {
   if (::testing::Test::HasFailure() || !is_failure(result.verdict) || log->verdict_asked) return;
   const Drive all = drive(0);
   ADD_FAILURE_AT(ended.file ? ended.file : __FILE__, ended.line)
-      << "the run failed by itself, which no expectation looked at\n  " << all.title()
+      << "the run failed, and no expectation checked its verdict\n  " << all.title()
       << all.epilogue(all.end());
 }
 
@@ -190,7 +190,7 @@ void Simulation::Inside::complain_detected(const wire::RunResult& result) const 
     seen += fmt::format("\n  detected: {} [{}]", wire::text_of(one), one.detector);
   const Drive all = drive(0);
   ADD_FAILURE_AT(last.file ? last.file : __FILE__, last.line)
-      << "what the sketch did works here, and breaks on a real robot; .detect = false, and nobody looks"
+      << "the sketch works here, but would fail on a real robot (.detect = false turns this check off)"
       << seen << "\n  " << all.title() << "\n  replay: " << log->replay
       << fmt::format(" --for {}ms --sanitize", shared->now_ns / 1'000'000);
 }

@@ -74,7 +74,7 @@ Requirement Follows(Line, Within<Length> within) {
     const Moment worst = drive.worst();
     if (drive.distance().mm < kMoved_mm)
       return {false,
-              fmt::format("it drove {:.0f} mm in all: it stands at {}", drive.distance().mm,
+              fmt::format("it drove {:.0f} mm in total and stands at {}", drive.distance().mm,
                           place_of(worst.pose)),
               drive.end()};
     const std::string sentence =
@@ -95,7 +95,7 @@ Requirement Visits(std::vector<std::string> stations) {
     }
     if (missed.empty()) return {true, "it came to " + list(came), drive.end()};
     return {false,
-            fmt::format("it did not come to {} until {}; it came to {}", list(missed), seconds(drive.end()),
+            fmt::format("it did not come to {} before {}; it came to {}", list(missed), seconds(drive.end()),
                         list(came)),
             drive.end()};
   });
@@ -131,10 +131,11 @@ Requirement StopsWithin(Length way) {
   return Requirement("stops " + clause, "does not stop " + clause, [=](const Drive& drive) -> Finding {
     const std::vector<Moment> moments = drive.moments();
     const bool stands = moments.size() < 2 || !moved(moments[moments.size() - 2], moments.back());
-    return {stands && drive.distance().mm <= way.mm,
-            fmt::format("it went {:.0f} mm on, to {}{}", drive.distance().mm, place_of(moments.back().pose),
-                        stands ? ", and stands there" : ", and still moves"),
-            drive.end()};
+    return {
+        stands && drive.distance().mm <= way.mm,
+        fmt::format("it moved on for {:.0f} mm, to {}{}", drive.distance().mm, place_of(moments.back().pose),
+                    stands ? ", and stopped there" : ", and was still moving"),
+        drive.end()};
   });
 }
 
@@ -183,7 +184,7 @@ Requirement NeverDrives(Doing what) {
 
 Requirement NeverCollides() {
   return Requirement("never collides", "collides", [](const Drive& drive) -> Finding {
-    if (drive.collisions() == 0) return {true, "it met nothing", drive.end()};
+    if (drive.collisions() == 0) return {true, "it collided with nothing", drive.end()};
     for (const RunLog::Entry& entry : drive.log().events) {
       if (entry.t_ns <= drive.begin().count() || !entry.collision) continue;
       const Duration t(entry.t_ns);
@@ -191,7 +192,7 @@ Requirement NeverCollides() {
       for (const Moment& moment : drive.moments())
         if (moment.t <= t) there = moment;
       return {false,
-              fmt::format("at {} it met a wall, an obstacle or the map's edge, at {}; {} time{} in all",
+              fmt::format("at {} it hit a wall, an obstacle or the map's edge, at {}; {} time{} in total",
                           seconds(t), place_of(there.pose), drive.collisions(),
                           drive.collisions() == 1 ? "" : "s"),
               t};
@@ -277,12 +278,12 @@ Requirement Reaches(std::string goal) {
     const std::string found = drive.verdict();
     if (log.started.goal != goal)
       return {false,
-              fmt::format("the goal of this run is {}: say .goal = {} in its Trial", log.started.goal,
+              fmt::format("the goal of this run is {}: set .goal = {} in its Trial", log.started.goal,
                           in_quotes(goal)),
               drive.end()};
     return {found == "reached",
             found == "reached" ? fmt::format("it did, after {}", seconds(drive.end()))
-                               : fmt::format("it did not, until {}", seconds(drive.end())),
+                               : fmt::format("it did not before {}", seconds(drive.end())),
             drive.end()};
   });
 }
@@ -299,22 +300,22 @@ Requirement UsesAtMost(std::initializer_list<Limit> list_of_limits) {
   for (const Limit& limit : limits)
     clause += fmt::format("{}{} of {}", clause.empty() ? "" : ", ", amount(limit, limit.most),
                           kNames[static_cast<int>(limit.of)]);
-  return Requirement(
-      "uses at most " + clause, "uses more than " + clause, [=](const Drive& drive) -> Finding {
-        const auto used = drive.usage();
-        if (!used)
-          return {false, "the host target knows nothing of a chip: run this test on avr", drive.end()};
-        const std::int64_t values[] = {used->flash_bytes, used->ram_bytes, used->stack_bytes,
-                                       used->longest_loop.count()};
-        std::string over;
-        for (const Limit& limit : limits) {
-          const std::int64_t value = values[static_cast<int>(limit.of)];
-          if (value > limit.most)
-            over += fmt::format("{}it uses {} of {}", over.empty() ? "" : ", ", amount(limit, value),
-                                kNames[static_cast<int>(limit.of)]);
-        }
-        return {over.empty(), over.empty() ? "it does not use more" : over, drive.end()};
-      });
+  return Requirement("uses at most " + clause, "uses more than " + clause,
+                     [=](const Drive& drive) -> Finding {
+                       const auto used = drive.usage();
+                       if (!used)
+                         return {false, "the target host has no chip: run this test on avr", drive.end()};
+                       const std::int64_t values[] = {used->flash_bytes, used->ram_bytes, used->stack_bytes,
+                                                      used->longest_loop.count()};
+                       std::string over;
+                       for (const Limit& limit : limits) {
+                         const std::int64_t value = values[static_cast<int>(limit.of)];
+                         if (value > limit.most)
+                           over += fmt::format("{}it uses {} of {}", over.empty() ? "" : ", ",
+                                               amount(limit, value), kNames[static_cast<int>(limit.of)]);
+                       }
+                       return {over.empty(), over.empty() ? "it does not use more" : over, drive.end()};
+                     });
 }
 
 }  // namespace robosim::testing

@@ -7,6 +7,8 @@
 
 namespace robosim::testing {
 
+constexpr const char* kWithoutCut = "in a run without a power cut";
+
 void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>& body, const char* file,
                      int line) {
   std::uint64_t writes = 0;
@@ -15,16 +17,16 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
     writes = robot.eeprom_writes();
   };
   if (fails_in(trial, counted)) {
-    run_for_all_to_see(trial, body, "this was without any power cut", file, line);
+    run_for_all_to_see(trial, body, kWithoutCut, file, line);
     return;
   }
   if (writes == 0) {
     const auto complain = [&](Simulation& robot) {
       body(robot);
       ADD_FAILURE_AT(file, line)
-          << "the sketch wrote nothing to its EEPROM: there is no place for a power cut";
+          << "the sketch wrote nothing to its EEPROM, so that there is no moment for a power cut";
     };
-    run_for_all_to_see(trial, complain, "this was without any power cut", file, line);
+    run_for_all_to_see(trial, complain, kWithoutCut, file, line);
     return;
   }
   for (const client::PowerCut& cut : client::all_power_cuts(writes)) {
@@ -32,7 +34,7 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
     if (!with_cut.script.empty() && with_cut.script.back() != '\n') with_cut.script += '\n';
     with_cut.script += cut.script();
     if (!fails_in(with_cut, body)) continue;
-    run_for_all_to_see(with_cut, body, "this was with a " + cut.text(), file, line);
+    run_for_all_to_see(with_cut, body, "in a run with a " + cut.text(), file, line);
     return;
   }
 }

@@ -35,7 +35,7 @@ std::string name_of(const std::string& name_or_text, const std::string& file, fs
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {
     std::string folder = (fs::temp_directory_path() / "robosim-test-XXXXXX").string();
-    if (!::mkdtemp(folder.data())) throw InputError({folder}, "no folder can be made there");
+    if (!::mkdtemp(folder.data())) throw InputError({folder}, "cannot create a folder there");
     scratch = folder;
   }
   write_file(scratch / file, name_or_text);
@@ -65,7 +65,7 @@ std::string in_place_of(const std::string& sketch) {
 }
 
 launch::SketchChoice choose_sketch(const Trial& trial) {
-  if (trial.sketch.empty()) throw InputError("a Trial needs a sketch");
+  if (trial.sketch.empty()) throw InputError("a Trial requires a sketch");
   return launch::choose_sketch(in_place_of(trial.sketch));
 }
 
@@ -147,13 +147,13 @@ FleetStage choose_stage(const FleetTrial& trial) {
   FleetStage all;
   launch::Fleet& fleet = all.fleet;
   if (!trial.file.empty() && !trial.robots.empty())
-    throw InputError("a FleetTrial names a file of robots, or the robots; not both");
+    throw InputError("a FleetTrial requires either a file of robots or the robots, got both");
   if (!trial.file.empty()) fleet = launch::read_fleet(trial.file);
-  if (fleet.members.empty() && trial.robots.empty()) throw InputError("a FleetTrial needs robots");
+  if (fleet.members.empty() && trial.robots.empty()) throw InputError("a FleetTrial requires robots");
   for (const FleetMember& robot : trial.robots) {
     launch::check_member_name(robot.name);
     if (fleet.find(robot.name)) throw InputError("two robots are named " + robot.name);
-    if (robot.sketch.empty()) throw InputError("robot " + robot.name + " needs a sketch");
+    if (robot.sketch.empty()) throw InputError("robot " + robot.name + " requires a sketch");
     launch::Member& member = fleet.members.emplace_back();
     member.name = robot.name;
     launch::Launch& launch = member.launch;

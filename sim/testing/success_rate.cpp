@@ -37,13 +37,14 @@ struct Cleaner {
 
 void check(const analysis::Demand& demand, std::int64_t seeds) {
   if (!(demand.rate >= 0.0 && demand.rate <= 1.0))
-    throw InputError(fmt::format("a success rate must be from 0 to 1, not {}", demand.rate));
-  if (seeds < 1) throw InputError("a success rate needs at least one seed");
+    throw InputError(fmt::format("the success rate: expected a number from 0 to 1, got {}", demand.rate));
+  if (seeds < 1) throw InputError("a success rate requires at least one seed");
   if (analysis::needed_successes(demand, seeds)) return;
   const auto needed = analysis::needed_runs(demand);
-  throw InputError(needed ? fmt::format("{} seeds cannot show a rate of {}, even if all succeed; {} could",
-                                        seeds, demand.rate, *needed)
-                          : std::string("no number of runs can show that a rate is 1"));
+  throw InputError(
+      needed ? fmt::format("{} seeds cannot prove a rate of {}, even if all succeed; {} seeds could", seeds,
+                           demand.rate, *needed)
+             : std::string("no number of runs can prove a rate of 1"));
 }
 
 }  // namespace
@@ -101,12 +102,12 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
       "{} of {} runs with different seeds succeeded{}; the true rate lies between {:.1f} % and {:.1f} %",
       tally.successes(), tally.runs(),
       tally.runs() < tally.planned()
-          ? fmt::format(" ({} were planned, and could not change the answer)", tally.planned())
+          ? fmt::format(" ({} were planned, but could not change the answer)", tally.planned())
           : "",
       100.0 * interval.low, 100.0 * interval.high);
   if (tally.met()) return ::testing::AssertionSuccess() << found;
   return ::testing::AssertionFailure()
-         << fmt::format("{} on {}, target {}: {}; wanted were {:g} %", stage.sketch_title,
+         << fmt::format("{} on {}, target {}: {}; expected at least {:g} %", stage.sketch_title,
                         stage.map_is_text ? "the test's map" : stage.map, trial.target, found,
                         100.0 * least.rate)
          << failures;

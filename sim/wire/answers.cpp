@@ -75,15 +75,15 @@ T read(const Json& object) {
 /// Returns a value that must exist and be text.
 const std::string& text_at(const Json& object, const char* key) {
   const auto found = object.find(key);
-  if (found == object.end()) throw BadValue(key, "is missing; it must be a string");
-  if (!found->is_string()) throw BadValue(key, "must be a string");
+  if (found == object.end()) throw BadValue(key, "missing key; expected a string");
+  if (!found->is_string()) throw BadValue(key, "expected a string");
   return found->get_ref<const std::string&>();
 }
 
 template <std::size_t I = 0>
 Event event_named(const std::string& name, const Json& object) {
   if constexpr (I == std::variant_size_v<Event>) {
-    throw BadValue("event", "is none that is known: " + excerpt(name));
+    throw BadValue("event", "unknown event " + excerpt(name));
   } else {
     using Kind = std::variant_alternative_t<I, Event>;
     if (name == Kind::kEvent) return read<Kind>(object);
@@ -98,7 +98,7 @@ Eeprom eeprom_of(const std::string& digits) {
     const char* end = digits.data() + std::min(i + 2, digits.size());
     const auto [read_to, error] = std::from_chars(digits.data() + i, end, byte, 16);
     if (error != std::errc() || read_to != digits.data() + i + 2)
-      throw BadValue(kEeprom, "must be two hexadecimal digits a byte");
+      throw BadValue(kEeprom, "expected two hexadecimal digits for each byte");
     memory.bytes.push_back(byte);
   }
   return memory;
@@ -126,15 +126,15 @@ Answer answer_of(const Json& object) {
   if (object.contains(kEeprom)) return eeprom_of(text_at(object, kEeprom));
   if (object.contains(kRefused)) return Refused{text_at(object, kRefused)};
   if (auto answer = keyed<ErrorAnswer>(object)) return std::move(*answer);
-  throw BadValue("result", "is missing, and so is every other answer");
+  throw BadValue("result", "missing, like every other answer");
 }
 
 Line line_of(const Json& object) {
-  if (!object.is_object()) throw BadValue("line", "must be an object");
+  if (!object.is_object()) throw BadValue("line", "expected an object");
   if (object.contains("hello")) return {-1, read<Hello>(object)};
   const auto id = object.find("id");
   if (id == object.end() || !(id->is_number_integer() || id->is_null()))
-    throw BadValue("id", "must be a whole number");
+    throw BadValue("id", "expected a whole number");
   return {id->is_null() ? -1 : id->get<long long>(), answer_of(object)};
 }
 
@@ -165,15 +165,14 @@ std::string batch_line(const Id& id, std::size_t bytes) {
 Hello parse_hello(std::string_view text, const std::string& program) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("hello") || !json.contains("protocol")) {
-    throw RunnerError(program + " is no runner of Robosim's: it says " + excerpt(text) +
-                      " where a runner says hello");
+    throw RunnerError(program + " is not a runner of Robosim: expected the hello of a runner, got " +
+                      excerpt(text));
   }
   const Json& protocol = json["protocol"];
   if (protocol != kProtocol) {
-    throw RunnerError("the runner " + program + " speaks protocol " +
-                      (protocol.is_number() ? text_of(protocol) : "of a kind unknown") +
-                      ", and this program speaks " + std::to_string(kProtocol) +
-                      ": they are of different versions of Robosim");
+    throw RunnerError("the runner " + program + " is of another version of Robosim: expected protocol " +
+                      std::to_string(kProtocol) + ", got " +
+                      (protocol.is_number() ? text_of(protocol) : "an unknown one"));
   }
   return std::get<Hello>(parse_line(text).content);
 }
@@ -184,15 +183,14 @@ Line parse_line(std::string_view text) {
   std::string left;
   if (has_columns) left = long_texts.cut(text);
   const Json json = parsed_json(has_columns ? std::string_view(left) : text);
-  if (json.is_discarded()) throw RunnerError("the runner said something that is not JSON: " + excerpt(text));
+  if (json.is_discarded()) throw RunnerError("unexpected line of the runner (not JSON): " + excerpt(text));
   try {
     Line line = line_of(json);
     if (auto* event = std::get_if<Event>(&line.content))
       if (auto* columns = std::get_if<Columns>(event)) long_texts.put_back(*columns);
     return line;
   } catch (const BadValue& error) {
-    throw RunnerError(std::string("the runner said something unexpected (") + error.what() +
-                      "): " + excerpt(text));
+    throw RunnerError(std::string("unexpected line of the runner (") + error.what() + "): " + excerpt(text));
   }
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t kPins = 256;
 bool fits(int agent) { return agent >= 0 && agent < static_cast<int>(kMostAgents); }
 
 [[noreturn]] void refuse() {
-  throw RunnerError("the runner said something unexpected: a batch that does not hold whole events");
+  throw RunnerError("unexpected line of the runner: a batch with an incomplete event");
 }
 
 }  // namespace

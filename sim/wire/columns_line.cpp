@@ -73,7 +73,7 @@ void LongTexts::put_back(Columns& columns) const {
       try {
         bytes = from_base64(text);
       } catch (const InputError&) {
-        throw BadValue("bytes", "must be base64");
+        throw BadValue("bytes", "expected base64");
       }
     }
 }

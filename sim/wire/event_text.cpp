@@ -50,7 +50,7 @@ struct Text {
     if (e.verb == "erase") return "line erased, " + stretch(e.text);
     if (e.verb == "door") return "door " + e.part + ", " + stretch(e.text);
     if (e.verb == "light") return light(e);
-    if (e.verb == "restore" && e.part.empty()) return "the floor as before, " + stretch(e.text);
+    if (e.verb == "restore" && e.part.empty()) return "floor restored, " + stretch(e.text);
     if (e.verb == "restore")
       return e.text.find(' ') == e.text.npos ? light(e) : "door " + e.part + ", " + stretch(e.text);
     if (e.verb == "obstacle") return "obstacle put on " + e.text;

@@ -42,11 +42,11 @@ void JsonReader::finish() const {
     for (auto at = object_.begin(); at != object_.end(); ++at) {
       const bool known =
           std::any_of(known_.begin(), known_.end(), [&](const char* key) { return at.key() == key; });
-      if (!known) throw BadValue(at.key().substr(0, 40), "is unknown; known are " + one_of(known_));
+      if (!known) throw BadValue(at.key().substr(0, 40), "unknown key; expected " + one_of(known_));
     }
   }
   if (!choices_.empty() && chosen_ != 1)
-    throw BadValue("", "needs one of the keys " + one_of(choices_) + ", and only one");
+    throw BadValue("", "expected exactly one of the keys " + one_of(choices_));
 }
 
 }  // namespace robosim::wire

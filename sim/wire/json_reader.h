@@ -26,16 +26,16 @@ namespace robosim::wire {
 class BadValue : public std::runtime_error {
  public:
   BadValue(std::string key, std::string problem)
-      : std::runtime_error("\"" + key + "\" " + problem),
+      : std::runtime_error("\"" + key + "\": " + problem),
         key_(std::move(key)),
         problem_(std::move(problem)) {}
   /// Returns the error for the value inside `outer`: "calls" and "[2].line" make "calls[2].line".
   BadValue inside(const std::string& outer) const {
     return {outer + (key_.empty() || key_[0] == '[' ? "" : ".") + key_, problem_};
   }
-  /// Returns "\"seed\" in the request must be a whole number from 0"
+  /// Returns "\"seed\" in the request: expected a whole number from 0".
   std::string in(const std::string& message) const {
-    return "\"" + key_ + "\" in " + message + " " + problem_;
+    return "\"" + key_ + "\" in " + message + ": " + problem_;
   }
 
  private:
@@ -58,7 +58,7 @@ class JsonReader {
   template <class T>
   static void read(const Json& object, T& message, Unknown unknown,
                    std::initializer_list<const char*> besides = {}) {
-    if (!object.is_object()) throw BadValue("", "must be an object");
+    if (!object.is_object()) throw BadValue("", "expected an object");
     JsonReader reader(object, unknown);
     for (const char* key : besides) reader.known_.push_back(key);
     fields(reader, message);
@@ -74,7 +74,7 @@ class JsonReader {
     } else if (found) {
       take(key, *found, value, rules);
     } else if (rules.presence.required) {
-      throw BadValue(key, "is missing; it must be " + allowed<Value>(rules));
+      throw BadValue(key, "missing key; expected " + allowed<Value>(rules));
     }
   }
 
@@ -130,7 +130,7 @@ class JsonReader {
   static std::string allowed(const Rules& rules);
   template <class T>
   [[noreturn]] static void refuse(const Rules& rules) {
-    throw BadValue("", "must be " + allowed<T>(rules));
+    throw BadValue("", "expected " + allowed<T>(rules));
   }
 
   const Json& object_;
@@ -244,7 +244,7 @@ void JsonReader::set(T& value, const Json& json, const Rules& rules) const {
   } else if constexpr (detail::IsNameList<T>::value) {
     std::vector<const char*> names;
     for (const auto& name : value.names) names.push_back(name.name);
-    const auto wrong = [&] { throw BadValue("", "must be an array of " + detail::all_of(names)); };
+    const auto wrong = [&] { throw BadValue("", "expected an array of " + detail::all_of(names)); };
     if (!json.is_array()) wrong();
     for (const Json& name : json) {
       bool found = false;
@@ -261,7 +261,7 @@ void JsonReader::set(T& value, const Json& json, const Rules& rules) const {
       else if (pin.is_string())
         value.list.emplace_back(use, pin.template get<std::string>());
       else
-        throw BadValue(use, "must be a number or a string");
+        throw BadValue(use, "expected a number or a string");
     }
   } else {
     set_list(value, json, rules);

@@ -51,8 +51,8 @@ std::string names_of(std::index_sequence<I...>) {
 template <class Any>
 Any request_of(const Json& object, const char* who) {
   if (const auto spoken = object.find("protocol"); spoken != object.end() && *spoken != kProtocol)
-    throw InputError("this runner speaks version " + std::to_string(kProtocol) +
-                     " of the runner protocol, and the request is of another");
+    throw InputError("\"protocol\" in the request: expected " + std::to_string(kProtocol) +
+                     ", the version of this runner");
   const auto what = object.find("do");
   const std::string name = what != object.end() && what->is_string() ? what->get<std::string>() : "";
   try {
@@ -60,9 +60,9 @@ Any request_of(const Json& object, const char* who) {
   } catch (const BadValue& bad) {
     throw InputError(bad.in("the request"));
   }
-  const std::string asked = name.empty() ? "its \"do\" is missing or no text" : "not " + excerpt(name);
-  throw InputError(std::string(who) + " is asked " +
-                   names_of<Any>(std::make_index_sequence<std::variant_size_v<Any>>()) + ", " + asked);
+  throw InputError("\"do\" in the request to " + std::string(who) + ": expected " +
+                   names_of<Any>(std::make_index_sequence<std::variant_size_v<Any>>()) + ", got " +
+                   (name.empty() ? "none or one that is not a string" : excerpt(name)));
 }
 
 template <class Any>
@@ -70,14 +70,14 @@ Asked<Any> parse(std::string_view text, const char* who) {
   Asked<Any> asked;
   const Json json = parsed_json(text);
   if (!json.is_object()) {
-    asked.fault = "this is a runner of Robosim's, and a request to it must be one JSON object a line, not " +
-                  excerpt(text);
+    asked.fault =
+        "the request to this runner of Robosim: expected one JSON object in a line, got " + excerpt(text);
     return asked;
   }
   asked.id = id_of(json);
   try {
     if (std::holds_alternative<std::monostate>(asked.id))
-      throw InputError("a request needs a number as its \"id\"");
+      throw InputError("\"id\" in the request: expected a number");
     asked.request = request_of<Any>(json, who);
   } catch (const InputError& error) {
     asked.fault = error.what();
@@ -93,10 +93,10 @@ std::string to_line(long long id, const LiveRequest& request) { return line_of(i
 
 Asked<Request> parse_request(std::string_view text) { return parse<Request>(text, "a runner"); }
 Asked<DrivenRequest> parse_driven_request(std::string_view text) {
-  return parse<DrivenRequest>(text, "a run that stands still");
+  return parse<DrivenRequest>(text, "a paused run");
 }
 Asked<LiveRequest> parse_live_request(std::string_view text) {
-  return parse<LiveRequest>(text, "a run that is watched");
+  return parse<LiveRequest>(text, "a watched run");
 }
 
 }  // namespace robosim::wire

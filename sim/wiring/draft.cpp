@@ -33,11 +33,11 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
   const char* const kit =
       draft.base == "uno5" ? "micro metal gear motors, wheels of 32 mm" : "yellow TT motors, wheels of 65 mm";
   text += line(fmt::format("base = \"{}\"", draft.base),
-               fmt::format("? its chassis, motors and battery: {}", kit));
-  text += line("remove = \"all\"", "of its parts; those of this robot follow");
+               fmt::format("? the chassis, motors and battery of the base: {}", kit));
+  text += line("remove = \"all\"", "parts of the base; this robot's parts follow");
   text += line(fmt::format("board = \"{}\"", draft.board), "");
   text +=
-      "\n# ? These decide how it drives: measure them, and take the # away.\n"
+      "\n# ? These determine how the robot drives: measure them, and remove the #.\n"
       "# [chassis]\n# track = \"… mm\"   # between the wheels\n# wheel = \"… mm\"   # diameter\n";
   if (has_motors(draft)) {
     text += "\n[driver]\n";

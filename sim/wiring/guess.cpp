@@ -46,7 +46,7 @@ void guess_input(Clues& clues, RobotDraft& draft, const Clue& clue) {
                    {}};
     if (part.name.find("left") == std::string::npos && part.name.find("right") == std::string::npos)
       part.keys.emplace_back("wheel", side_of(clue.words) == Side::right ? "\"right\"" : "\"left\"");
-    part.doubts.push_back("periods: of one channel, for each turn of the wheel");
+    part.doubts.push_back("periods: the periods of one channel for each turn of the wheel");
     draft.parts.push_back(std::move(part));
     clues.take(clue.pin);
   } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
@@ -57,14 +57,14 @@ void guess_input(Clues& clues, RobotDraft& draft, const Clue& clue) {
         : add_pin_part(clues, draft, clue, "button", "button", {{"resistor", "true"}});
     if (!low)
       draft.parts.back().doubts.push_back(
-          "LOW when pressed, with a resistor of its own: if it is HIGH when pressed, add active = \"high\"");
+          "LOW when pressed, with its own resistor; if it is HIGH when pressed, add active = \"high\"");
   }
 }
 
 void guess_measured(Clues& clues, RobotDraft& draft, const Clue& clue) {
   if (says(clue.words, {"batt", "vbat", "volt"})) {
     add_pin_part(clues, draft, clue, "voltage", "battery", {{"share", "0.5"}});
-    draft.parts.back().doubts.push_back("share: of the divider");
+    draft.parts.back().doubts.push_back("share: the ratio of the voltage divider");
   } else if (says(clue.words, {"dist", "sharp"})) {
     add_pin_part(clues, draft, clue, "ir-distance", "distance");
   } else if (says(clue.words, {"curr"})) {
@@ -101,8 +101,8 @@ void ask_for_the_bus(Clues& clues, RobotDraft& draft) {
   clues.take(data);
   clues.take(clock);
   draft.questions.push_back(fmt::format(
-      "{} and {} are used as the two-wire bus (Wire): what hangs on it? Parts for it are lcd-i2c, "
-      "ssd1306, mpu-6050, vl53l0x, tcs34725, pca9685",
+      "{} and {} are used as the two-wire bus (Wire): what is connected to it? Parts for it are lcd-i2c, "
+      "ssd1306, mpu-6050, vl53l0x, tcs34725 and pca9685",
       shown(clues, data), shown(clues, clock)));
 }
 
@@ -135,9 +135,8 @@ void guess_the_rest(Clues& clues, RobotDraft& draft) {
                                           where.empty() ? "" : " (" + where + ")", use_of(*clue->facts)));
   }
   for (const Clue* clue : clues.never_used())
-    draft.questions.push_back(
-        fmt::format("{} ({}) was not used in the runs: when does the sketch come to it?",
-                    shown(clues, clue->pin), clues.where(clue->pin)));
+    draft.questions.push_back(fmt::format("{} ({}) was not used in the runs: when does the sketch use it?",
+                                          shown(clues, clue->pin), clues.where(clue->pin)));
 }
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,

@@ -37,7 +37,7 @@ class Libraries {
     } else if (type == "SoftwareSerial") {
       // By the module's labels: its txd is connected to the pin by which the sketch receives.
       part(given, "bluetooth", {{"txd", pin(0)}, {"rxd", pin(1)}});
-      doubt("baud is 9600 unless given here: the one of " + given.name + ".begin()");
+      doubt("baud: the baud rate in " + given.name + ".begin(), if it is not 9600");
     } else if (type == "LiquidCrystal" && given.pins.size() == 6) {
       part(given, "lcd",
            {{"rs", pin(0)}, {"en", pin(1)}, {"d4", pin(2)}, {"d5", pin(3)}, {"d6", pin(4)}, {"d7", pin(5)}});
@@ -46,7 +46,7 @@ class Libraries {
       if (found_) draft_.parts.back().keys.emplace_back("periods", "20");
       if (found_ && side_of(words_of(given.name)) == Side::unknown)
         draft_.parts.back().keys.emplace_back("wheel", next_wheel());
-      doubt("periods: of one channel, for each turn of the wheel");
+      doubt("periods: the periods of one channel for each turn of the wheel");
     } else if (type == "Keypad" && given.each.size() >= 3) {
       keypad(given);
     } else if (type == "shiftOut" && given.each.size() == 2) {
@@ -123,7 +123,8 @@ class Libraries {
         if (!clues_.is_free(pin)) return;
     add(given, "keypad", {"rows", list(rows)});
     draft_.parts.back().keys.emplace_back("columns", list(columns));
-    draft_.parts.back().doubts.push_back("keys: those of the usual keypads, unless given here");
+    draft_.parts.back().doubts.push_back(
+        "keys: the labels of the keys, if they differ from the usual keypads");
     for (const auto* pins : {&rows, &columns})
       for (const Pin pin : *pins) clues_.take(pin);
   }
@@ -142,7 +143,7 @@ class Libraries {
     draft_.parts.back().name = part_name(draft_, "REG");
     for (const Pin pin : {data, clock, latch}) clues_.take(pin);
     draft_.questions.push_back(
-        "what hangs on the outputs of REG? Other parts name them as pins: \"REG.Q0\" to \"REG.Q7\"");
+        "what is connected to the outputs of REG? Other parts use them as pins: \"REG.Q0\" to \"REG.Q7\"");
   }
 
   // pulseIn() on a pin: the trigger is the pin with short pulses.

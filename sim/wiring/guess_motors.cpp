@@ -255,10 +255,11 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
   const Motor left(clues, sides.left), right(clues, sides.right);
   for (const auto* side : {&sides.left, &sides.right}) {
     if (side->size() <= kMostPinsOfAMotor) continue;
-    draft.questions.push_back(fmt::format(
-        "{} pins are driven for the motor(s) on one side: which of them are one motor's? Two motors in "
-        "parallel are one part",
-        side->size()));
+    draft.questions.push_back(
+        fmt::format("{} pins are driven for the motors on one side: which of them belong to the same motor? "
+                    "Two motors in "
+                    "parallel are one part",
+                    side->size()));
   }
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
   draft.open.sides = !sides.named;
@@ -269,9 +270,9 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
     PartDraft part{is_left ? "left" : "right", "motor", {{"pins", motor.pins()}}, motor.why(), {}};
     if (backward) {
       part.keys.emplace_back("reversed", "true");
-      part.doubts.push_back("reversed, since the sketch mostly drives it the other way");
+      part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
     } else if (!sides.named) {
-      part.doubts.push_back("which motor is the left one is guessed from the order of the pins");
+      part.doubts.push_back("the left motor is guessed from the order of the pins");
     }
     draft.parts.push_back(std::move(part));
   }

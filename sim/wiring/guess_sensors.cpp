@@ -97,7 +97,8 @@ void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft) {
   } else {
     part.keys.emplace_back("pins", "[" + pins + "]");
     part.keys.emplace_back("pitch", fmt::format("\"{}\"", layout.pitch));
-    part.doubts.push_back("measure pitch (from one to the next) and at (ahead of the axle)");
+    part.doubts.push_back(
+        "measure pitch (the distance between neighbours) and at (the distance ahead of the axle)");
   }
   part.keys.emplace_back("at", fmt::format("[\"{}\", \"0 mm\"]", layout.ahead));
   part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));

@@ -67,7 +67,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
   if (named)
     for (const Numbered& motor : unknown)
       draft.questions.push_back(
-          fmt::format("motor {} of the shield ({}) has no side in its name: which one does it drive?",
+          fmt::format("the name of motor {} of the shield ({}) gives no side: which side does it drive?",
                       motor.number + 1, where(*motor.given)));
   for (const bool is_left : {true, false}) {
     const std::vector<Numbered>& side = is_left ? left : right;
@@ -79,11 +79,11 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
                                          outputs.in2[i])}},
                    where(*side.front().given),
                    {}};
-    if (!named) part.doubts.push_back("which motor is the left one is guessed from their numbers");
+    if (!named) part.doubts.push_back("the left motor is guessed from the numbers of the motors");
     if (side.size() > 1)
       part.doubts.push_back(
-          fmt::format("motors {} and {} are taken for this side: they are one part, with {} times the torque "
-                      "and current",
+          fmt::format("motors {} and {} are assumed to drive this side: they are one part, with {} times the "
+                      "torque and current",
                       side[0].number + 1, side[1].number + 1, side.size()));
     draft.parts.push_back(std::move(part));
   }

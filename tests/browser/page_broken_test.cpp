@@ -68,18 +68,17 @@ TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
   const std::vector<Broken> files = {
       {"cut.rec", good.substr(0, good.size() / 2),
        "The recording is damaged or cut off: record the run again."},
-      {"begun.rec", good.substr(0, 8), "This is no recording of Robosim’s."},
+      {"begun.rec", good.substr(0, 8), "This is not a recording of Robosim."},
       {"odd.rec", good.substr(0, 400) + "robosim" + good.substr(407),
        "The recording is damaged or cut off: record the run again."},
       {"newer.rec", "robosim.rec/2\n" + good.substr(14),
-       "This recording is of a newer version of Robosim than this page."},
-      {"empty.rec", "", "This is no recording of Robosim’s."},
-      {"other.html", "<!doctype html><title>Another page</title>",
-       "This page holds no recording of Robosim’s."},
+       "This recording was made by a newer version of Robosim than this page."},
+      {"empty.rec", "", "This is not a recording of Robosim."},
+      {"other.html", "<!doctype html><title>Another page</title>", "This page has no recording of Robosim."},
       {"bare.rec", made("{}"), "The recording’s header is damaged: record the run again."},
       {"hollow.rec", made(R"({"streams":[],"notes":[],"result":{},"started":{},"robot_info":{}})"),
        "The recording’s header is damaged: record the run again."},
-      {"photo.rec", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "This is no recording of Robosim’s."}};
+      {"photo.rec", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "This is not a recording of Robosim."}};
   Json chosen = Json::array();
   for (const Broken& file : files) chosen.push_back({file.name, base64(file.content)});
   const Json seen = in_page(file(), "const files = " + chosen.dump() + ", good = '" + base64(good) + R"(';

@@ -24,15 +24,15 @@ TEST_F(Page, LaysALogOfARealRobotOverTheRun) {
     await page.open(new File(['t,x,y\n0,1,1\n0.1,1,2\n'], 'bare.csv'));
     seen.bare = $('other-box').textContent;
     return seen;)");
-  EXPECT_THAT(over["bare"].get<std::string>(), HasSubstr("a log of 0.10 s, x and y taken for mm"));
+  EXPECT_THAT(over["bare"].get<std::string>(), HasSubstr("a log of 0.10 s, x and y read as mm"));
   EXPECT_THAT(over["text"].get<std::string>(), HasSubstr("log.csv (a log of 2.00 s)"));
   EXPECT_NEAR(over["pose"]["x"], 1700, 1e-6);
   EXPECT_NEAR(over["pose"]["y"], 275, 1e-6);
   EXPECT_EQ(over["battery"], 7.2);
   EXPECT_THAT(over["problem"].get<std::string>(),
-              HasSubstr("bad.csv: a log needs columns for time, x and y"));
+              HasSubstr("bad.csv: the log’s columns: expected time, x and y"));
   EXPECT_THAT(over["worse"].get<std::string>(),
-              HasSubstr("worse.csv, line 3: time, x and y must be numbers"));
+              HasSubstr("worse.csv, line 3: time, x and y: expected numbers"));
   EXPECT_TRUE(over["still"].get<bool>()) << "a bad file takes nothing away";
 }
 

@@ -223,8 +223,9 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
                                                      HasSubstr("\n_S.4......._________\n")))
       << "a line through a puddle";
   EXPECT_EQ(seen["own"], true) << "an image is for its own chip";
-  EXPECT_EQ(seen["wrong"],
-            "Wrong.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");
+  EXPECT_EQ(
+      seen["wrong"],
+      "Wrong.elf: expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)\n");
   EXPECT_EQ(read_file(folder_ / "Image.hex"), ":00000001FF\n");
   EXPECT_THAT(seen["sketches"], Contains("./Dropped"));
   EXPECT_EQ(read_file(folder_ / "my.map"), seen["text"].get<std::string>());
@@ -315,11 +316,13 @@ TEST_F(Serve, ShowsWhatTheCompilerSays) {
 // Whatever runs, it is not another one.
 TEST_F(Serve, RunsNothingElseThanALinkAsksFor) {
   for (const auto& [link, sentence] :
-       {std::pair{"sketch=./Nobody&map=oval&run=1", "the sketch ./Nobody"},
-        std::pair{"sketch=./Echo&map=./nowhere.map&run=1", "the map ./nowhere.map"},
-        std::pair{"sketch=./Echo&robot=uno7&live=1", "the robot uno7"},
-        std::pair{"skech=./Echo&run=1", "skech"},
-        std::pair{"sketch=./Echo&seed=soon&run=1", "seed cannot be soon"}}) {
+       {std::pair{"sketch=./Nobody&map=oval&run=1",
+                  "Unknown sketch in the link: expected one in this folder or one that comes with Robosim, "
+                  "got ./Nobody."},
+        std::pair{"sketch=./Echo&map=./nowhere.map&run=1", "got ./nowhere.map."},
+        std::pair{"sketch=./Echo&robot=uno7&live=1", "got uno7."},
+        std::pair{"skech=./Echo&run=1", "Unknown key skech in the link"},
+        std::pair{"sketch=./Echo&seed=soon&run=1", "Invalid seed in the link: soon."}}) {
     const Json seen = in_page(link,
                               "await until(() => document.documentElement.dataset.ready); return "
                               "[$('said').textContent, $('replay').hidden, $('stop').hidden];");
@@ -335,7 +338,7 @@ TEST_F(Serve, RunsNothingElseThanALinkAsksFor) {
   const Json gone = browser().run(
       "$('run').click(); await until(() => $('said').textContent); return [$('said').textContent, "
       "$('replay').hidden];");
-  EXPECT_EQ(gone[0], "The sketch ./Echo is not in the folder any more: choose another.\n");
+  EXPECT_EQ(gone[0], "The sketch ./Echo is no longer in the folder: choose another.\n");
   EXPECT_EQ(gone[1], true);
 }
 

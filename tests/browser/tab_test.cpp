@@ -130,9 +130,9 @@ TEST_F(Tab, SaysWhatIsWrongWithAFile) {
     return all;)");
   EXPECT_THAT(said[0].get<std::string>(), StartsWith("own.map:2:3: unexpected character"));
   EXPECT_THAT(said[1].get<std::string>(), HasSubstr("own.toml:1:9: "));
-  EXPECT_EQ(said[2], "own.hex:1: is no line of an Intel HEX file");
+  EXPECT_EQ(said[2], "own.hex:1: expected a line of an Intel HEX file");
   EXPECT_EQ(said[3],
-            "own.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
+            "own.elf: expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
 }
 
 }  // namespace

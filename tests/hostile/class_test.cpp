@@ -55,7 +55,7 @@ TEST(Class, OfThirtyGetsTwentyFiveRightVerdictsAndReadsAndWritesNothingOutside) 
   for (int i = 0; i < 2; ++i)
     hand_in(fmt::format("d{}", i), "void setup() { int x = ; }\nvoid loop() {}\n", "expected");
   const std::string body = "\nvoid setup() {}\nvoid loop() {}\n";
-  hand_in("e0", "asm(\".incbin \\\"@SECRET@\\\"\");" + body, "is no file of the sketch");
+  hand_in("e0", "asm(\".incbin \\\"@SECRET@\\\"\");" + body, "is not a readable file of the sketch");
   hand_in("e1", "#include \"l.h\"" + body, "outside of the sketch's folder");
   entries.push_back({"pupils/e1/l.h", "../../outside/secret.h", Kind::link});
   hand_in("e2", "#include __FILE__\n#include __FILE__" + body, "ERROR");

@@ -40,8 +40,8 @@ constexpr const char* kLimits[] = {"loops without end",
                                    "processor time",
                                    "only waited",
                                    "took more than",
-                                   "a request must be here within",
-                                   "it printed more than"};
+                                   "the request is too slow",
+                                   "printed more than"};
 
 /// The command that was built, or another one to compare it with.
 std::string command() {

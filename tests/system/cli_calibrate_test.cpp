@@ -106,7 +106,7 @@ black_volts = [{}]
       EXPECT_NEAR(value_of(w), white[i], 1.5 * spread_of(w));
     }
     EXPECT_THAT(read_file(folder / "found.svg"),
-                AllOf(HasSubstr("footprint"), HasSubstr("drive, told 255 and 255")));
+                AllOf(HasSubstr("footprint"), HasSubstr("drive with 255 and 255")));
 
     if (seed > 1) continue;
     // What there is stays, unless it is asked for.

@@ -95,7 +95,7 @@ TEST_F(CliCompare, WhatTheHostLacksIsNotBlamedOnTheSketch) {
   const Ended ended = compare("SlowsItsClock", "host,avr");
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("host and avr differ, but host lacks what the sketch uses"),
+              AllOf(HasSubstr("host and avr differ, but host lacks a feature that the sketch uses"),
                     HasSubstr("lacks     host does not have CLKPR in SlowsItsClock.ino:8 in setup()")))
       << ended.out;
 }
@@ -158,7 +158,7 @@ TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("differ no more than each differs from itself"),
-                               HasSubstr("on the edge of a tick: host does as stm32, where it is ")))
+                               HasSubstr("on the edge of a tick: host behaves like stm32, where it is ")))
       << ended.out;
   const Ended chips = compare("DiffersAtTick", "avr,stm32", {"--json"});
   EXPECT_EQ(chips.status, 0) << chips.out << chips.err;
@@ -172,7 +172,7 @@ TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
 TEST_F(CliCompare, SoDoesWhatHangsOnAHostThatIsSlowerThanAChip) {
   const Ended ended = compare("TellsHalfSeconds", "host,avr");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("host does as avr, where its first delay() ends ")) << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("host behaves like avr, where its first delay() ends ")) << ended.out;
 }
 
 TEST_F(CliCompare, WhatDiffersBehindSuchATickIsFound) {
@@ -207,8 +207,7 @@ TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
   EXPECT_EQ(runs[0]["robot"], "robot.toml");
   EXPECT_EQ(runs[1]["robot"], "robot.toml");
   EXPECT_EQ(runs[2]["robot"], "robot.toml@bluepill");
-  EXPECT_THAT(ended.err,
-              HasSubstr("on stm32 a bluepill takes the place of the uno in robot.toml, on the same pins"));
+  EXPECT_THAT(ended.err, HasSubstr("on stm32 a bluepill replaces the uno in robot.toml on the same pins"));
 }
 
 TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {

@@ -102,7 +102,7 @@ TEST_F(CliFlash, PutsNoOtherBoardInThePlaceOfTheRobots) {
   fake_avrdude(0);
   const Ended ended = flash({"--port", "/dev/ttyUSB0", "--robot", "bluepill3"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("the board bluepill has no chip of the target avr"));
+  EXPECT_THAT(ended.err, HasSubstr("the board bluepill cannot run the target avr"));
   EXPECT_FALSE(std::filesystem::exists(words())) << "avrdude was started";
 }
 

@@ -107,7 +107,7 @@ TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
   const nlohmann::json robots = json_of(run)["robots"];
   ASSERT_EQ(robots.size(), 2u) << run.err;
   EXPECT_EQ(robots[0]["verdict"], "interrupted");
-  EXPECT_EQ(robots[0]["why"], "The run ended when the sketch of B took its process down.");
+  EXPECT_EQ(robots[0]["why"], "The run ended when the sketch of B ended its process.");
   EXPECT_EQ(robots[1]["verdict"], "crashed");
 }
 #endif
@@ -330,7 +330,8 @@ TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
   EXPECT_THAT(refusal({"--gdb", "3333"}), HasSubstr("--gdb halts only one robot's chip"));
   EXPECT_THAT(refusal({"--script", "B=/none.txt"}), HasSubstr("/none.txt"));
   EXPECT_THAT(refusal({"--map", "ovall"}), HasSubstr("--map is given more than once"));
-  EXPECT_THAT(refusal({"--robot", "B b=uno5"}), HasSubstr("“B b” cannot be a robot's name"));
+  EXPECT_THAT(refusal({"--robot", "B b=uno5"}),
+              HasSubstr("invalid name of a robot: expected up to 32 letters, digits, _ and -, got “B b”"));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_F(CliHunt, FindsWhatAButtonBringsAboutAndLeavesTheSmallestRunThatShowsIt) {
   const Ended ended = hunt();
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("in loop, Tries.ino:5."),
-                               HasSubstr("oval; it needs press start\n"), Not(HasSubstr("finding 2"))));
+                               HasSubstr("oval; requires press start\n"), Not(HasSubstr("finding 2"))));
   EXPECT_THAT(ended.err, HasSubstr("in loop, Tries.ino:5. Looking for the smallest world"));
   for (const char* file : {"hunt-Tries/1/run.html", "hunt-Tries/1/script.txt", "hunt-Tries/checks.toml"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / file)) << file;
@@ -69,7 +69,7 @@ TEST_F(CliHunt, FindsTheSameWhateverTheNumberOfJobs) {
 TEST_F(CliHunt, FindsWhatOnlyAMessageBringsAboutSinceItKnowsTheSketchsWords) {
   sketch("  if (Serial.readStringUntil('\\n') == \"reset\") { int* nothing = 0; *nothing = 1; }");
   const Ended ended = hunt({"--stop-early"}, "120");
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("it needs send\n"))) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("null pointer"), HasSubstr("; requires send\n"))) << ended.err;
 }
 
 TEST_F(CliHunt, TellsOnceWhatSeveralMachinesHaveFound) {
@@ -100,7 +100,7 @@ TEST_F(CliHunt, TellsWhatADetectorSeesAndLeavesACheckOfIt) {
   const Ended ended = hunt({}, "12");
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("in loop, Tries.ino:4"), HasSubstr("EEPROM"),
-                               HasSubstr("nothing else is needed"), HasSubstr("--sanitize\n")));
+                               HasSubstr("no other conditions"), HasSubstr("--sanitize\n")));
   const std::vector<std::string> test{"test", "./Tries", "--checks", "hunt-Tries/checks.toml"};
   EXPECT_THAT(command(test).out, AllOf(HasSubstr("why: detected: "), HasSubstr("--sanitize --view")));
   saves_by("update");
@@ -115,7 +115,7 @@ TEST_F(CliHunt, TellsWhereTheChipDoesNotDoAsTheHostDoes) {
   const Ended ended = hunt({"--target", "avr", "host"}, "12");
   EXPECT_THAT(
       ended.out,
-      AllOf(HasSubstr("finding 1: Where the host says “195 mm”, the avr says “64 mm”, with any noise."),
+      AllOf(HasSubstr("finding 1: Where the host says “195 mm”, the avr says “64 mm”, whatever the noise."),
             HasSubstr("replay  robosim compare ./Tries --map oval --target host,avr "),
             Not(HasSubstr("finding 2"))))
       << ended.err;
@@ -138,9 +138,9 @@ TEST_F(CliHunt, TellsOfARobotThatDoesNotDriveWhateverIsDoneToIt) {
     return hunt({}, "12").out;
   };
   EXPECT_THAT(drives_if("2"),
-              HasSubstr("nothing was found\nin none of them the robot drove, whatever was done to "
-                        "it: The 2.00 s of simulated time are up"));
-  EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("in none of them the robot drove")));
+              HasSubstr("nothing was found\nin none of them did the robot drive, whatever the "
+                        "inputs: The 2.00 s of simulated time are up"));
+  EXPECT_THAT(drives_if("LOW"), Not(HasSubstr("in none of them did the robot drive")));
 }
 
 TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
@@ -161,8 +161,8 @@ TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
                 "  delay(5);\n"
                 "}\n");
   const char* const kSays =
-      "it reaches its goal on a, but not on most floors like it: its driving there is not a finding; "
-      "--map a makes it one\n";
+      "the sketch reaches its goal on a, but not on most floors like it, so that its driving there is not "
+      "reported: --map a reports it\n";
   const std::vector<std::string> hunt = {"hunt", "./Tries", "--runs", "96", "--target", "host"};
   const Ended guessed = command(hunt);
   EXPECT_EQ(guessed.status, 0) << guessed.out;
@@ -192,10 +192,9 @@ TEST_F(CliHunt, KeepsWhatMustNeverSometimesAndAlwaysBe) {
   folder_.write("Tries/checks.toml",
                 "never = \"serial: ouch\"\nsometimes = [\"serial: ou\", \"serial: hello\"]\n");
   const Ended ended = hunt();
-  EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("finding 1: The sketch sent “ouch”, which it must never do.\n"),
-                    HasSubstr("it needs press start\n"),
-                    HasSubstr("In none of 24 runs there was serial: hello, which there must be sometimes.")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("finding 1: The sketch sent “ouch”, which it must never do.\n"),
+                               HasSubstr("; requires press start\n"),
+                               HasSubstr("None of 24 runs had serial: hello, which must occur sometimes.")));
   EXPECT_THAT(ended.out, Not(HasSubstr("finding 3")));
   const Ended test = command({"test", "./Tries", "--checks", "hunt-Tries/checks.toml"});
   EXPECT_THAT(test.out, HasSubstr("the sketch sent “ouch”, which it must never do"));

@@ -39,7 +39,7 @@ TEST_F(CliMutate, TellsWhichBugsNoCheckFinds) {
   const Ended ended = mutate({"--count", "100"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_THAT(ended.out, StartsWith("Greets: "));
-  EXPECT_THAT(ended.out, HasSubstr("without a trace in these runs:\n"));
+  EXPECT_THAT(ended.out, HasSubstr("without any effect in these runs:\n"));
   EXPECT_THAT(ended.out, HasSubstr("  Greets.ino:3  constant: `0` for `1`\n"));
   EXPECT_THAT(ended.out, HasSubstr("harmless changes: all checks pass, as they should\n"));
 }

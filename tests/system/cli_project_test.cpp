@@ -63,7 +63,8 @@ TEST(CliProject, AnotherEnvironmentPutsTheRobotOnItsBoard) {
   const Ended ended =
       robosim_command({"run", "--goal", "none", "--for", "1s", "--env", "mega"}, folder.path());
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("the robot is robot.toml@mega: platformio.ini says megaatmega2560"));
+  EXPECT_THAT(ended.err,
+              HasSubstr("the robot is robot.toml@mega: platformio.ini names the board megaatmega2560"));
   EXPECT_THAT(ended.out, HasSubstr("70"));
 }
 
@@ -83,7 +84,7 @@ TEST(CliProject, ABoardThatRobosimLacksCanBeReplacedByOneThatItHas) {
                "[env:esp]\nboard = esp32dev\nframework = arduino\nbuild_flags = -DBASE_SPEED=1\n");
   const Ended refused = robosim_command({"run"}, folder.path());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("platformio.ini:2: Robosim has no board esp32dev"));
+  EXPECT_THAT(refused.err, HasSubstr("platformio.ini:2: unknown board esp32dev"));
   EXPECT_EQ(robosim_command({"build", "--robot", "uno2@nano"}, folder.path()).status, 0);
 }
 
@@ -99,8 +100,8 @@ TEST(CliProject, ASketchsProfileChoosesTheBoardAndTellsOfLibrariesOfAnotherVersi
       "default_profile: m\n");
   const Ended ended = robosim_command({"build", "./My"}, folder.path());
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_THAT(ended.err, AllOf(HasSubstr("sketch.yaml wants Blinker 1.2.0; its version 1.0.0 is in "),
-                               HasSubstr("sketch.yaml wants Gone, and no folder of libraries has it")));
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("sketch.yaml requires Blinker 1.2.0; version 1.0.0 in "),
+                               HasSubstr("sketch.yaml requires Gone, which is in no folder of libraries")));
   EXPECT_THAT(ended.out, HasSubstr("mega"));
 }
 
@@ -137,8 +138,8 @@ TEST(CliProject, AProgramForABoardOfAnotherCoreRunsOnOneWithItsChip) {
     const Ended ended =
         robosim_command({"run", "out/My.elf", "--goal", "none", "--for", "1s"}, folder.path());
     EXPECT_EQ(ended.status, 0) << ended.err;
-    EXPECT_THAT(ended.err, HasSubstr(std::string("build.options.json says ") + says +
-                                     ", a board that Robosim does not have: the program is for an ATmega"));
+    EXPECT_THAT(ended.err, HasSubstr(std::string("build.options.json names the board ") + says +
+                                     ", which Robosim does not have: the program is for an ATmega"));
     EXPECT_THAT(ended.out, HasSubstr(robot == std::string("uno5@mega") ? "16000000" : "8000000"));
   }
 }

@@ -103,7 +103,7 @@ TEST(Record, ARunIsHeldAgainstAnotherAndBothAreOnOnePage) {
   write_file(folder / "real.csv", "t_ms,x_mm,y_mm\n0,1,2\n10,one,2\n");
   const Ended bad = robosim_command({"replay", "one.rec", "--over", "real.csv"}, folder.path());
   EXPECT_EQ(bad.status, 2);
-  EXPECT_THAT(bad.err, HasSubstr("real.csv:3: time, x and y must be numbers"));
+  EXPECT_THAT(bad.err, HasSubstr("real.csv:3: time, x and y: expected numbers"));
   const Ended ending = robosim_command({"replay", "one.rec", "--record", "x.vcd"}, folder.path());
   EXPECT_EQ(ending.status, 2);
   EXPECT_THAT(ending.err, HasSubstr("x.vcd: expected a name that ends in .html, .rec or .perfetto.json"));
@@ -134,7 +134,7 @@ TEST(Record, APngIsThePictureInPixels) {
 TEST(Record, APlotIsAPictureOrIsRefused) {
   const Ended ended = robosim_command({"run", "PidFollower", "--plot", "x.csv"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, AllOf(HasSubstr("--plot"), HasSubstr("must be .svg or .png")));
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("--plot"), HasSubstr("expected a name that ends in .svg or .png")));
 }
 
 TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {

@@ -139,11 +139,14 @@ INSTANTIATE_TEST_SUITE_P(
              "laps:x"},
         Case{
             "BadStart", {"run", "./Still", "--map", "oval", "--robot", "uno3", "--start", "0,0,E"}, 2, "0,0"},
-        Case{"NoSketch", {"run"}, 2, "the current folder holds no sketch"},
+        Case{"NoSketch", {"run"}, 2, "the current folder has no sketch"},
         Case{"NoSuchMap", {"run", "./Still", "--map", "ovla"}, 2, "did you mean oval?"},
         Case{"View", {"run", "./Still", "--view"}, 2, "--view requires a terminal"},
-        Case{"BadRecord", {"run", "./Still", "--record", "x.gif"}, 2, "must be .csv, .vcd, .html"},
-        Case{"Test", {"test"}, 2, "the current folder holds no sketch"},
+        Case{"BadRecord",
+             {"run", "./Still", "--record", "x.gif"},
+             2,
+             "expected a name that ends in .csv, .vcd, .html"},
+        Case{"Test", {"test"}, 2, "the current folder has no sketch"},
         Case{"CheckRobot", {"robot", "check", "bad.toml"}, 2, "bad.toml:2"},
         Case{"CheckMap", {"map", "check", "bad.map"}, 2, "bad.map:2:2"},
         Case{"Bare", {}, 0, "robosim run my/Sketch --map my.map"}),
@@ -213,14 +216,14 @@ TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {
   const Ended ended = robosim_command(with(kShort, {"--target", "stm32", "--json"}));
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_THAT(ended.err,
-              HasSubstr("on stm32 the robot is uno5@bluepill: its uno has no such chip, and a bluepill "
-                        "takes its place, on the same pins\n"));
+              HasSubstr("on stm32 the robot is uno5@bluepill: its uno has no such chip, so a bluepill "
+                        "replaces it on the same pins\n"));
   EXPECT_EQ(json_of(ended)["inputs"]["robot"], "uno5@bluepill");
   std::vector<std::string> named = with(kShort, {"--target", "stm32", "--json"});
   named[5] = "uno5@bluepill";
   const Ended same = robosim_command(named);
   EXPECT_EQ(same.out, ended.out);
-  EXPECT_THAT(same.err, Not(HasSubstr("takes its place")));
+  EXPECT_THAT(same.err, Not(HasSubstr("replaces it")));
 }
 
 }  // namespace

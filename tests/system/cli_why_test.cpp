@@ -158,7 +158,7 @@ TEST_F(CliWhy, NamesWhatStoppedItAndWhyItDidNotDriveOn) {
   folder_.write("Stops/Stops.ino", kStops);
   const Ended why = robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s"}, folder_.path());
   EXPECT_THAT(why.out, AllOf(StartsWith("timeout: "), HasSubstr("the robot left the line; "),
-                             HasSubstr("← its motors stopped, and were off from here on; "),
+                             HasSubstr("← its motors stopped here and stayed off; "),
                              HasSubstr("Stops.ino:13 "), HasSubstr("Stops.ino:17 ")));
 }
 
@@ -195,7 +195,7 @@ TEST_F(CliWhy, IsOfTheAvrOnly) {
     runner_of("host").run(request);
     FAIL() << "the host cannot tell";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("on the target avr only"));
+    EXPECT_THAT(error.what(), HasSubstr("requires a sketch on the target avr"));
   }
 }
 

@@ -231,14 +231,14 @@ TEST_F(Sandbox, BlamesASketchForTheMemoryThatItsRunLacks) {
   request.for_ns = 60'000'000'000;
   const auto r = runner_of("host").run(request);
   EXPECT_EQ(r.status, 1);
-  EXPECT_EQ(r.why, "The sketch crashed: it took more than the 192 MB of memory that it may have.");
+  EXPECT_EQ(r.why, "The sketch crashed: it took more than 192 MB of memory, which is its limit.");
 }
 
 TEST_F(Sandbox, EndsASketchThatGoesOnBehindClosedDescriptors) {
   const auto r = run_text(
       "extern \"C\" int close(int);\n__attribute__((no_sanitize_coverage)) void setup() {\n"
       "  for (int fd = 0; fd < 64; ++fd) close(fd);\n  for (;;) asm volatile(\"nop\");\n}\nvoid loop() {}\n");
-  EXPECT_EQ(r.why, "The sketch crashed: it closed what its verdict goes through.");
+  EXPECT_EQ(r.why, "The sketch crashed: it closed the pipe of its verdict.");
 }
 
 TEST_F(Sandbox, EndsASketchThatHasSwitchedItsSignalsOff) {

@@ -122,7 +122,7 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
     const std::string verdict = due[i];
     if (verdict == "outside") {
       EXPECT_THAT(lines[i], AllOf(HasSubstr("  ERROR   "),
-                                  testing::AnyOf(HasSubstr("is no file of the sketch"),
+                                  testing::AnyOf(HasSubstr("is not a readable file of the sketch"),
                                                  HasSubstr("outside of the sketch's folder"))));
     } else {
       EXPECT_THAT(lines[i], HasSubstr(verdict));
@@ -147,7 +147,7 @@ TEST_F(Untrusted, ASketchThatBreaksAToolOrCannotBeReadIsAnErrorOfItsOwn) {
     const std::vector<std::string> lines = lines_of(ended.out);
     ASSERT_EQ(lines.size(), 4u) << ended.out << ended.err;
     EXPECT_THAT(lines[0],
-                AllOf(StartsWith("anna  ERROR   "), HasSubstr("arduino-ctags, which looks for the sketch")));
+                AllOf(StartsWith("anna  ERROR   "), HasSubstr("arduino-ctags, which lists the sketch")));
     EXPECT_EQ(lines[1], "ben   passed  1 of 1");
     EXPECT_THAT(lines[2], StartsWith("cleo  ERROR   "));
   }
@@ -215,7 +215,7 @@ TEST_F(Untrusted, NoFileThatRobosimFindsByItselfLeadsOutOfTheSketchsFolder) {
     for (const char* command : {"run", "sweep", "compare", "test"}) {
       const Ended ended = robosim({command, "--untrusted", "./S"});
       EXPECT_EQ(ended.status, 2);
-      EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": is a link to /etc/passwd, outside"));
+      EXPECT_THAT(ended.err, HasSubstr(std::string("S/") + link + ": a link to /etc/passwd, outside"));
     }
   }
 }
@@ -232,7 +232,7 @@ TEST_F(Untrusted, NoFolderThatAProjectNamesIsOutsideOfTheSketchsFolder) {
     words.emplace_back("--untrusted");
     const Ended ended = robosim(words);
     EXPECT_EQ(ended.status, 2) << line;
-    EXPECT_THAT(ended.err, HasSubstr("is outside of the sketch's folder; --untrusted follows no such folder"))
+    EXPECT_THAT(ended.err, HasSubstr("is outside of the sketch's folder; --untrusted does not follow it"))
         << line;
   }
 }
@@ -250,12 +250,12 @@ TEST_F(Untrusted, ARobotOfTheSketchsIsBasedOnNothingOutsideOfItsFolder) {
   for (const char* base : {"../secret/robot.toml", "/etc/passwd"}) {
     const Ended ended = with(base);
     EXPECT_EQ(ended.status, 2);
-    EXPECT_THAT(ended.err, HasSubstr("S/robot.toml:1:8: base is \"" + std::string(base) +
-                                     "\", outside of the sketch's folder"));
+    EXPECT_THAT(ended.err, HasSubstr("S/robot.toml:1:8: base: \"" + std::string(base) +
+                                     "\" is outside of the sketch's folder"));
     EXPECT_THAT(ended.err, Not(HasSubstr("hunter2")));
   }
   folder_.write("S/robots/base.toml", "base = \"../../secret/robot.toml\"\n");
-  EXPECT_THAT(with("robots/base.toml").err, HasSubstr("S/robots/base.toml:1:8: base is "));
+  EXPECT_THAT(with("robots/base.toml").err, HasSubstr("S/robots/base.toml:1:8: base: "));
 }
 
 TEST_F(Untrusted, AnImageNamesNoFolderOutsideOfItsOwn) {
@@ -263,7 +263,7 @@ TEST_F(Untrusted, AnImageNamesNoFolderOutsideOfItsOwn) {
   folder_.write("S/build.options.json", "{\"sketchLocation\": \"" + (folder_ / "secret").string() + "\"}");
   const Ended ended = robosim({"run", "--untrusted", "./S/x.hex", "--map", "oval", "--robot", "uno5"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("names " + (folder_ / "secret").string() + " as its sketch's folder"));
+  EXPECT_THAT(ended.err, HasSubstr("name " + (folder_ / "secret").string() + " as the sketch's folder"));
 }
 
 TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
@@ -288,10 +288,10 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
   const std::string compilers =
       "robosim: compilers are not confined here: the kernel has no Landlock, and namespaces of users are not "
       "allowed; a sketch can "
-      "make them read any file that you may read\n";
+      "make them read any file that you can read\n";
   const std::string runs =
       "robosim: runs on the host are not confined here: the kernel has no filter of system calls "
-      "(seccomp); a sketch can do whatever you may do\n";
+      "(seccomp); a sketch can do everything that you can do\n";
   EXPECT_EQ(told("walls", with({"run", "./S"})), compilers);
   EXPECT_EQ(told("seccomp", with({"run", "./S"})), runs);
   EXPECT_EQ(told("sandbox", with({"run", "./S"})), compilers + runs);
@@ -327,7 +327,7 @@ TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
       const Ended ended =
           without("landlock", {"run", "./" + sketch, "--map", "oval", "--robot", "uno5", "--target", target});
       EXPECT_EQ(ended.status, 2) << name << ended.out;
-      EXPECT_THAT(ended.err, HasSubstr("is no file of the sketch")) << name;
+      EXPECT_THAT(ended.err, HasSubstr("is not a readable file of the sketch")) << name;
     }
   }
   folder_.write(

@@ -137,10 +137,10 @@ std::string tick_text(const Edge& edge, const std::array<ComparedSide, 2>& sides
   std::string ways;
   for (std::size_t side = 0; side < 2; ++side)
     if (sides[side].target != edge.target)
-      ways += fmt::format("{} as {}, {}", ways.empty() ? "" : ", and", sides[side].target,
+      ways += fmt::format("{} like {}, {}", ways.empty() ? "" : ", and", sides[side].target,
                           late_text(edge.late[side]));
   std::string text =
-      fmt::format("on the edge of a tick: {} does{}; {}\n", edge.target, ways, edge.itself.what);
+      fmt::format("on the edge of a tick: {} behaves{}; {}\n", edge.target, ways, edge.itself.what);
   for (std::size_t side = 0; side < 2; ++side)
     text += fmt::format("  {:<9} {}\n", sides[side].target == edge.target ? "as above" : "so",
                         edge.itself.sides[side]);
@@ -149,10 +149,10 @@ std::string tick_text(const Edge& edge, const std::array<ComparedSide, 2>& sides
 
 std::string edge_text(const Edge& edge, const ComparedSide& other) {
   return fmt::format(
-      "on the edge: {} {}, too, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
+      "on the edge: {} also {}, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
       "  as above  {}\n  so        {}\n",
-      edge.target, edge.does_as_other ? "does as " + other.target : "differs from itself",
-      edge.as_other ? fmt::format("with {} of {} clocks, as ", edge.as_other, edge.clocks) : "",
+      edge.target, edge.does_as_other ? "behaves like " + other.target : "differs from itself",
+      edge.as_other ? fmt::format("with {} of {} clocks, for example ", edge.as_other, edge.clocks) : "",
       std::abs(edge.ppm) * 1e-4, edge.ppm > 0 ? "fast" : "slow",
       edge.from_ns > 0 ? fmt::format(" from {:.2f} s on", seconds(edge.from_ns)) : "",
       seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
@@ -166,8 +166,8 @@ std::string lacks_text(const Compared& c) {
     what += fmt::format("{}{}{}", what.empty() ? "" : "; ", lack.what, place.empty() ? "" : " in " + place);
   }
   return fmt::format(
-      "lacks     {} does not have {}. So this difference tells nothing about the sketch: run it on the chip "
-      "with --target avr\n",
+      "lacks     {} does not have {}. This difference therefore shows nothing about the sketch: run it on "
+      "the chip with --target avr\n",
       c.lacking, what);
 }
 
@@ -195,12 +195,12 @@ std::string compare_text(const Compared& c) {
       fmt::format("{} on {}, seed {}{}: {} ", c.sketch, in.map, c.seed,
                   c.moves.empty() ? "" : fmt::format(", {} on each target", c.moves), names_of(c));
   text += !c.difference      ? "do the same\n"
-          : !c.lacks.empty() ? fmt::format("differ, but {} lacks what the sketch uses\n", c.lacking)
+          : !c.lacks.empty() ? fmt::format("differ, but {} lacks a feature that the sketch uses\n", c.lacking)
           : c.edges.empty()  ? "differ\n"
                              : "differ no more than each differs from itself\n";
   text += lanes_text(c);
   for (const ComparedKnown& known : c.known)
-    text += fmt::format("known, and not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,
+    text += fmt::format("known difference, not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,
                         known.robot.empty() ? "" : " of robot " + known.robot, known.targets[0],
                         known.difference.sides[0], known.targets[1], known.difference.sides[1]);
   if (!c.difference) return text;

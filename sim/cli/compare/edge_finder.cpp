@@ -71,7 +71,8 @@ std::vector<Edge> EdgeFinder::weigh(const Compared& compared, const Pair& pair) 
       examples[side] = Edge{pair.lanes[side]->target, ppm, 0, std::move(*itself), does};
   };
   const auto say = [&](std::size_t side) {
-    progress_.say(fmt::format("how often does {} so, with other clocks? …", pair.lanes[side]->target));
+    progress_.say(
+        fmt::format("measuring how often {} does so with other clocks …", pair.lanes[side]->target));
   };
   for (std::size_t side = 0; side < 2; ++side) {
     say(side);
@@ -103,7 +104,7 @@ std::vector<Edge> EdgeFinder::weigh(const Compared& compared, const Pair& pair) 
 /// returns where it differs from itself in a similar way.
 std::optional<Edge> EdgeFinder::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   Lane& lane = *pair.lanes[side];
-  progress_.say(fmt::format("does {} so, too, its clock a little off? …", lane.target));
+  progress_.say(fmt::format("checking whether {} does so with a slightly different clock …", lane.target));
   const Watched watched = watched_of(compared, side, pair);
   std::optional<Edge> found;
   std::vector<std::int64_t> starts{0};
@@ -135,7 +136,7 @@ std::vector<Edge> EdgeFinder::find_of_ticks(const Compared& compared, const Pair
     if (pair.lanes[side]->is_on_host(pair.robot)) host = pair.lanes[side], done[side] = true, as = side;
   if (!host) host = make_host_();
   if (!host) return {};
-  progress_.say("does the host both, a little later? …");
+  progress_.say("checking whether the host does both when slightly later …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
   // Later output will be compared with the host's at the same lateness.

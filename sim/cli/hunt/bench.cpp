@@ -88,8 +88,8 @@ void HuntBench::prepare(const HuntArguments& arguments, tui::Progress& progress)
         space_.builds.push_back({target, checked});
       } catch (const build::CompileError&) {
         if (prepared_.empty()) throw;
-        left_out_.push_back(
-            fmt::format("{}{}: the sketch does not compile for it", target, checked ? ", with checks" : ""));
+        left_out_.push_back(fmt::format("{}{}: the sketch does not compile for this target", target,
+                                        checked ? ", with checks" : ""));
       }
     }
   }

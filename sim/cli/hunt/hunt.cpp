@@ -240,8 +240,7 @@ void Hunt::look_back() {
   for (const Promise& promise : bench_.space().promises)
     if (promise.when == Promise::When::sometimes && !heard_.contains(promise.text()))
       add_plain({"sometimes", "sometimes " + promise.text(),
-                 fmt::format("In none of {} runs there was {}, which there must be sometimes.", runs_,
-                             promise.text()),
+                 fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, promise.text()),
                  false});
   const wire::RunResult& result = plain_.result;
   // A sketch that neither reads the line nor has a given goal has a different purpose.
@@ -251,13 +250,13 @@ void Hunt::look_back() {
     return;
   add_plain(
       {"goal", "goal",
-       fmt::format("In none of {} runs the robot came to its goal, {}. {}", runs_, result.goal, result.why),
+       fmt::format("In none of {} runs did the robot reach its goal, {}. {}", runs_, result.goal, result.why),
        true});
 }
 
 std::string Hunt::remark() const {
   if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(plain_.result, plain_.robot)) return "";
-  return fmt::format("in none of them the robot drove, whatever was done to it: {}\n", plain_.result.why);
+  return fmt::format("in none of them did the robot drive, whatever the inputs: {}\n", plain_.result.why);
 }
 
 bool Hunt::go() {

@@ -72,12 +72,13 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
   for (const std::string& map : hunt.plain().reached() ? bench.left_maps() : std::vector<std::string>{})
-    text += fmt::format("not on {0}, where the sketch did not reach its goal: --map {0} hunts there\n", map);
+    text += fmt::format(
+        "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);
   for (const HuntSpace::Map& map : bench.space().maps)
     if (!map.tours)
       text += fmt::format(
-          "it reaches its goal on {0}, but not on most floors like it: its driving there is not a finding; "
-          "--map {0} makes it one\n",
+          "the sketch reaches its goal on {0}, but not on most floors like it, so that its driving there is "
+          "not reported: --map {0} reports it\n",
           map.name);
   if (bench.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),

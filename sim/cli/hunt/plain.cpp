@@ -31,7 +31,7 @@ double Hunt::time_of(const HuntWorld& world) const {
 }
 
 bool Hunt::find_plain() {
-  listener_.progress("looking how it goes without trouble …");
+  listener_.progress("recording the baseline run …");
   const std::vector<std::vector<Deed>> ways = openings(bench_.space());
   std::vector<HuntWorld> worlds;
   for (std::size_t map = 0; map < (bench_.maps_are_given() ? 1 : bench_.space().maps.size()); ++map)

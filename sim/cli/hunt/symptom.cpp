@@ -107,7 +107,7 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const HuntWorld
   if (result.metrics.collisions > 0 && !was_blocked && plain.result.metrics.collisions == 0)
     return Symptom{
         "collision", "collision",
-        fmt::format("The robot ran into something {} in {:.2f} s; it did not in the baseline run.",
+        fmt::format("The robot ran into something {} in {:.2f} s, but not in the baseline run.",
                     result.metrics.collisions == 1 ? std::string("once")
                                                    : fmt::format("{} times", result.metrics.collisions),
                     result.time_s),

@@ -137,12 +137,13 @@ HuntWorld tried_again(const HuntWorld& world, const HuntSpace& space, int time) 
 Symptom symptom_of(const Parting& parting, const HuntWorld& world, const HuntSpace& space) {
   const std::string& target = space.builds[world.build].target;
   if (world.twin == Twin::host)
-    return {kUnlike, "unlike the host " + parting.form,
-            fmt::format("Where the host {}, the {} {}, with any noise.", parting.other, target, parting.ours),
-            false};
+    return {
+        kUnlike, "unlike the host " + parting.form,
+        fmt::format("Where the host {}, the {} {}, whatever the noise.", parting.other, target, parting.ours),
+        false};
   return {kUnlike, "unlike when its clock wraps " + parting.form,
-          fmt::format("The sketch {} when millis() is near a number that does not fit, with any noise; "
-                      "some minutes earlier it {}.",
+          fmt::format("The sketch {} when millis() is near an overflow, whatever the noise; some minutes "
+                      "earlier it {}.",
                       parting.ours, parting.other),
           false};
 }

@@ -315,7 +315,7 @@ std::set<std::string> needs_of(const HuntWorld& world, const HuntSpace& space) {
   const std::vector<Deed> opening = opening_of(world, space);
   for (const Deed& deed : world.deeds)
     if (std::find(opening.begin(), opening.end(), deed) == opening.end()) needs.insert(deed.kind);
-  if (world.later_ms != 0) needs.insert("a longer wait before it goes");
+  if (world.later_ms != 0) needs.insert("a longer wait before the start");
   if (world.clock_ms != 0) needs.insert("another clock");
   return needs;
 }

@@ -31,7 +31,7 @@ struct Deed {
 inline constexpr const char* kPowerOff = "power off";
 inline constexpr const char* kUsedEeprom = "an EEPROM that another sketch has filled";
 inline constexpr const char* kObstacle = "an obstacle";
-inline constexpr const char* kHeld = "a wheel that is held";
+inline constexpr const char* kHeld = "a held wheel";
 inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
 
 /// Later than the one-time actions of a sketch after power-on. A multiple of 2^16, so that a clock of 16 bits

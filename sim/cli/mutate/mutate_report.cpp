@@ -69,12 +69,12 @@ std::string mutation_text(const MutationResult& result) {
   std::string text =
       fmt::format("{}: {} small bugs, drawn by seed {} from {}; {} more did not compile\n", result.sketch,
                   result.mutants.size(), result.seed, result.places, result.not_compiled);
-  text += fmt::format("found {} of {} ({:.0f} %), {} of them since time was up\n", result.found(), observed,
+  text += fmt::format("found {} of {} ({:.0f} %), {} of them because time was up\n", result.found(), observed,
                       100.0 * result.score(), result.count(Trial::Ending::late));
   if (result.unobserved() > 0)
     text += fmt::format("{} more changed nothing in any run\n", result.unobserved());
-  text += list(result.mutants, "survived", fmt::format("no {} minds:", result.asked).c_str());
-  text += list(result.mutants, "unobserved", "without a trace in these runs:");
+  text += list(result.mutants, "survived", fmt::format("no {} fails:", result.asked).c_str());
+  text += list(result.mutants, "unobserved", "without any effect in these runs:");
   for (const Mutant& control : result.controls)
     if (control.trial.ending != Trial::Ending::passed)
       text += fmt::format("\nbrittle: the {} \"{}\" fails where it should not, with {} at {}: {}\n",
@@ -83,7 +83,7 @@ std::string mutation_text(const MutationResult& result) {
   if (!result.controls.empty() && result.brittle() == 0)
     text += fmt::format("\n{} harmless changes: all {}s pass, as they should\n", result.controls.size(),
                         result.asked);
-  if (!result.complete) text += "interrupted: this is how far it came\n";
+  if (!result.complete) text += "interrupted: the results are incomplete\n";
   return text;
 }
 

@@ -35,11 +35,11 @@ std::string trouble(Ending ending, const std::string& why) {
     case Ending::complete:
       return "";
     case Ending::lost:
-      return "the robot is lost: what it met contradicts its graph";
+      return "the robot is lost: its observations contradict its graph";
     case Ending::out_of_moves:
-      return "its moves were used up";
+      return "it has used up its moves";
     case Ending::no_way:
-      return "there is no way: an obstacle blocks it";
+      return "no way exists: an obstacle blocks it";
     case Ending::refused:
       return "the planner refuses: " + why;
   }
@@ -52,7 +52,7 @@ const char* state_of(const cells::Walk& walk) {
 }
 
 const char* ending_of(const cells::Walk& walk) {
-  static constexpr const char* kTexts[] = {", and from here it would go the same round again",
+  static constexpr const char* kTexts[] = {", and from here it would repeat the same loop",
                                            ", all that were allowed", ", and it has ended"};
   return kTexts[static_cast<int>(walk.ending)];
 }

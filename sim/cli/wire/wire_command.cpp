@@ -57,24 +57,23 @@ int wire_command(const WireArguments& arguments) {
   const build::Cache cache(build::cache_folder());
   const build::WorkFolder scratch(cache);
   TryOut try_out(launch, board, scratch.path(), listener_of(progress, {.choices = false, .warnings = false}));
-  progress.say("watching what the sketch does to its pins …");
+  progress.say("watching the sketch's pins …");
   wiring::RobotDraft draft = try_out.draft();
   progress.say("trying polarities and sides …");
   const wire::RunResult drive = try_out.choose(draft);
   progress.clear();
 
   std::vector<std::string> remarks = {
-      "Drafted by `robosim wire` from the sketch's names and from what it did to its pins in a run.",
+      "Drafted by `robosim wire` from the sketch's names and from its use of the pins in a run.",
       "Look at every line with a question mark. Keys and units: docs/reference/robots.md, \"Your robot, step "
-      "by "
-      "step\"."};
+      "by step\"."};
   if (!draft.parts.empty()) remarks.push_back(what_came_of_it(drive, try_out.follows(), arguments.map));
   if (try_out.tried() > 1)
     remarks.push_back(fmt::format(
-        "{} ways to wire it were tried (polarity and order of the sensors, sides of the motors); {}.",
+        "{} wirings were tried (polarity and order of the sensors, sides of the motors); {}.",
         try_out.tried(),
         try_out.follows() ? "this one drives a lap"
-                          : "none follows the line for a lap, and none went much better than this one"));
+                          : "none follows the line for a lap, and none is much better than this one"));
   const std::string text = wiring::text_of(draft, remarks);
   if (arguments.out.empty()) {
     print(text);

@@ -75,15 +75,15 @@ std::optional<int> Diagnosis::unhandled(const Fault& fault) const {
 std::string Diagnosis::jump_text(const Fault& fault) const {
   if (const auto vector = unhandled(fault))
     return fmt::format(
-        "interrupt {} has come, and there is no ISR(...) for it: is its name misspelt, or an enable bit "
-        "set that nobody needs? The sketch would start again",
+        "interrupt {} was triggered, but has no ISR(...): is its name misspelt, or is an enable bit set "
+        "without need? The sketch would restart",
         *vector);
   const std::string target =
       fault.kind == Fault::Kind::restart
-          ? "address 0, where a reset begins: the sketch would start again"
-          : fmt::format(
-                "address 0x{:04X}, {}", fault.pc,
-                fault.pc < firmware_.chip->flash_bytes ? "where there is no code" : "behind the flash");
+          ? "address 0, where a reset begins: the sketch would restart"
+          : fmt::format("address 0x{:04X}, {}", fault.pc,
+                        fault.pc < firmware_.chip->flash_bytes ? "where there is no code"
+                                                               : "after the end of the flash");
   const auto calls = machine_.stack().open_calls();
   if (!calls.empty() && calls[0].by_pointer) return "call through a wrong function pointer to " + target;
   const auto jumps = machine_.chip().last_jumps();
@@ -96,11 +96,13 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
 std::string Diagnosis::overflow_text() const {
   const WatchedChip& chip = machine_.chip();
   if (!chip.has_own_stack())
-    return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
-                       machine_.stack().room_bytes());
+    return fmt::format(
+        "stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave free",
+        machine_.stack().room_bytes());
   const Symbol* const variable = chip.own_stack_variable();
-  if (!variable) return "stack overflow: a stack that the sketch keeps in the heap has outgrown it";
-  return fmt::format("stack overflow: the stack that the sketch keeps in {} has outgrown its {} bytes",
+  if (!variable)
+    return "stack overflow: a stack that the sketch has allocated in the heap has outgrown its block";
+  return fmt::format("stack overflow: the stack that the sketch has placed in {} has outgrown its {} bytes",
                      readable(variable->name), variable->size);
 }
 

@@ -63,9 +63,10 @@ void load_eeprom(const ElfFile& elf, Firmware& firmware) {
     // Skips fuses, lock bits and the signature after it: the board defines them.
     if (segment.address < kAvrEeprom || segment.address >= kAvrFuses) continue;
     if (segment.address + segment.bytes.size() > end) {
-      throw InputError({firmware.file}, fmt::format("has {} bytes for the EEPROM; the chip has {}",
-                                                    segment.address + segment.bytes.size() - kAvrEeprom,
-                                                    firmware.chip->eeprom_bytes));
+      throw InputError({firmware.file}, fmt::format("too much content for the EEPROM: expected at most {} "
+                                                    "bytes, got {}",
+                                                    firmware.chip->eeprom_bytes,
+                                                    segment.address + segment.bytes.size() - kAvrEeprom));
     }
     const std::size_t at = segment.address - kAvrEeprom;
     firmware.eeprom.resize(std::max(firmware.eeprom.size(), at + segment.bytes.size()), 0xFF);
@@ -119,14 +120,15 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   firmware.chip = board.chip;
   firmware.last_ram = static_cast<std::uint16_t>(ram_end(*board.chip) - 1);
   if (std::string_view(board.chip->target) != "avr")
-    throw InputError({firmware.file},
-                     fmt::format("is for an AVR chip, and the robot's board is the {}", board.name));
+    throw InputError(
+        {firmware.file},
+        fmt::format("expected an image for the robot's board, the {}, got one for an AVR chip", board.name));
   if (file.extension() == ".hex") {
     load_hex(content, board, firmware);
   } else {
     load_elf(std::move(content), board, firmware);
   }
-  if (firmware.code_end < 4) throw InputError({firmware.file}, "holds no code");
+  if (firmware.code_end < 4) throw InputError({firmware.file}, "the image has no code");
   return firmware;
 }
 

@@ -111,7 +111,7 @@ std::optional<Resources> ChipExecutor::resources() const {
 
 void ChipExecutor::set_clock_start(SimTime start) {
   const std::string why = firmware_->why_clock_stays();
-  if (!why.empty()) throw InputError({firmware_->file()}, "has no clock that could be set (" + why + ")");
+  if (!why.empty()) throw InputError({firmware_->file()}, "the image has no clock to set (" + why + ")");
   state_.clock_start = start;
 }
 

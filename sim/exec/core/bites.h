@@ -24,8 +24,9 @@ class Bites {
 
   /// Returns the reason for the crash report.
   static std::string reason() {
-    return fmt::format("the watchdog has reset the chip {} times, each time within {} s of the one before",
-                       kTooMany, kRow / kSecond);
+    return fmt::format(
+        "the watchdog has reset the chip {} times, each time within {} s of the previous reset", kTooMany,
+        kRow / kSecond);
   }
 
  private:

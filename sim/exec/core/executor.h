@@ -41,7 +41,7 @@ struct Activity {
 };
 
 constexpr const char* kCannotBeSaved =
-    "only a run on an emulated chip can be saved: firmware for the host is a program of this machine";
+    "saving a run requires an emulated chip: firmware for the host is a program of this machine";
 
 class Executor {
  public:
@@ -117,13 +117,12 @@ class Executor {
   }
   /// Sets the value with which millis() begins at the next power-on. Throws InputError if that is impossible.
   virtual void set_clock_start(SimTime) {
-    throw InputError(
-        "the clock can be set on an emulated chip only; on the host it is wider and never wraps");
+    throw InputError("setting the clock requires an emulated chip; on the host it is wider and never wraps");
   }
   /// Delays the sketch at these places from the next power-on, as if its code took longer. Sorted by time.
   /// Throws InputError if that is impossible.
   virtual void set_lateness(const std::vector<Lateness>&) {
-    throw InputError("a sketch can be made late on the host only");
+    throw InputError("delaying a sketch requires the target host");
   }
 
   /// Returns the firmware's present place in the sketch. Watchers of pins may call it during run_until().
@@ -157,7 +156,9 @@ class Executor {
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
   /// Lets a debugger halt the firmware from the next power-on; run_until() does not return meanwhile.
   /// `server` must outlive the executor's use. Throws InputError if that is impossible.
-  virtual void debug_with(gdb::Server&) { throw InputError("a debugger attaches to an emulated chip only"); }
+  virtual void debug_with(gdb::Server&) {
+    throw InputError("attaching a debugger requires an emulated chip");
+  }
 };
 
 }  // namespace robosim::exec

@@ -29,10 +29,11 @@ void LostPwmCalls::add(Pin pin, int value, SimTime t, const std::function<Source
   pins_.push_back(pin);
   found_.push_back(
       {"lost_pwm",
-       fmt::format("pin {} of the {} has no PWM, and is LOW below 128, else HIGH: analogWrite({}, {})", pin,
-                   board_->name, pin, value),
-       fmt::format("Wire it to a pin that has: {}.", pins_with_pwm(*board_)), where(),
-       1e-9 * static_cast<double>(t), 1});
+       fmt::format(
+           "pin {} of the {} has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite({}, {})", pin,
+           board_->name, pin, value),
+       fmt::format("Use a pin with PWM: {}.", pins_with_pwm(*board_)), where(), 1e-9 * static_cast<double>(t),
+       1});
 }
 
 }  // namespace robosim::exec

@@ -11,6 +11,7 @@ namespace robosim::exec {
 namespace {
 
 constexpr std::size_t kHeadBytes = 4, kSumBytes = 1;
+constexpr const char* kNotALine = "expected a line of an Intel HEX file";
 enum Kind : unsigned { kData = 0, kEnd = 1, kSegment = 2, kStartSegment = 3, kUpper = 4, kStart = 5 };
 
 /// Returns the bytes of a line; empty if it is not in this format.
@@ -44,19 +45,21 @@ std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::strin
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
     if (line.empty()) continue;
     const std::vector<std::uint8_t> bytes = bytes_of(line);
-    if (bytes.empty()) throw InputError({file, number, 0}, "is no line of an Intel HEX file");
+    if (bytes.empty()) throw InputError({file, number, 0}, kNotALine);
     const unsigned value = bytes.size() >= kHeadBytes + 2 ? bytes[4] << 8 | bytes[5] : 0;
     switch (bytes[3]) {
       case kData: {
         const std::size_t at = base + (bytes[1] << 8 | bytes[2]), end = at + bytes[0];
         if (end > flash_bytes)
-          throw InputError({file, number, 0},
-                           fmt::format("lies behind the {} bytes of flash that the chip has", flash_bytes));
+          throw InputError(
+              {file, number, 0},
+              fmt::format("beyond the end of the chip's flash: expected at most {} bytes", flash_bytes));
         if (at >= room) break;
         if (end > room) {
           throw InputError(
               {file, number, 0},
-              fmt::format("lies behind the {} bytes of flash that the board has for a sketch", room));
+              fmt::format("beyond the end of the board's flash for a sketch: expected at most {} bytes",
+                          room));
         }
         if (flash.size() < end) flash.resize(end, 0xFF);
         std::copy_n(bytes.begin() + kHeadBytes, bytes[0], flash.begin() + static_cast<std::ptrdiff_t>(at));
@@ -74,10 +77,10 @@ std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::strin
       case kStart:
         break;
       default:
-        throw InputError({file, number, 0}, "is no line of an Intel HEX file");
+        throw InputError({file, number, 0}, kNotALine);
     }
   }
-  throw InputError({file}, "ends before the line :00000001FF, which ends an Intel HEX file");
+  throw InputError({file}, "the Intel HEX file is incomplete: expected the line :00000001FF at its end");
 }
 
 }  // namespace robosim::exec

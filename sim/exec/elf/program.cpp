@@ -16,7 +16,8 @@ std::string content_for(std::string_view target, std::string content, const std:
 }
 
 void check_program(const ElfFile& elf) {
-  if (!elf.is_program()) throw InputError({elf.file()}, "is an ELF file, but no finished program");
+  if (!elf.is_program())
+    throw InputError({elf.file()}, "expected a finished program, got another kind of ELF file");
 }
 
 FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,
@@ -26,8 +27,8 @@ FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& se
   for (const ElfSegment& segment : segments)
     size = std::max(size, segment.address - begin + segment.bytes.size());
   if (size > room) {
-    throw InputError({elf.file()}, fmt::format("needs {} bytes of flash; the {} has {} for a sketch", size,
-                                               board.name, room));
+    throw InputError({elf.file()}, fmt::format("requires {} bytes of flash, but the {} has {} for a sketch",
+                                               size, board.name, room));
   }
   flash.bytes.assign(size, 0xFF);
   for (const ElfSegment& segment : segments) {
@@ -43,8 +44,9 @@ FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& se
 
 void check_ram(const ElfFile& elf, std::uint64_t bytes, std::uint32_t room, const BoardSpec& board) {
   if (bytes > room) {
-    throw InputError({elf.file()}, fmt::format("needs {} bytes of RAM for its variables; the {} has {}",
-                                               bytes, board.name, room));
+    throw InputError({elf.file()},
+                     fmt::format("requires {} bytes of RAM for its variables, but the {} has {}", bytes,
+                                 board.name, room));
   }
 }
 

@@ -43,7 +43,7 @@ Connection::Connection(std::uint16_t port, const std::atomic<bool>& interrupted)
   const int error = errno;
   if (error == EADDRINUSE)
     throw InputError(fmt::format(
-        "port {} is in use by another program, so that no debugger can reach it; take another, such as {}",
+        "port {} is in use by another program, so that no debugger can reach it; choose another, such as {}",
         port, port < 65535 ? port + 1 : port - 1));
   throw InputError(fmt::format("cannot wait for a debugger at port {}: {}", port, std::strerror(error)));
 }

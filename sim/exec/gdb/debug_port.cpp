@@ -195,7 +195,7 @@ bool DebugPort::set_watchpoint(std::uint32_t address, std::uint32_t size, Access
 std::string DebugPort::monitor(const std::string& command) {
   if (command == "time")
     return fmt::format("{:.9f} s simulated, cycle {}\n", 1e-9 * static_cast<double>(time()), cycle());
-  return fmt::format("There is no command \"{}\"; there is: time\n", command);
+  return fmt::format("Unknown command \"{}\": expected time\n", command);
 }
 
 }  // namespace robosim::exec::gdb

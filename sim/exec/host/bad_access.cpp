@@ -85,13 +85,13 @@ std::string relation(const host::BadAccess& access, const Object& object) {
   const std::uintptr_t end = object.begin + object.bytes;
   if (access.address < object.begin) return count(object.begin - access.address) + " before";
   if (access.address < end) return "across the end of";
-  if (access.address == end) return "right behind";
-  return count(access.address - end) + " behind";
+  if (access.address == end) return "right after";
+  return count(access.address - end) + " after";
 }
 
 std::string beside(const host::BadAccess& access, const std::string& what,
                    const std::optional<Object>& object) {
-  if (!object) return what + " beside a variable";
+  if (!object) return what + " next to a variable";
   return fmt::format("{}, {} {} ({})", what, relation(access, *object), object->what, count(object->bytes));
 }
 
@@ -114,13 +114,13 @@ std::string explain(const host::BadAccess& access, const std::vector<host::Globa
       return what + " outside of a local array";
     case host::kOutOfScope: {
       const auto local = local_near(access.first, stack, shadow);
-      return fmt::format("{} in {}, which is no longer there: its block has ended", what,
+      return fmt::format("{} in {}, which no longer exists: its block has ended", what,
                          local ? local->what : "a local variable");
     }
     case host::kHeapGap:
       return beside(access, what, block);
     case host::kHeapFreed:
-      return fmt::format("{} in a block of {} that was given back by free() or delete", what,
+      return fmt::format("{} in a block of {} that was freed by free() or delete", what,
                          count(access.block_bytes));
     default:
       return what + " at a place where the sketch has no variable (a wild pointer or index?)";

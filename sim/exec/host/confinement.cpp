@@ -266,7 +266,7 @@ std::string_view subject_of(std::string_view call) {
 }  // namespace
 
 std::string what_kernel_lacks() {
-  if (!kKnownMachine) return "on this kind of processor it is not written yet";
+  if (!kKnownMachine) return "Robosim does not support it on this kind of processor yet";
   // If filters are supported, the kernel reads the filter at this invalid address.
   static const bool has_filter =
       ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;

@@ -91,7 +91,7 @@ struct Part {
     for (;;) {
       const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
       if (n >= 0) return static_cast<std::size_t>(n);
-      if (errno != EINTR) fail("an image cannot be read");
+      if (errno != EINTR) fail("cannot read an image");
     }
   }
 };
@@ -104,7 +104,7 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   std::size_t bytes = 0;
   while (const std::size_t n = part.read(file, bytes)) {
     if (const int error = write_all(copy.get(), {part.bytes, n}); error != 0)
-      throw std::system_error(error, std::generic_category(), "an image cannot be copied");
+      throw std::system_error(error, std::generic_category(), "cannot copy an image");
     bytes += n;
   }
   return {std::move(copy), bytes};
@@ -178,9 +178,9 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
     if (handle_) dlclose(handle_);
     if (other_version)
       throw InputError({file.name.string()},
-                       "was built for another version of Robosim; build the sketch again");
+                       "the image was built for another version of Robosim; build the sketch again");
     throw InputError({file.name.string()},
-                     "is no firmware image for this machine" + (error.empty() ? "" : ": " + error));
+                     "not a firmware image for this machine" + (error.empty() ? "" : ": " + error));
   }
   if (std::count(handles().begin(), handles().end(), handle_) > 0)
     throw std::logic_error("the loader does not tell two copies of an image apart");

@@ -54,7 +54,7 @@ void hold(std::uintptr_t page) {
   if (got != MAP_FAILED) ::munmap(got, page_bytes());
   holders().erase(page);
   throw std::runtime_error(
-      "accesses to memory cannot be checked: the place for the notes on them is taken in this process");
+      "accesses to memory cannot be checked: their shadow memory is already in use in this process");
 }
 
 void release(std::uintptr_t page) {

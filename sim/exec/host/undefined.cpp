@@ -126,7 +126,7 @@ std::string explain_division(const OneType& data, std::uintptr_t left, std::uint
 
 std::string explain_shift(const TwoTypes& data, std::uintptr_t by) {
   const int width = bits(*data.first);
-  return fmt::format("a shift by {} bits, and {} has {} here: 0 to {} are possible",
+  return fmt::format("a shift by {} bits, but {} has {} here: 0 to {} are possible",
                      text(integer(*data.second, by)), a(*data.first), width, width - 1);
 }
 
@@ -147,9 +147,9 @@ std::string explain_mismatch(const Mismatch& data, std::uintptr_t address) {
   if (address == 0) return use + " through a null pointer";
   if (address % alignment != 0)
     return fmt::format(
-        "{} at an address that is not a multiple of {} (the Uno does not mind, other chips do)", use,
+        "{} at an address that is not a multiple of {} (the Uno accepts it, other chips do not)", use,
         alignment);
-  return use + " where there is not room enough for one";
+  return use + " where there is not enough room for one";
 }
 
 std::string explain_pointer(std::uintptr_t base, std::uintptr_t result) {
@@ -186,11 +186,11 @@ std::string reason(std::string_view check, const void* data, std::uintptr_t valu
   if (check == "float_cast_overflow") return explain_conversion(two, value);
   if (check == "vla_bound_not_positive")
     return fmt::format("an array of {} elements", text(integer(*one.type, value)));
-  if (check == "missing_return") return "the function should give a value, and ends without return";
+  if (check == "missing_return") return "the function should return a value, but ends without return";
   if (check == "nonnull_arg")
-    return fmt::format("argument {} is a null pointer, and must not be",
+    return fmt::format("argument {} is a null pointer, which is not allowed",
                        static_cast<const Argument*>(data)->number);
-  if (check == "builtin_unreachable") return "a place that the program says is never reached";
+  if (check == "builtin_unreachable") return "a place that the program marks as never reached";
   return fmt::format("undefined behaviour ({})", check);
 }
 

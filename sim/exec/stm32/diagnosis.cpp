@@ -38,7 +38,7 @@ SourceLine Diagnosis::where_now() const {
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
   constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many of these chips really have that size
   if (address >= kFlash && address < kFlash + kTwice)
-    return fmt::format("{} address 0x{:08X}, behind the {} KB of flash that the chip's data sheet promises",
+    return fmt::format("{} address 0x{:08X}, after the {} KB of flash that the chip's data sheet guarantees",
                        kind, address, kStm32f103c8.flash_bytes / 1024);
   return fmt::format("{} address 0x{:08X}{}, where the chip has no memory (its RAM ends at 0x{:08X})", kind,
                      address, address < 256 ? " (null pointer)" : "", kRam + kRamBytes - 1);
@@ -56,8 +56,9 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
 
 std::string Diagnosis::reason(const Fault& fault) const {
   if (fault.kind == Fault::Kind::stack)
-    return fmt::format("stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave",
-                       kRam + kRamBytes - cpu_.stack_limit());
+    return fmt::format(
+        "stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave free",
+        kRam + kRamBytes - cpu_.stack_limit());
   switch (fault.kind) {
     case Fault::Kind::bad_read:
       return access_text("read of", fault.address);
@@ -65,16 +66,16 @@ std::string Diagnosis::reason(const Fault& fault) const {
       return access_text("write to", fault.address);
     case Fault::Kind::flash_write:
       if (fault.address < kFlash)
-        return fmt::format("write to address 0x{:08X} (null pointer): flash is seen there", fault.address);
+        return fmt::format("write to address 0x{:08X} (null pointer), where flash is mapped", fault.address);
       return fmt::format("write to flash at 0x{:08X}", fault.address);
     case Fault::Kind::bad_opcode:
       return fmt::format("illegal instruction 0x{:X} at 0x{:08X}", fault.address, fault.pc);
     case Fault::Kind::breakpoint:
-      return fmt::format("breakpoint instruction at 0x{:08X}, and there is no debugger", fault.pc);
+      return fmt::format("breakpoint instruction at 0x{:08X} without a debugger", fault.pc);
     case Fault::Kind::division:
-      return "division by zero, and SCB_CCR says that it is a fault";
+      return "division by zero, which SCB_CCR makes a fault";
     case Fault::Kind::unhandled:
-      return fmt::format("exception {}, for which there is no handler", fault.address);
+      return fmt::format("exception {} without a handler", fault.address);
     case Fault::Kind::unmodelled: {
       const Unmodelled& access = *machine_.bus().unmodelled();
       return access.write ? fmt::format("write of 0x{:X} to {}, which Robosim does not model", access.value,
@@ -84,7 +85,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::watchdog:
       return Bites::reason();
     case Fault::Kind::exception_return:
-      return "return from an interrupt that has not begun, or whose stack was overwritten";
+      return "return from an interrupt that has not begun or whose stack was overwritten";
     default:
       return jump_text(fault);
   }

@@ -21,8 +21,8 @@ void load_flash(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) 
     if (segment.address < kFlash || segment.address + segment.bytes.size() > kFlash + kFlashBytes) {
       throw InputError(
           {firmware.file},
-          fmt::format("has something for address 0x{:08X}, where the {} has no flash: it is not linked "
-                      "for its chip",
+          fmt::format("the image has content for address 0x{:08X}, where the {} has no flash: expected an "
+                      "image that is linked for its chip",
                       segment.address, board.name));
     }
   }
@@ -60,15 +60,17 @@ Firmware Firmware::read(const std::filesystem::path& file, const BoardSpec& boar
   Firmware firmware;
   firmware.file = file.string();
   if (std::string_view(board.chip->name) != kStm32f103c8.name)
-    throw InputError({firmware.file},
-                     fmt::format("is for a Blue Pill, and the robot's board is the {}", board.name));
+    throw InputError(
+        {firmware.file},
+        fmt::format("expected an image for the robot's board, the {}, got one for a Blue Pill", board.name));
   load_flash(elf, board, firmware);
   load_symbols(elf, board, firmware);
-  if (firmware.flash_bytes < 64 * 4) throw InputError({firmware.file}, "holds no code");
+  if (firmware.flash_bytes < 64 * 4) throw InputError({firmware.file}, "the image has no code");
   constexpr std::uint16_t kErased = 0xFFFF;
   if (firmware.half(kFlash + 2) == kErased && firmware.half(kFlash + 6) == kErased)
-    throw InputError({firmware.file},
-                     fmt::format("has no vector table at 0x{:08X}: it is linked for a boot loader", kFlash));
+    throw InputError(
+        {firmware.file},
+        fmt::format("the image has no vector table at 0x{:08X}: it is linked for a boot loader", kFlash));
   firmware.ram_bytes = firmware.globals_end - kRam;
   return firmware;
 }

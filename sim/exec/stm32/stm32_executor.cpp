@@ -89,8 +89,9 @@ class Stm32Executor::Firmware final : public ChipFirmware {
   bool has_boards_eeprom() const override { return false; }
   std::string why_clock_stays() const override {
     const Symbols& symbols = image_.firmware.symbols;
-    return symbols.find("robosim_millis") && symbols.find("main") ? ""
-                                                                  : "it is not built with Robosim's core";
+    return symbols.find("robosim_millis") && symbols.find("main")
+               ? ""
+               : "it is not built with the core of Robosim";
   }
   void debug_with(gdb::Server& server, ClockedBoard& board) override {
     debugger_ = std::make_unique<stm32::DebugPort>(server, image_.firmware, board);

@@ -38,7 +38,7 @@ async function list() {
   };
   targets();
   const kind = Object.keys(gone).find((key) => gone[key]);
-  return kind ? `The ${kind} ${gone[kind]} is not in the folder any more: choose another.` : '';
+  return kind ? `The ${kind} ${gone[kind]} is no longer in the folder: choose another.` : '';
 }
 
 function say(text, bad = false) {
@@ -177,7 +177,7 @@ function conclude(done, said, moment) {
 
 /** Until the server answers again. */
 function lose() {
-  $('state').textContent = 'the server is gone: start robosim serve again';
+  $('state').textContent = 'the server has stopped: start robosim serve again';
   if (isLost) return;
   isLost = true;
   const again = setInterval(async () => {
@@ -252,7 +252,7 @@ function choose(key, value) {
   if (field.value === value || key === 'script') return;
   field.value = before;
   const isFile = ['sketch', 'robot', 'map'].includes(key);
-  throw new Error(isFile ? `The link asks for the ${key} ${value}, which is neither in this folder nor one of Robosim’s.` : `The link’s ${key} cannot be ${value}.`);
+  throw new Error(isFile ? `Unknown ${key} in the link: expected one in this folder or one that comes with Robosim, got ${value}.` : `Invalid ${key} in the link: ${value}.`);
 }
 
 /** /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
@@ -260,7 +260,7 @@ async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of where) {
     if (KEYS.includes(key)) choose(key, value);
-    else if (!['run', 'live'].includes(key)) throw new Error(`The link has ${key}; its keys are ${KEYS.join(', ')}, run and live.`);
+    else if (!['run', 'live'].includes(key)) throw new Error(`Unknown key ${key} in the link: expected ${KEYS.join(', ')}, run or live.`);
   }
   targets();
   if (where.has('run')) await run();

@@ -16,7 +16,7 @@ export async function put(files, tell) {
   for (const file of files) {
     const image = /\.(hex|elf)$/.test(file.name), most = image ? LARGEST_IMAGE_KB : LARGEST_KB;
     if (file.size > most * 1024) {
-      tell.say(`${file.name} has ${Math.ceil(file.size / 1024)} KB; at most ${most} are taken`, true);
+      tell.say(`${file.name} is too large: expected at most ${most} KB, got ${Math.ceil(file.size / 1024)} KB`, true);
       continue;
     }
     const content = image ? { base64: await base64(file) } : { text: await file.text() };
@@ -30,7 +30,7 @@ async function one(file, tell) {
     const { saved } = await answer.json();
     await tell.listed();
     tell.put(saved);
-    tell.say(`${saved.slice(2)} is in the folder now`);
+    tell.say(`${saved.slice(2)} is now in the folder`);
   } catch (error) {
     if (error.message.endsWith('already')) tell.ask(`${error.message}.`, 'Replace it', () => one({ ...file, replace: true }, tell));
     else tell.say(error.message, true);

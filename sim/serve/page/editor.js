@@ -196,7 +196,7 @@ export class Editor {
     [x, y] = [Math.round(x / step) * step, Math.round(y / step) * step];
     if (!this.path) {
       this.path = { from: [x, y], segments: [], before: this.text.value };
-      this.say('now where it goes straight to');
+      this.say('now click the end of the first straight');
       return this.draw();
     }
     const { path } = this;
@@ -218,7 +218,7 @@ export class Editor {
 
   addSurface([x, y], [toX, toY]) {
     const map = parts(this.text.value), mm = (value) => `"${Math.round(value)} mm"`;
-    if (Math.min(Math.abs(toX - x), Math.abs(toY - y)) < 5) return this.say('drag from one corner of it to the other');
+    if (Math.min(Math.abs(toX - x), Math.abs(toY - y)) < 5) return this.say('drag from one corner of the surface to the opposite one');
     map.front += `\n[[surface]]\nat = [${mm((x + toX) / 2)}, ${mm((y + toY) / 2)}]\nsize = [${mm(Math.abs(toX - x))}, ${mm(Math.abs(toY - y))}]\nkind = "${$('surface').value}"\n`;
     return this.change(join(map));
   }

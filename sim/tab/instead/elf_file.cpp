@@ -73,7 +73,7 @@ bool ElfFile::is_one(std::string_view content) {
 
 ElfFile::ElfFile(std::string content, std::string file)
     : content_(std::move(content)), file_(std::move(file)) {
-  if (!is_one(content_)) throw InputError({file_}, "is no ELF file");
+  if (!is_one(content_)) throw InputError({file_}, "not an ELF file");
   elf_.reset(new Elf{*record_at<Elf32_Ehdr>(content_, 0)});
   const Elf32_Ehdr& header = elf_->header;
   is_for_avr_ = header.e_machine == EM_AVR;
@@ -88,7 +88,9 @@ ElfFile::ElfFile(std::string content, std::string file)
 
 void ElfFile::End::operator()(Elf* elf) const { delete elf; }
 
-void ElfFile::damaged() const { throw InputError({file_}, "is damaged: it ends before what it announces"); }
+void ElfFile::damaged() const {
+  throw InputError({file_}, "the ELF file is damaged: it ends before its announced end");
+}
 
 std::vector<ElfSegment> ElfFile::segments() const {
   std::vector<ElfSegment> found;

@@ -76,7 +76,7 @@ function want({ sketch, robot, map, ...more }) {
     if (value === undefined) return;
     const text = value.name ? OWN + value.name : String(value);
     $(id).value = text;
-    if ($(id).value !== text && id !== 'script') throw new Error(`The link’s ${id} cannot be ${value.name ?? value}.`);
+    if ($(id).value !== text && id !== 'script') throw new Error(`Invalid ${id} in the link: ${value.name ?? value}.`);
   };
   set('sketch', sketch);
   chooseSketch();

@@ -40,7 +40,7 @@ int share(int most, int size) {
 
 void check_apart(int cells) {
   if (cells < 2)
-    throw InputError(fmt::format("lines {} cell apart would touch; 2 are needed at least", cells));
+    throw InputError(fmt::format("lines {} cell apart would touch: expected at least 2 cells", cells));
 }
 
 FaultLimits limits_of(const Faults& faults) {

@@ -61,7 +61,7 @@ std::string description(const Trial& trial, const Worlds& worlds) {
 
 std::string story(const Smallest& found, int number, int runs, const Worlds& worlds) {
   return fmt::format(
-      "world {} of {} failed. Of {} smaller ones tried, this is the smallest that fails, too ({} "
+      "world {} of {} failed. Of {} smaller ones tried, this is the smallest that also fails ({} "
       "step{}):\n{}",
       number, runs, found.tries, found.steps, found.steps == 1 ? "" : "s", description(found.trial, worlds));
 }

@@ -163,7 +163,7 @@ TEST_F(AvrTest, TheCoresOwnLibrariesAreFoundAndAMissingOneIsToldWithWhereItWasLo
   EXPECT_THAT(build_avr_here("Wired").libraries, ElementsAre("Wire", "SoftwareSerial"));
   write("Needy/Needy.ino", "#include <NoSuchServo.h>\n" + kEmptySketch);
   EXPECT_THAT(avr_error_of("Needy"),
-              AllOf(HasSubstr("Needy.ino:1:"), HasSubstr("there is no header NoSuchServo.h"),
+              AllOf(HasSubstr("Needy.ino:1:"), HasSubstr("no such header NoSuchServo.h"),
                     HasSubstr("home/Arduino/libraries"), HasSubstr("arduino/avr/libraries")));
 }
 
@@ -218,7 +218,7 @@ TEST_F(AvrTest, ALinkErrorNamesTheSketchsFileAsFarAsTheLinkerKnows) {
             "other.cpp: multiple definition of `twice()'\nTwice.ino: first defined here");
   write("Asm/Asm.ino", "void setup() { asm volatile(\"bogus r1\"); }\nvoid loop() {}\n");
   EXPECT_EQ(avr_error_of("Asm"),
-            "asm() holds what the chip's assembler does not take: unknown opcode `bogus'");
+            "asm() contains text that the chip's assembler rejects: unknown opcode `bogus'");
 }
 
 TEST_F(AvrTest, VariablesThatDoNotFitTheChipAreToldSo) {
@@ -227,7 +227,7 @@ TEST_F(AvrTest, VariablesThatDoNotFitTheChipAreToldSo) {
         "void loop() {}\n");
   EXPECT_THAT(avr_error_of("Big"),
               testing::MatchesRegex(
-                  "Big does not fit: its variables take 3[0-9]+ bytes, and the uno has 2048 of RAM"));
+                  "Big does not fit: its variables take 3[0-9]+ bytes, but the uno has 2048 of RAM"));
 }
 
 TEST_F(AvrTest, CodeThatDoesNotFitTheChipIsToldSo) {
@@ -235,7 +235,7 @@ TEST_F(AvrTest, CodeThatDoesNotFitTheChipIsToldSo) {
         "const byte t[32000] PROGMEM = {1}, u[9000] PROGMEM = {1};\nvoid setup() {\n"
         "  Serial.print(pgm_read_byte(t + random(9)) + pgm_read_byte(u + random(9)));\n}\n"
         "void loop() {}\n");
-  EXPECT_THAT(avr_error_of("Long"), AllOf(StartsWith("Long does not fit: it takes "), HasSubstr("flash")));
+  EXPECT_THAT(avr_error_of("Long"), AllOf(StartsWith("Long does not fit: it is "), HasSubstr("flash")));
 }
 
 TEST_F(AvrTest, LimitsAreReadFromTheImageOfEveryTarget) {
@@ -267,7 +267,7 @@ TEST_F(AvrTest, ABoardWithoutAnAvrChipIsRefused) {
       [&] {
         build({folder_ / "Any", other, "avr"});
       },
-      testing::ThrowsMessage<InputError>(HasSubstr("the board bluepill has no chip of the target avr")));
+      testing::ThrowsMessage<InputError>(HasSubstr("the board bluepill cannot run the target avr")));
 }
 
 TEST_F(AvrTest, AnotherProcessMayPutTheSameImageInItsPlaceMeanwhile) {

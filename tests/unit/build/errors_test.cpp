@@ -52,10 +52,9 @@ TEST_F(SketchTest, AMessageAboutTheCoreSaysNotWhereThisMachineKeepsIt) {
 
 TEST_F(SketchTest, AMissingHeaderIsNamedWithWhereItWasLookedFor) {
   write("Needy/Needy.ino", "// needs more\n#include <NoSuchSensor.h>\n" + kEmptySketch);
-  EXPECT_THAT(
-      error_of("Needy", {folder_}),
-      AllOf(StartsWith("Needy.ino:2:10: there is no header NoSuchSensor.h: neither in the sketch nor"),
-            HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries")));
+  EXPECT_THAT(error_of("Needy", {folder_}),
+              AllOf(StartsWith("Needy.ino:2:10: no such header NoSuchSensor.h in the sketch, nor"),
+                    HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries")));
   EXPECT_THROW(build({folder_ / "Needy", *find_board("uno")}), MissingLibrary) << "one may be elsewhere";
 }
 
@@ -64,12 +63,13 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   EXPECT_THAT(error_of("Boot"), StartsWith("Boot.ino:1:10: avr/boot.h belongs to avr-libc"));
   write("Boot/Boot.ino", "#include <vector>\n" + kEmptySketch);
   EXPECT_THAT(error_of("Boot"),
-              StartsWith("Boot.ino:1:10: there is no header vector: Arduino boards with an AVR"));
+              StartsWith("Boot.ino:1:10: no such header vector: Arduino boards with an AVR"));
   write("Boot/Boot.ino", "void setup() { asm volatile(\"wdr\"); }\nvoid loop() {}\n");
-  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() holds assembler of the chip ("),
-                                      HasSubstr(" `wdr'"), EndsWith("): it is for the target avr")));
+  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("Boot.ino:1: asm() contains assembler of the chip ("),
+                                      HasSubstr(" `wdr'"), EndsWith("); build for the target avr")));
   write("Boot/Boot.ino", "asm(\"wdr\");\n" + kEmptySketch);
-  EXPECT_THAT(error_of("Boot"), AllOf(StartsWith("asm() holds assembler of the chip ("), HasSubstr(" `wdr'")))
+  EXPECT_THAT(error_of("Boot"),
+              AllOf(StartsWith("asm() contains assembler of the chip ("), HasSubstr(" `wdr'")))
       << "gcc notes no line for it";
 }
 
@@ -94,9 +94,10 @@ TEST_F(SketchTest, AChangeOfOursThatTheAssemblerRefusesIsNotTheSketchsFault) {
     FAIL() << "the sketch is blamed: " << error.what();
   } catch (const std::runtime_error& error) {
     const fs::path saved = cache_folder() / "refused.s";
-    EXPECT_THAT(error.what(),
-                AllOf(MatchesRegex("Robosim's own assembly was refused by as [0-9.]+: Error: no such.*"),
-                      EndsWith("; please report it with the file " + saved.string())));
+    EXPECT_THAT(
+        error.what(),
+        AllOf(MatchesRegex("as [0-9.]+ rejects the assembly that Robosim has generated: Error: no such.*"),
+              EndsWith("; please report this with the file " + saved.string())));
     EXPECT_THAT(read_file(saved), HasSubstr(".Lrobosim_divides"));
   }
 }
@@ -125,21 +126,21 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   write("Many/b.ino", kEmptySketch);
   write("Asm/Asm.ino", kEmptySketch);
   write("Asm/fast.S", "nop\n");
-  EXPECT_THAT(error_of("NoSuch"), HasSubstr("there is no such sketch"));
+  EXPECT_THAT(error_of("NoSuch"), HasSubstr("no such sketch"));
   EXPECT_THAT(error_of("Nothing"), HasSubstr("got a folder without an .ino file"));
   EXPECT_THAT(error_of("Nothing/readme.txt"),
               HasSubstr("expected a sketch: a folder, an .ino or a .cpp file"));
   EXPECT_THAT(
       error_of("Many"),
       HasSubstr("expected Many.ino, named like its folder, among the 2 .ino files, got a.ino and b.ino"));
-  EXPECT_THAT(error_of("Asm"), StartsWith("fast.S: assembler sources are for the chip"));
+  EXPECT_THAT(error_of("Asm"), StartsWith("fast.S: assembler sources require a chip"));
   EXPECT_THAT(
       [this] {
         build({folder_ / "Many/a.ino", *find_board("uno"), "pdp11"});
       },
-      testing::ThrowsMessage<InputError>(HasSubstr("no target pdp11")));
+      testing::ThrowsMessage<InputError>(HasSubstr("unknown target pdp11")));
   EXPECT_THAT(error_of("Many/a.ino", {folder_ / "none"}),
-              HasSubstr("is no folder; allowed are a folder of libraries"));
+              HasSubstr("not a folder: expected a folder of libraries"));
 }
 
 TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {

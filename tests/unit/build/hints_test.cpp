@@ -17,16 +17,17 @@ TEST(Hints, APinOfOtherBoardsIsToldWithTheBoards) {
 }
 
 TEST(Hints, OfSeveralPinsTheBoardsHaveAll) {
-  EXPECT_THAT(hint_for("a.ino:1:2: error: 'A8' was not declared in this scope\n"
-                       "a.ino:2:2: error: 'A12' was not declared in this scope"),
-              HasSubstr("of the boards these have the pins A8, A12: mega; --robot"));
+  EXPECT_THAT(
+      hint_for("a.ino:1:2: error: 'A8' was not declared in this scope\n"
+               "a.ino:2:2: error: 'A12' was not declared in this scope"),
+      HasSubstr("these boards have the pins A8, A12: mega; run the sketch on one of them with --robot"));
 }
 
 TEST(Hints, ASerialLineOfOtherBoardsIsToldWithTheBoards) {
   EXPECT_THAT(hint_for("a.ino:1:2: error: 'Serial1' was not declared in this scope"),
-              HasSubstr("these have Serial1: mega, leonardo, micro; --robot"));
+              HasSubstr("these boards have Serial1: mega, leonardo, micro; run the sketch"));
   EXPECT_THAT(hint_for("a.ino:1:2: error: 'Serial3' was not declared in this scope"),
-              HasSubstr("these have Serial3: mega; --robot"));
+              HasSubstr("these boards have Serial3: mega; run the sketch"));
 }
 
 TEST(Hints, APinsNameOnAnEsp8266IsANumberHere) {

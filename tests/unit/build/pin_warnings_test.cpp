@@ -17,9 +17,9 @@ std::string on(const char* board, const std::string& code) {
 
 TEST(PinWarnings, NameAPinThatTheBoardLacksWithItsLineAndTheBoardsThatHaveIt) {
   EXPECT_EQ(on("uno", "pinMode(50, OUTPUT);"),
-            "My.ino:2: warning: pinMode(50, …): the uno has no pin 50; of the boards these have one: mega");
+            "My.ino:2: warning: pinMode(50, …): the uno has no pin 50; these boards have one: mega");
   EXPECT_EQ(on("mega", "pinMode(50, OUTPUT);"), "");
-  EXPECT_THAT(on("uno", "int x = digitalRead(99);"), HasSubstr("no board of Robosim's has one"));
+  EXPECT_THAT(on("uno", "int x = digitalRead(99);"), HasSubstr("no board in Robosim has one"));
   EXPECT_THAT(on("uno", "analogRead(9);"), HasSubstr("the uno has no pin A9"));
   EXPECT_EQ(on("uno", "analogRead(5); analogRead(A5); analogRead(19);"), "");
 }
@@ -37,17 +37,18 @@ TEST(PinWarnings, FollowAVariableThatIsSetOnce) {
 }
 
 TEST(PinWarnings, SayThatAPinHasNoPwmUnlessItIsAllOrNothing) {
-  EXPECT_EQ(
-      on("uno", "analogWrite(4, speed);"),
-      "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW below 128, else HIGH; "
-      "these have it: D3, D5, D6, D9, D10, D11");
+  EXPECT_EQ(on("uno", "analogWrite(4, speed);"),
+            "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW below 128 and "
+            "HIGH otherwise; "
+            "these pins have PWM: D3, D5, D6, D9, D10, D11");
   EXPECT_EQ(on("uno", "analogWrite(4, 255); analogWrite(4, 0); analogWrite(5, 100);"), "");
 }
 
 TEST(PinWarnings, SayWhatAValueBeyondPwmComesTo) {
-  EXPECT_EQ(on("uno", "analogWrite(5, 300);"),
-            "My.ino:2: warning: analogWrite(5, 300): it takes 0 to 255; on most pins 300 does what 44 does");
-  EXPECT_THAT(on("uno", "analogWrite(en, -100);"), HasSubstr("-100 does what 156 does"));
+  EXPECT_EQ(
+      on("uno", "analogWrite(5, 300);"),
+      "My.ino:2: warning: analogWrite(5, 300): expected 0 to 255; on most pins 300 has the effect of 44");
+  EXPECT_THAT(on("uno", "analogWrite(en, -100);"), HasSubstr("-100 has the effect of 156"));
   EXPECT_EQ(on("uno", "analogWrite(5, 255); analogWrite(5, speed - 300); analogWrite(5, 2 * 300);"), "");
   EXPECT_EQ(on("uno", "analogWriteResolution(10); analogWrite(5, 1000);"), "");
 }
@@ -68,7 +69,7 @@ TEST(PinWarnings, SayThatSerialIsNeverBegun) {
 
 TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
   EXPECT_THAT(on("nano", "pinMode(A6, INPUT_PULLUP);"),
-              HasSubstr("pin A6 of the nano can only be read by analogRead()"));
+              HasSubstr("pin A6 of the nano can only be read with analogRead()"));
   EXPECT_EQ(on("nano", "analogRead(A6); analogRead(7);"), "");
 }
 

@@ -67,15 +67,16 @@ TEST_F(ProjectTest, SharesNothingThatIsNoSource) {
   write("club/common/notes.txt", "inline int kp() { return 3; }\n");
   write("club/Robot/Robot.ino", "#include \"../common/notes.txt\"\n" + kUses);
   if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
-  EXPECT_THAT(error_of("club/Robot"), AllOf(StartsWith("Robot.ino:1:10: ../common/notes.txt is no file of"),
-                                            HasSubstr("--libraries DIR")));
+  EXPECT_THAT(error_of("club/Robot"),
+              AllOf(StartsWith("Robot.ino:1:10: ../common/notes.txt is not a readable file of"),
+                    HasSubstr("--libraries DIR")));
 }
 
 TEST_F(ProjectTest, SharesNothingWithASketchThatIsSomebodyElses) {
   if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   EXPECT_EQ(error_of("club/Robot"), "no error");
   EXPECT_THAT(untrusted_error_of("club/Robot"),
-              StartsWith("Robot.ino:1:10: ../common/gains.h is no file of the sketch"))
+              StartsWith("Robot.ino:1:10: ../common/gains.h is not a readable file of the sketch"))
       << "though it was compiled before";
 }
 

@@ -70,9 +70,9 @@ TEST_F(Stm32Test, PinNamesAreArduinosNumbersAndWidthsAreAnArms) {
         "#if !defined(ARDUINO_ARCH_STM32) || F_CPU != 72000000L || defined(__AVR__)\n#error\n#endif\n" +
             kEmptySketch);
   EXPECT_EQ(stm32_error_of("Chip"), "no error");
-  EXPECT_THAT(stm32_error_of("Chip", "uno"),
-              HasSubstr("the board uno has no chip of the target stm32; the target stm32 is for a robot with "
-                        "bluepill or bluepill8"));
+  EXPECT_THAT(
+      stm32_error_of("Chip", "uno"),
+      HasSubstr("the board uno cannot run the target stm32: expected a robot with bluepill or bluepill8"));
 }
 
 TEST_F(Stm32Test, TheSameSketchInAnotherFolderGivesTheSameBytesWithoutNamesOfThisMachine) {
@@ -103,11 +103,11 @@ TEST_F(Stm32Test, WhatDoesNotFitTheChipIsToldSo) {
         "void loop() {}\n");
   EXPECT_THAT(
       stm32_error_of("Big"),
-      MatchesRegex("Big does not fit: its variables take 30[0-9]+ bytes, and the bluepill has 20480 of "
+      MatchesRegex("Big does not fit: its variables take 30[0-9]+ bytes, but the bluepill has 20480 of "
                    "RAM"));
   write("Long/Long.ino",
         "const byte t[66000] = {1};\nvoid setup() { Serial.print(t[random(9)]); }\nvoid loop() {}\n");
-  EXPECT_THAT(stm32_error_of("Long"), AllOf(StartsWith("Long does not fit: it takes "), HasSubstr("flash")));
+  EXPECT_THAT(stm32_error_of("Long"), AllOf(StartsWith("Long does not fit: it is "), HasSubstr("flash")));
 }
 
 }  // namespace

@@ -71,17 +71,17 @@ TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
 
 TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {
   write("Reader/Reader.ino", "#include \"/etc/passwd\"\nvoid setup() {}\nvoid loop() {}\n");
-  EXPECT_EQ(error_of("Reader"),
-            "Reader.ino:1:10: /etc/passwd is no file of the sketch, its project, its libraries or the core, "
-            "or may not be "
-            "read: compilers see nothing else of this machine. --libraries DIR names a folder of code that "
-            "sketches share");
+  EXPECT_EQ(
+      error_of("Reader"),
+      "Reader.ino:1:10: /etc/passwd is not a readable file of the sketch, its project, its libraries or "
+      "the core: compilers see no other files of this machine. --libraries DIR names a folder of code "
+      "that sketches share");
 }
 
 TEST_F(WallsTest, HoldForLinksInTheSketchToo) {
   write("Linked/Linked.ino", "#include \"link.h\"\nvoid setup() {}\nvoid loop() {}\n");
   std::filesystem::create_symlink(folder_ / "secret/secret.txt", folder_ / "Linked/link.h");
-  EXPECT_THAT(error_of("Linked"), StartsWith("Linked.ino:1:10: link.h is no file of the sketch"));
+  EXPECT_THAT(error_of("Linked"), StartsWith("Linked.ino:1:10: link.h is not a readable file of the sketch"));
 }
 
 TEST_F(WallsTest, HoldForTheAssembler) {
@@ -89,7 +89,7 @@ TEST_F(WallsTest, HoldForTheAssembler) {
     write("Taker/Taker.ino",
           std::string("void setup() {}\nasm(\"") + word + " \\\"/etc/passwd\\\"\");\nvoid loop() {}\n");
     EXPECT_THAT(error_of("Taker"),
-                AllOf(StartsWith("asm() names a file: /etc/passwd is no file of the sketch")))
+                AllOf(StartsWith("asm() names a file: /etc/passwd is not a readable file of the sketch")))
         << word;
   }
 }

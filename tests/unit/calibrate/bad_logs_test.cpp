@@ -56,58 +56,70 @@ std::string with_row(const std::string& row) { return "t_us,S1\n0,100\n5000,100\
 
 TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
   const Case cases[] = {
-      {"empty", "", "log1.csv: is empty"},
-      {"blank", "\n\n  \n", "log1.csv: is empty"},
-      {"binary", std::string("t_us,S1\n0,1\0", 12), "log1.csv:2: has a byte 0x00, so this is not a log"},
-      {"old line ends", "t_us,S1\r0,1\r", "log1.csv:1: has a byte 0x0D"},
-      {"no header", "0,100\n5000,100\n", "log1.csv:1: “0” stands before any column names"},
-      {"only remarks", "# a\n# b\n", "log1.csv: has no table"},
+      {"empty", "", "log1.csv: the log is empty"},
+      {"blank", "\n\n  \n", "log1.csv: the log is empty"},
+      {"binary", std::string("t_us,S1\n0,1\0", 12),
+       "log1.csv:2: not a log: expected text, as CalibrationLogger prints it, got a byte 0x00"},
+      {"old line ends", "t_us,S1\r0,1\r",
+       "log1.csv:1: not a log: expected text, as CalibrationLogger prints it, got a byte 0x0D"},
+      {"no header", "0,100\n5000,100\n",
+       "log1.csv:1: a row before the column names: expected a first row that begins with t_us, got “0”"},
+      {"only remarks", "# a\n# b\n", "log1.csv: the log has no table"},
       {"unknown sensor", sweep({}, "S2"), "log1.csv:1: there is no floor sensor “S2”; did you mean S1?"},
-      {"a column twice", "t_us,S1,S1\n", "log1.csv:1: there are two columns S1"},
-      {"a column without a name", "t_us,,S1\n", "log1.csv:1: a column has no name"},
-      {"no sensor", "t_us\n", "log1.csv:1: no column is named after a sensor"},
+      {"a column twice", "t_us,S1,S1\n", "log1.csv:1: the column S1 is given twice"},
+      {"a column without a name", "t_us,,S1\n", "log1.csv:1: a column without a name"},
+      {"no sensor", "t_us\n", "log1.csv:1: a sweep without a sensor"},
       {"left alone", "t_us,left,count_left,count_right\n", "log1.csv:1: the column right is missing"},
       {"one encoder", "t_us,count_left,S1\n", "log1.csv:1: the column count_right is missing"},
       {"no counts", "t_us,left,right\n",
-       "log1.csv:1: a drive without the columns count_left and count_right"},
-      {"text", with_row("10000,abc"), "log1.csv:4: S1 is “abc”; it must be a number"},
-      {"nothing", with_row("10000,"), "log1.csv:4: S1 is “”; it must be a number"},
-      {"NaN", with_row("10000,nan"), "log1.csv:4: S1 is nan; it must be a finite number"},
-      {"infinite", with_row("10000,inf"), "log1.csv:4: S1 is inf; it must be a finite number"},
-      {"cut off", with_row("10000"), "log1.csv:4: a row has 1 fields, but the column names of line 1 are 2"},
-      {"too many", with_row("10000,1,2"), "log1.csv:4: a row has 3 fields"},
+       "log1.csv:1: a drive requires the columns count_left and count_right"},
+      {"text", with_row("10000,abc"), "log1.csv:4: S1: expected a number, got “abc”"},
+      {"nothing", with_row("10000,"), "log1.csv:4: S1: expected a number, got “”"},
+      {"NaN", with_row("10000,nan"), "log1.csv:4: S1: expected a finite number, got nan"},
+      {"infinite", with_row("10000,inf"), "log1.csv:4: S1: expected a finite number, got inf"},
+      {"cut off", with_row("10000"),
+       "log1.csv:4: the row's fields: expected 2, as many as column names on line 1, got 1"},
+      {"too many", with_row("10000,1,2"),
+       "log1.csv:4: the row's fields: expected 2, as many as column names on line 1, got 3"},
       {"backwards", with_row("4000,100"),
-       "log1.csv:4: time goes back: t_us is 4000, and 5000 in the row before"},
-      {"standing", with_row("5000,100"), "log1.csv:4: time goes back"},
-      {"before", "t_us,S1\n-5,100\n", "log1.csv:2: t_us is -5; it must be from 0"},
-      {"a quote", with_row("10000,\"1"), "log1.csv:4: has a quote that is never closed"},
-      {"below 0", with_row("10000,-1"), "log1.csv:4: S1 is -1; a reading is from 0 to 1023"},
-      {"no code", sweep({100, 1400}), "S1 is "},
-      {"one row", "t_us,S1\n0,100\n", "log1.csv:1: this sweep has 1 row; it must have 100 at least"},
+       "log1.csv:4: t_us: expected a later time than 5000 in the row before, got 4000"},
+      {"standing", with_row("5000,100"), "log1.csv:4: t_us: expected a later time"},
+      {"before", "t_us,S1\n-5,100\n", "log1.csv:2: t_us: expected a number from 0 to 4.3e9, got -5"},
+      {"a quote", with_row("10000,\"1"), "log1.csv:4: a quote is never closed"},
+      {"below 0", with_row("10000,-1"),
+       "log1.csv:4: S1: expected a reading from 0 to 1023, or of an RC sensor in microseconds, got -1"},
+      {"no code", sweep({100, 1400}), "S1: expected a code of analogRead() from 0 to 1023, got "},
+      {"one row", "t_us,S1\n0,100\n",
+       "log1.csv:1: the sweep is too short: expected at least 100 rows, got 1"},
       {"PWM 300", "t_us,left,right,count_left,count_right\n0,300,0,0,0\n",
-       "log1.csv:2: left is 300; it must be"},
+       "log1.csv:2: left: expected a whole number from -255 to 255, got 300"},
       {"PWM 1.5", "t_us,left,right,count_left,count_right\n0,1.5,0,0,0\n",
-       "log1.csv:2: left is 1.5; it must be"},
+       "log1.csv:2: left: expected a whole number from -255 to 255, got 1.5"},
       {"three counts", "# counts_per_period = 3\n" + sweep(),
-       "log1.csv:1: counts_per_period is “3”; it must be 1, 2 or 4"},
+       "log1.csv:1: counts_per_period: expected 1, 2 or 4, got “3”"},
       {"no time", "# timing_step_us = x\n" + sweep(),
-       "log1.csv:1: timing_step_us is “x”; it must be a number"},
-      {"always the same", sweep({500, 500}), "log1.csv:1: S1 reads nearly the same throughout this sweep"},
+       "log1.csv:1: timing_step_us: expected a number of microseconds up to 1000, got “x”"},
+      {"always the same", sweep({500, 500}),
+       "log1.csv:1: S1: expected readings over floor and tape, got nearly the same value"},
       {"beside the tape", sweep({100, 900, 5.45, 5.5}), "log1.csv:1: S1 is over the tape in less than 3 %"},
       {"only half over it", sweep({100, 900, 0.0, 6.0}, "S1", 101),
-       "log1.csv:1: S1 crosses the tape at no time"},
-      {"white over black", sweep({900, 100}), "log1.csv:1: S1 reads less over the tape than beside it"},
+       "log1.csv:1: S1 never crosses the tape completely"},
+      {"white over black", sweep({900, 100}), "log1.csv:1: S1 reads less over the tape than next to it"},
       {"saturated", sweep({100, 1100, 0.5, 6.0, 1023}), "log1.csv:1: S1 reads 1023 in "},
-      {"wheels stand still", counted_sweep(0.0), "log1.csv:2: the wheels' counts change by 0 and 0"},
-      {"another tape", counted_sweep(800.0), "wide by the wheels' counts, but --tape is 19.0 mm"},
+      {"wheels stand still", counted_sweep(0.0),
+       "log1.csv:2: the wheels turn too little in this sweep: expected at least a sixth of a turn, got 0 and "
+       "0 counts"},
+      {"another tape", counted_sweep(800.0), "S1: expected a tape 19.0 mm wide by --tape, got "},
       {"a motor that does not turn", drive(255, 0.0, 3000.0),
-       "log1.csv:2: the left motor is told 255, but its encoder counts 0: it does not turn"},
+       "log1.csv:2: the left motor is driven with 255, but its encoder counts 0: the motor does not turn"},
       {"leads swapped", drive(255, 3000.0, -3000.0),
-       "log1.csv:2: the right motor is told 255, but its encoder counts -1485: its leads"},
-      {"begins with nothing", drive(0, 3000.0, 3000.0), "log1.csv:3: left is 0 in the first row"},
+       "log1.csv:2: the right motor is driven with 255, but its encoder counts -1485: the motor's leads"},
+      {"begins with nothing", drive(0, 3000.0, 3000.0),
+       "log1.csv:3: left: expected the motor's command in the drive's first row, got 0"},
       {"a drive of an hour", drive(255, 3000.0, 3000.0) + "3600000000,0,0,9000,9000\n",
-       "log1.csv:2: with this drive all drives take 3600 s; at most 120 s"},
-      {"counts of what", drive(255, 3000.0, 3000.0, ""), "log1.csv: counts edges, but does not say how many"},
+       "log1.csv:2: the drives are too long: expected at most 120 s together, got 3600 s"},
+      {"counts of what", drive(255, 3000.0, 3000.0, ""),
+       "log1.csv: the log has counts of edges, but not their number"},
   };
   for (const Case& bad : cases) EXPECT_THAT(answer({bad.log}), HasSubstr(bad.sentence)) << bad.what;
 }
@@ -115,13 +127,12 @@ TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
 TEST(BadLogs, TwoOfDifferentRobotsDisagree) {
   EXPECT_EQ(answer({sweep(), sweep()}), "");
   EXPECT_THAT(answer({sweep(), sweep({400, 900})}),
-              HasSubstr("log2.csv:1: S1 gives 1.96 over the floor and 4.41 over "
+              HasSubstr("log2.csv:1: S1 reads 1.96 over the floor and 4.41 over "
                         "the tape here, but 0.496 and 4.41 in the sweep"));
 }
 
 TEST(BadLogs, ASweepWantsTheTapesWidth) {
-  EXPECT_THAT(answer({sweep()}, 0.0),
-              HasSubstr("log1.csv:1: this is a sweep over a tape; give the tape's width"));
+  EXPECT_THAT(answer({sweep()}, 0.0), HasSubstr("log1.csv:1: a sweep over a tape requires the tape's width"));
 }
 
 TEST(BadLogs, ADriveWantsEncodersInTheRobotFile) {
@@ -141,7 +152,7 @@ TEST(BadLogs, AreNotReadWhereTheyAreNot) {
 
 TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
   const auto watch = [](const std::string& text) { return answer({}, 0.0, text); };
-  EXPECT_THAT(watch("supply = \"7 V\"\n"), HasSubstr("watch.toml: has no [[drive]]"));
+  EXPECT_THAT(watch("supply = \"7 V\"\n"), HasSubstr("watch.toml: [[drive]] is missing"));
   EXPECT_THAT(watch("[[drive]]\npwm = 0\n"),
               HasSubstr("watch.toml:2:7: pwm: expected a whole number from 1 to 255, got 0"));
   EXPECT_THAT(watch("[[drive]]\npwm = 255\ntime = \"1 s\"\n"), HasSubstr("watch.toml:1:1: [[drive]] "));

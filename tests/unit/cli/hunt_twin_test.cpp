@@ -133,7 +133,7 @@ TEST(HuntWorld, HoldsAButtonAtPowerOnWaitsAndTakesUsedBoards) {
     held += holds;
     later += world.later_ms > 0;
     used += script.starts_with("at 0ms fault eeprom used\n");
-    EXPECT_EQ(needs_of(world, space).contains("a longer wait before it goes"), world.later_ms > 0);
+    EXPECT_EQ(needs_of(world, space).contains("a longer wait before the start"), world.later_ms > 0);
   }
   EXPECT_GT(held, 8);
   EXPECT_GT(later, held);
@@ -357,7 +357,7 @@ TEST(HuntTwin, IsToldInOneSentence) {
   HuntWorld world;
   world.twin = Twin::host;
   EXPECT_EQ(symptom_of({"says “3”", "says “200”", "#", {3}, {200}}, world, space).sentence,
-            "Where the host says “200”, the avr says “3”, with any noise.");
+            "Where the host says “200”, the avr says “3”, whatever the noise.");
   world.twin = Twin::clock;
   EXPECT_THAT(symptom_of({"stands", "drives", "", {}, {}}, world, space).sentence,
               HasSubstr("some minutes earlier it drives"));

@@ -131,10 +131,9 @@ TEST_F(RunnerTest, AProgramThatSaysNoHelloIsRefused) {
     }
     return std::string();
   };
-  EXPECT_EQ(refusal("hi"), "fake is no runner of Robosim's: it says “hi” where a runner says hello");
+  EXPECT_EQ(refusal("hi"), "fake is not a runner of Robosim: expected the hello of a runner, got “hi”");
   EXPECT_EQ(refusal(R"({"hello": "fake", "protocol": 2, "greeting": [1]})"),
-            "the runner fake speaks protocol 2, and this program speaks 1: they are of different versions of "
-            "Robosim");
+            "the runner fake is of another version of Robosim: expected protocol 1, got 2");
   EXPECT_THROW(Runner::from_program("/nonexistent/robosim-host"), wire::RunnerError);
   expect_no_children();
 }

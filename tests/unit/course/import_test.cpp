@@ -164,40 +164,41 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
   const Refused refused[] = {
       {"", "the file is empty"},
       {"\n \n", "the file is empty"},
-      {std::string("1 2\0 3", 6), "is no text"},
-      {"{", "begins as JSON, but is none"},
-      {"[]", "neither a list “circles” nor “tiles”"},
-      {"{}", "neither a list “circles” nor “tiles”"},
-      {R"({"tiles":[]})", "“width” is no whole number"},
-      {robotrace(""), "the number of circles is 0; a course has 2 to 1000"},
-      {robotrace(ok), "the number of circles is 1"},
-      {robotrace(ok + ",5"), "circle 2 has not x, y and r"},
-      {robotrace(ok + R"(,{"x":300,"y":60})"), "circle 2 has not x, y and r"},
-      {robotrace(ok + R"(,{"x":300,"y":60,"r":0})"), "circle 2: r is not above 0"},
-      {robotrace(ok + R"(,{"x":300,"y":60,"r":"40"})"), "“r” is no number"},
-      {robotrace(ok + R"(,{"x":1e300,"y":60,"r":40})"), "“x” is no number of centimetres"},
-      {robotrace(ok + R"(,{"x":300,"y":60,"r":40,"turn":"left"})"), "turn is neither “cw” nor “ccw”"},
+      {std::string("1 2\0 3", 6), "not a text file"},
+      {"{", "not valid JSON from here on"},
+      {"[]", "expected JSON of robotrace_course_cad (a list “circles”) or of rcj-rescue-cms (“tiles”)"},
+      {"{}", "expected JSON of robotrace_course_cad (a list “circles”) or of rcj-rescue-cms (“tiles”)"},
+      {R"({"tiles":[]})", "width: expected a whole number of tiles"},
+      {robotrace(""), "circles: expected 2 to 1000 circles, got 0"},
+      {robotrace(ok), "circles: expected 2 to 1000 circles, got 1"},
+      {robotrace(ok + ",5"), "circle 2: expected x, y and r"},
+      {robotrace(ok + R"(,{"x":300,"y":60})"), "circle 2: expected x, y and r"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":0})"), "circle 2: r: expected a radius above 0"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":"40"})"), "r: expected a number of centimetres"},
+      {robotrace(ok + R"(,{"x":1e300,"y":60,"r":40})"), "x: expected a number of centimetres"},
+      {robotrace(ok + R"(,{"x":300,"y":60,"r":40,"turn":"left"})"), "turn: expected “cw” or “ccw”"},
       {robotrace(ok + R"(,{"x":100,"y":60,"r":20})"), "circles 1 and 2 have no tangent"},
       {robotrace(ok + R"(,{"x":110,"y":60,"r":20})"), "circles 1 and 2 have no tangent"},
       {robotrace(ok + R"(,{"x":300,"y":60,"r":40})", R"("line_width_cm":50,)"), "line_width_cm"},
-      {"1.0, x\n", "is no course that is known"},
-      {"#length[m], curvature[rad/m]\n1.0, x\n", "course.txt:2: “x” is no number"},
-      {"1.0, 2.0\n1.0\n", "course.txt:2: a segment is its length in m and its curvature"},
-      {"-1.0, 2.0\n", "a segment is its length"},
-      {"1.0, 1e3\n", "turns by 1000 rad"},
-      {"1 2 3\n", "course.txt:1: has neither two numbers"},
-      {"0 0\n1 nan\n", "course.txt:2: “nan” is no number"},
-      {"0 0\n1 1 1\n", "course.txt:2: a point is two numbers"},
-      {"0 0\n0 0\n", "has one point only"},
-      {"0 0\n0.01 0\n", "shorter than 100 mm"},
+      {"1.0, x\n", "unknown kind of course"},
+      {"#length[m], curvature[rad/m]\n1.0, x\n",
+       "course.txt:2: expected a number from -10000 to 10000, got “x”"},
+      {"1.0, 2.0\n1.0\n", "course.txt:2: the segment: expected its length in m and its curvature"},
+      {"-1.0, 2.0\n", "the segment: expected its length"},
+      {"1.0, 1e3\n", "the segment turns too far: expected at most 100 rad, got 1000 rad"},
+      {"1 2 3\n", "course.txt:1: unknown kind of line: expected two numbers"},
+      {"0 0\n1 nan\n", "course.txt:2: expected a number from -10000 to 10000, got “nan”"},
+      {"0 0\n1 1 1\n", "course.txt:2: the point: expected two numbers"},
+      {"0 0\n0 0\n", "the course has too few points: expected at least 2, got 1"},
+      {"0 0\n0.01 0\n", "the course is too short: expected at least 100 mm"},
       {"0 0\n4000 0\n4000 3000\n",
-       "the course is 4000 x 3000 m large; at most 40000 square metres are allowed"},
-      {"9999 0\n-9999 0\n", "longer than 10 km"},
-      {"hello\nworld\n", "is no course that is known"},
-      {"xello world\nabcdefghijk\nx\nx\nx\n", "a maze begins with o or +, not “x”"},
+       "the course is too large: expected at most 40000 square metres, got 4000 x 3000 m"},
+      {"9999 0\n-9999 0\n", "the course is too long: expected at most 10 km"},
+      {"hello\nworld\n", "unknown kind of course"},
+      {"xello world\nabcdefghijk\nx\nx\nx\n", "a maze that begins with o or +, got “x”"},
       {"o---o---o\n|   |   |\no---o---o\n|   |   |\no---o---o\n", "the maze has no passage"},
-      {"0 0 1 1 1 2\n", "a cell of a maze is “x y N E S W”"},
-      {"0 0 1 1 1 1\n1 1 1 1 1 1\n", "has 2 cells; a maze of 2 x 2 has 4"},
+      {"0 0 1 1 1 2\n", "the maze's cell: expected x y N E S W"},
+      {"0 0 1 1 1 1\n1 1 1 1 1 1\n", "a maze of 2 x 2 cells: expected 4 cells, got 2"},
   };
   for (const Refused& one : refused) {
     EXPECT_THAT(message_of(one.text), HasSubstr(one.message)) << one.text;
@@ -249,14 +250,14 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
   // right from its upper half, 16 down from above.
   EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
   EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
-  EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("is no maze, and only a maze has walls"));
+  EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("walls require a maze"));
 }
 
 TEST(Import, DepthAndLengthAreNoHarm) {
-  EXPECT_THAT(message_of(std::string(64, '[')), HasSubstr("begins as JSON, but is none"));
+  EXPECT_THAT(message_of(std::string(64, '[')), HasSubstr("not valid JSON from here on"));
   EXPECT_THAT(message_of(std::string(64, '[') + std::string(64, ']')), HasSubstr("circles"));
-  EXPECT_THAT(message_of(std::string(1'000'000, '[')), HasSubstr("at most 64 brackets in one another"));
-  EXPECT_THAT(message_of(std::string(100'000, 'o')), HasSubstr("larger than a maze"));
+  EXPECT_THAT(message_of(std::string(1'000'000, '[')), HasSubstr("at most 64 nested brackets"));
+  EXPECT_THAT(message_of(std::string(100'000, 'o')), HasSubstr("the maze is too large"));
 }
 
 // --- RoboCupJunior's rcj-rescue-cms ---
@@ -362,8 +363,8 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
       "own.json", "own");
   std::string all;
   for (const std::string& remark : imported.remarks) all += remark + "\n";
-  for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile of ramps",
-                           "the way leads over 2 tiles, and the file says 5"})
+  for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile with ramps",
+                           "the path leads over 2 tiles, but the file states 5"})
     EXPECT_THAT(all, HasSubstr(what));
   EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), grid::Cell::wall);
 }
@@ -398,28 +399,31 @@ TEST(ImportRescue, BadFilesAreToldInASentence) {
     std::string text, message;
   };
   for (const Case& c :
-       {Case{"{\"tiles\":\n[}", "course.txt:2: begins as JSON, but is none from here on"},
-        Case{R"({"tiles":[]})", "“width” is no whole number of tiles"},
-        Case{rescue(fine, "", 1000), "“width” is 1000; allowed are 1 to 100"},
-        Case{rescue(fine, "", 3, 0), "“length” is 0"},
-        Case{rescue(""), "has no tiles"},
-        Case{R"({"width":1,"length":1,"tiles":3})", "“tiles” is neither a list nor an object"},
-        Case{rescue("7"), "tile 1 has not whole numbers x, y and z"},
-        Case{with(R"({"x":"2","y":0,"z":0})"), "tile 3 has not whole numbers x, y and z"},
-        Case{with(R"({"x":99999999999,"y":0,"z":0})"), "tile 3 has not whole numbers"},
-        Case{with(rescue_tile(5, 0, 0, kStraight)), "tile 5,0 is outside the field of 3 x 2 tiles"},
-        Case{with(rescue_tile(1, 0, 0, kStraight)), "tile 1,0 is there twice"},
-        Case{with(rescue_tile(2, 0, 45, kStraight)), "tile 2,0: “rot” is 45; allowed are 0, 90, 180 and 270"},
-        Case{with(R"({"x":2,"y":0,"z":0})"), "tile 2,0 has no “tileType”"},
-        Case{with(rescue_tile(2, 0, 0, "nobody")), "tile 2,0: the type “nobody” is not known"},
+       {Case{"{\"tiles\":\n[}", "course.txt:2: not valid JSON from here on"},
+        Case{R"({"tiles":[]})", "width: expected a whole number of tiles"},
+        Case{rescue(fine, "", 1000), "width: expected 1 to 100 tiles, got 1000"},
+        Case{rescue(fine, "", 3, 0), "length: expected 1 to 100 tiles, got 0"},
+        Case{rescue(""), "tiles: expected at least one tile"},
+        Case{R"({"width":1,"length":1,"tiles":3})", "tiles: expected a list or an object"},
+        Case{rescue("7"), "tile 1: expected whole numbers x, y and z"},
+        Case{with(R"({"x":"2","y":0,"z":0})"), "tile 3: expected whole numbers x, y and z"},
+        Case{with(R"({"x":99999999999,"y":0,"z":0})"), "tile 3: expected whole numbers"},
+        Case{with(rescue_tile(5, 0, 0, kStraight)),
+             "tile 5,0: expected a tile inside the field of 3 x 2 tiles"},
+        Case{with(rescue_tile(1, 0, 0, kStraight)), "tile 1,0 is given twice"},
+        Case{with(rescue_tile(2, 0, 45, kStraight)), "tile 2,0: rot: expected 0, 90, 180 or 270, got 45"},
+        Case{with(R"({"x":2,"y":0,"z":0})"), "tile 2,0: tileType is missing"},
+        Case{with(rescue_tile(2, 0, 0, "nobody")), "tile 2,0: unknown type of tile"},
         Case{with(R"({"x":2,"y":0,"z":0,"tileType":{"_id":"new","paths":{"left":"up"}}})"),
-             "tile 2,0: “left” is no side"},
+             "tile 2,0: left: expected left, top, right or bottom"},
         Case{with(rescue_tile(2, 0, 0, kStraight, R"(,"levelUp":"north")")),
-             "tile 2,0: “levelUp” is no side"},
-        Case{rescue(rescue_tile(1, 0, 0, kStraight)), "“startTile” is not among the tiles"},
-        Case{rescue(rescue_tile(0, 0, 0, kStraight)), "no tile is joined to the start tile, 0,0"},
-        Case{rescue(fine, R"("startTile2":7,)"), "startTile2 has not whole numbers"},
-        Case{R"({"neither":1})", "neither a list “circles” nor “tiles”"}}) {
+             "tile 2,0: levelUp: expected left, top, right or bottom"},
+        Case{rescue(rescue_tile(1, 0, 0, kStraight)), "startTile: expected one of the tiles"},
+        Case{rescue(rescue_tile(0, 0, 0, kStraight)),
+             "startTile: expected a tile that is joined to another one, got 0,0"},
+        Case{rescue(fine, R"("startTile2":7,)"), "startTile2: expected whole numbers"},
+        Case{R"({"neither":1})",
+             "expected JSON of robotrace_course_cad (a list “circles”) or of rcj-rescue-cms (“tiles”)"}}) {
     EXPECT_THAT(message_of(c.text), HasSubstr(c.message));
     EXPECT_THAT(message_of(c.text), ::testing::StartsWith("course.txt"));
   }

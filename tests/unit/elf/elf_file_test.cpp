@@ -126,9 +126,9 @@ TEST(ElfFile, ReadsThisTestToo) {
 }
 
 TEST(ElfFile, WhatIsNoneIsRefusedWithItsName) {
-  EXPECT_EQ(read_all("hello"), "x.elf: is no ELF file");
-  EXPECT_EQ(read_all(""), "x.elf: is no ELF file");
-  EXPECT_EQ(read_all(Program().bytes().substr(0, sizeof(Elf32_Ehdr) - 1)), "x.elf: is no ELF file");
+  EXPECT_EQ(read_all("hello"), "x.elf: not an ELF file");
+  EXPECT_EQ(read_all(""), "x.elf: not an ELF file");
+  EXPECT_EQ(read_all(Program().bytes().substr(0, sizeof(Elf32_Ehdr) - 1)), "x.elf: not an ELF file");
 }
 
 std::string target_of(std::string bytes) {
@@ -142,7 +142,7 @@ std::string target_of(std::string bytes) {
 TEST(ElfFile, TellsWhichTargetRunsItByItsHeaderAlone) {
   const std::string
       good = Program().bytes(),
-      none = "x.elf: is no program for a chip that Robosim knows (an AVR or an ARM microcontroller)";
+      none = "x.elf: expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)";
   EXPECT_EQ(target_of(good.substr(0, sizeof(Elf32_Ehdr))), "avr");
   for (const auto& [at, byte, target] : {std::tuple{18, char{EM_ARM}, std::string("stm32")},
                                          {18, char{EM_386}, none},
@@ -160,7 +160,9 @@ TEST(ElfFile, AFileThatEndsTooEarlyIsRefused) {
   const std::string good = Program().bytes();
   ASSERT_EQ(read_all(good), std::to_string(5 + 4 + 6 + 4 + 5 + 5));
   for (std::size_t size = sizeof(Elf32_Ehdr); size < good.size(); ++size)
-    EXPECT_EQ(read_all(good.substr(0, size)), "x.elf: is damaged: it ends before what it announces") << size;
+    EXPECT_EQ(read_all(good.substr(0, size)),
+              "x.elf: the ELF file is damaged: it ends before its announced end")
+        << size;
 }
 
 TEST(ElfFile, TablesAndContentsOutsideTheFileAreRefused) {

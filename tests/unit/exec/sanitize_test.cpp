@@ -76,7 +76,7 @@ TEST_F(SanitizeTest, ANullPointer) {
 TEST_F(SanitizeTest, AMisalignedAccess) {
   expect_found(
       "byte a[8]; volatile int n, i = 1;", "n = *(int*)(a + i);",
-      "read of an int at an address that is not a multiple of 4 (the Uno does not mind, other chips do)");
+      "read of an int at an address that is not a multiple of 4 (the Uno accepts it, other chips do not)");
 }
 
 TEST_F(SanitizeTest, AFloatThatDoesNotFit) {
@@ -101,14 +101,14 @@ TEST_F(SanitizeTest, ALocalVariableThatWasNeverSet) {
 
 TEST_F(SanitizeTest, AFunctionWithoutItsReturn) {
   expect_found("volatile int n; int turn() { if (n) return 1; }", "n = turn();",
-               "the function should give a value, and ends without return", "turn", 1);
+               "the function should return a value, but ends without return", "turn", 1);
 }
 
 TEST_F(SanitizeTest, AnAccessBesideAGlobalVariable) {
   expect_found("char text[10]; char* volatile p = text; volatile int i = 10;", "p[i] = 1;",
-               "write of 1 byte, right behind the variable text (10 bytes)");
+               "write of 1 byte, right after the variable text (10 bytes)");
   expect_found("int speeds[5]; int* volatile p = speeds; volatile int i = 6, n;", "n = p[i];",
-               "read of 4 bytes, 4 bytes behind the variable speeds (20 bytes)");
+               "read of 4 bytes, 4 bytes after the variable speeds (20 bytes)");
   expect_found("int speeds[5]; int* volatile p = speeds; volatile int i = -1, n;", "n = p[i];",
                "read of 4 bytes, 4 bytes before the variable speeds (20 bytes)");
 }
@@ -116,14 +116,14 @@ TEST_F(SanitizeTest, AnAccessBesideAGlobalVariable) {
 TEST_F(SanitizeTest, AnAccessBesideALocalVariable) {
   expect_found("volatile int i = 7, n; char* volatile p;",
                "char text[7], other[9]; other[0] = 1; p = text; p[i] = 2; n = other[0];",
-               "write of 1 byte, right behind the local variable text (7 bytes)");
+               "write of 1 byte, right after the local variable text (7 bytes)");
   expect_found("volatile int i = -2, n; int* volatile p;", "int all[3]; p = all; n = p[i];",
                "read of 4 bytes, 8 bytes before the local variable all (12 bytes)");
 }
 
 TEST_F(SanitizeTest, AnAccessToALocalVariableOfABlockThatHasEnded) {
   expect_found("volatile int n = 1; char* volatile p;", "{ char inner[4]; p = inner; p[0] = 1; } n = p[0];",
-               "read of 1 byte in the local variable inner, which is no longer there: its block has ended");
+               "read of 1 byte in the local variable inner, which no longer exists: its block has ended");
 }
 
 TEST_F(SanitizeTest, AnAccessBesideALocalArrayOfVariableLength) {
@@ -133,7 +133,7 @@ TEST_F(SanitizeTest, AnAccessBesideALocalArrayOfVariableLength) {
 
 TEST_F(SanitizeTest, AnAccessBesideABlockOfTheHeap) {
   expect_found("volatile int n = 20; char* volatile p;", "p = (char*)malloc(n); p[n] = 1;",
-               "write of 1 byte, right behind a block from malloc() or new (20 bytes)");
+               "write of 1 byte, right after a block from malloc() or new (20 bytes)");
   expect_found("volatile int n = 3; int* volatile p;", "p = new int[n]; p[-1] = 1;",
                "write of 4 bytes, 4 bytes before a block from malloc() or new (12 bytes)");
 }
@@ -141,10 +141,10 @@ TEST_F(SanitizeTest, AnAccessBesideABlockOfTheHeap) {
 TEST_F(SanitizeTest, AnAccessToABlockThatWasGivenBack) {
   expect_found("struct Motor { int speed; }; Motor* volatile p; volatile int n;",
                "p = new Motor; p->speed = 1; delete p; n = p->speed;",
-               "read of 4 bytes in a block of 4 bytes that was given back by free() or delete");
+               "read of 4 bytes in a block of 4 bytes that was freed by free() or delete");
   expect_found("char* volatile p; volatile int n;",
                "p = (char*)malloc(9); free(p); char* q = (char*)malloc(9); q[0] = 1; n = p[0];",
-               "read of 1 byte in a block of 9 bytes that was given back by free() or delete");
+               "read of 1 byte in a block of 9 bytes that was freed by free() or delete");
   expect_found("char* volatile p;", "p = (char*)malloc(9); free(p); free(p);",
                "free() or delete of something that was given back already");
 }
@@ -155,9 +155,9 @@ TEST_F(SanitizeTest, AFunctionOfTheCLibraryThatIsGivenTooLittleRoom) {
   expect_found("char text[4]; volatile int n = 5;", "memset(text, 0, n);",
                "write of 5 bytes, across the end of the variable text (4 bytes)");
   expect_found("char text[4]; volatile int n = 123456;", "sprintf(text, \"%d\", n);",
-               "write of 1 byte, right behind the variable text (4 bytes)");
+               "write of 1 byte, right after the variable text (4 bytes)");
   expect_found("char text[4]; volatile int n = 123456;", "itoa(n, text, 10);",
-               "write of 1 byte, right behind the variable text (4 bytes)");
+               "write of 1 byte, right after the variable text (4 bytes)");
   expect_found("char text[3];", "memset(text, 'x', 3); Serial.print(text);",
                "read of 4 bytes, across the end of the variable text (3 bytes)");
 }
@@ -175,7 +175,7 @@ TEST_F(SanitizeTest, APowerCycleBeginsAfresh) {
   for (int cycle = 0; cycle < 3; ++cycle) {
     run(kMillisecond);
     ASSERT_TRUE(host_->crash());
-    EXPECT_THAT(host_->crash()->reason, testing::HasSubstr("right behind the variable text"));
+    EXPECT_THAT(host_->crash()->reason, testing::HasSubstr("right after the variable text"));
     host_->power_on(now_);
   }
 }

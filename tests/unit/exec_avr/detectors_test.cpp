@@ -79,8 +79,8 @@ TEST_F(DetectorsTest, AnalogWriteOnAPinOutOfAnArrayThatHasNoPwm) {
   EXPECT_EQ(found[0].where.line, 6);
   EXPECT_EQ(found[0].times, 10);
   EXPECT_EQ(found[0].what,
-            "pin 7 of the uno has no PWM, and is LOW below 128, else HIGH: analogWrite(7, 100)");
-  EXPECT_EQ(found[0].mend, "Wire it to a pin that has: 3, 5, 6, 9, 10, 11.");
+            "pin 7 of the uno has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite(7, 100)");
+  EXPECT_EQ(found[0].mend, "Use a pin with PWM: 3, 5, 6, 9, 10, 11.");
 }
 
 TEST_F(DetectorsTest, TheFirstReadingBehindEachChangeOfTheReference) {

@@ -255,7 +255,7 @@ void loop() {})";
   run(95 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
   EXPECT_EQ(avr_->crash()->reason,
-            "stack overflow: the stack that the sketch keeps in stack_b has outgrown its 200 bytes");
+            "stack overflow: the stack that the sketch has placed in stack_b has outgrown its 200 bytes");
 }
 
 TEST_F(FailuresTest, AStackOfTheSketchsOwnMustStayInItsVariable) {
@@ -263,7 +263,7 @@ TEST_F(FailuresTest, AStackOfTheSketchsOwnMustStayInItsVariable) {
   run(95 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
   EXPECT_EQ(avr_->crash()->reason,
-            "stack overflow: the stack that the sketch keeps in stack_b has outgrown its 120 bytes");
+            "stack overflow: the stack that the sketch has placed in stack_b has outgrown its 120 bytes");
   EXPECT_EQ(avr_->crash()->where.function, "deep");
 }
 

@@ -26,14 +26,14 @@ TEST_F(HeapTest, GrowsWhereATextIsKept) {
   EXPECT_EQ(found[0].detector, "heap_grows");
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 4);
-  EXPECT_THAT(found[0].what, HasSubstr("20 each second, and goes on: in some"));
+  EXPECT_THAT(found[0].what, HasSubstr("20 each second, and keeps growing: in about"));
 }
 
 TEST_F(HeapTest, HasNoMemoryForAStringThatBecomesEmpty) {
   const auto found = seen("if (++n % 4 == 0) text.reserve(1800); else text = \"abc\";");
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "no_memory");
-  EXPECT_THAT(found[0].what, HasSubstr("no memory for 1801 bytes"));
+  EXPECT_THAT(found[0].what, HasSubstr("no memory was left for 1801 bytes"));
   EXPECT_EQ(found[0].where.line, 4);
   EXPECT_EQ(found[0].times, 30);
 }

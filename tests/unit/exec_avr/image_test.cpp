@@ -25,12 +25,13 @@ class ImageTest : public AvrTest {
 };
 
 TEST_F(ImageTest, WhatIsNoAvrProgramIsRefusedWithItsName) {
-  EXPECT_THAT(refusal("hello"), testing::AllOf(HasSubstr("x.elf"), HasSubstr("is no program for a chip")));
+  EXPECT_THAT(refusal("hello"),
+              testing::AllOf(HasSubstr("x.elf"), HasSubstr("expected a program for a chip")));
   const std::string good = read_file(build("void setup() {}\nvoid loop() {}"));
   EXPECT_EQ(refusal(good), "accepted");
   std::string arm = good;
   arm[18] = 40;
-  EXPECT_THAT(refusal(arm), HasSubstr("is for the target stm32, and the target avr is asked for"));
+  EXPECT_THAT(refusal(arm), HasSubstr("expected an image for the target avr, got one for the target stm32"));
 }
 
 TEST_F(ImageTest, ADamagedFileNeverReachesTheChip) {
@@ -130,14 +131,15 @@ TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("stack overflow"));
   EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
 
-  EXPECT_THAT(refusal(hex.substr(0, 100), "x.hex"), HasSubstr("x.hex:3: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(hex.substr(0, 100), "x.hex"),
+              HasSubstr("x.hex:3: expected a line of an Intel HEX file"));
   EXPECT_THAT(refusal(hex.substr(0, hex.find('\n') + 1), "x.hex"),
-              HasSubstr("ends before the line :00000001FF"));
+              HasSubstr("expected the line :00000001FF at its end"));
   std::string wrong = hex;
   wrong[10] = wrong[10] == '0' ? '1' : '0';
-  EXPECT_THAT(refusal(wrong, "x.hex"), HasSubstr("x.hex:1: is no line of an Intel HEX file"));
+  EXPECT_THAT(refusal(wrong, "x.hex"), HasSubstr("x.hex:1: expected a line of an Intel HEX file"));
   EXPECT_THAT(refusal(":020000040001F9\n:0100000000FF\n:00000001FF\n", "x.hex"),
-              HasSubstr("behind the 32768 bytes"));
+              HasSubstr("beyond the end of the chip's flash: expected at most 32768 bytes"));
   for (const char* const other : {"", "hello", "\177ELF"})
     EXPECT_THAT(refusal(other, "x.hex"), HasSubstr("Intel HEX file")) << other;
 }

@@ -31,7 +31,7 @@ TEST_F(LossesTest, EdgesAndTicksThatComeWhileInterruptsAreOff) {
   const auto found = seen("noInterrupts(); delayMicroseconds(5000); interrupts(); delay(3);");
   ASSERT_THAT(found, SizeIs(2));
   EXPECT_EQ(found[0].detector, "lost_edge");
-  EXPECT_THAT(found[0].what, HasSubstr("an edge at pin 2 came and was lost"));
+  EXPECT_THAT(found[0].what, HasSubstr("an edge at pin 2 was lost"));
   EXPECT_THAT(found[0].what, HasSubstr("because interrupts were off"));
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 4);

@@ -24,8 +24,9 @@ TEST_F(WatchdogMarginTest, IsSmallWhereAPassTakesNearlyAsLong) {
   const auto found = seen("static int pass; delay(++pass == 3 ? 235 : 20);");
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "watchdog_margin");
-  EXPECT_THAT(found[0].what,
-              HasSubstr("which waits 256 ms, was fed 235 ms after the time before, 92 % of that"));
+  EXPECT_THAT(
+      found[0].what,
+      HasSubstr("with a timeout of 256 ms, was reset 235 ms after the previous reset, 92 % of the timeout"));
   EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 3);
@@ -40,7 +41,7 @@ TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
   const auto found = seen("static int pass; delay(++pass == 15 ? 300 : 20);");
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "watchdog_bite");
-  EXPECT_THAT(found[0].what, HasSubstr("which waits 256 ms, was not fed for so long, and reset the chip"));
+  EXPECT_THAT(found[0].what, HasSubstr("was not reset within its timeout of 256 ms, and reset the chip"));
   EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 3);

@@ -156,7 +156,7 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
   };
   for (const Case& c :
        {Case{"n = *(volatile int*)0x20008000;", "read of address 0x20008000, where the chip has no memory"},
-        Case{"n = *(volatile int*)0x0801FC00;", "read of address 0x0801FC00, behind the 64 KB of flash"},
+        Case{"n = *(volatile int*)0x0801FC00;", "read of address 0x0801FC00, after the 64 KB of flash"},
         Case{"*(volatile int*)0x60000000 = 1;", "write to address 0x60000000"},
         Case{"*(volatile int*)0 = 1;", "write to address 0x00000000 (null pointer)"},
         Case{"*(volatile int*)0x08000400 = 1;", "write to flash at 0x08000400"},

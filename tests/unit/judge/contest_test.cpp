@@ -64,7 +64,7 @@ TEST(DragRace, OverrunningTheBrakingDistanceAndAHandCostFiveSecondsEach) {
   race.push({4.25, 0.3});
   race.wait(600 * kMillisecond);
   EXPECT_NEAR(race.score().score, race.score().run_s + 10.0, 1e-9);
-  EXPECT_THAT(race.summary(), HasSubstr("2 × 5 s were added, for the braking distance was overrun"));
+  EXPECT_THAT(race.summary(), HasSubstr("2 × 5 s were added, because the braking distance was overrun"));
 }
 
 TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
@@ -73,7 +73,7 @@ TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
   race.wait(2 * kSecond);
   EXPECT_FALSE(race.progress.reached());
   EXPECT_TRUE(std::isnan(race.score().score));
-  EXPECT_EQ(race.summary(), "the robot left before the starting signal, and is out");
+  EXPECT_EQ(race.summary(), "the robot left before the starting signal and is disqualified");
 }
 
 // Tiles: start, gap, checkpoint, intersection, obstacle, end. Cells of 100 mm, three to a tile.

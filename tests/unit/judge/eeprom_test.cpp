@@ -80,7 +80,7 @@ TEST_F(EepromTest, AByteWrittenInEachPassIsUsedUpInHoursWhichIsSaidWithTheLine) 
   EXPECT_EQ(found[0].times, 61);
   EXPECT_DOUBLE_EQ(found[0].first_s, 5.0);
   EXPECT_EQ(found[0].what,
-            "byte 7 of the EEPROM stands 100,000 writes, which is 2.8 hours of driving at this rate: it was "
+            "byte 7 of the EEPROM withstands 100,000 writes, or 2.8 hours of driving at this rate: it was "
             "written 61 times in 6.0 s");
   EXPECT_THAT(found[0].mend, HasSubstr("not in each pass of loop()"));
 }
@@ -89,7 +89,7 @@ TEST_F(EepromTest, WritesOfWhatWasThereAlreadyAreFoundSoonerAndMendedByUpdate) {
   for (int i = 0; i < 11; ++i, now += kSecond / 5) write(7, 3);
   const auto found = wear.found();
   ASSERT_THAT(found, SizeIs(1));
-  EXPECT_THAT(found[0].what, HasSubstr("11 times in 2.0 s, 10 of them with what it held"));
+  EXPECT_THAT(found[0].what, HasSubstr("11 times in 2.0 s, 10 of them with the value that it held"));
   EXPECT_THAT(found[0].mend, HasSubstr("EEPROM.update()"));
 }
 
@@ -108,8 +108,7 @@ TEST_F(EepromTest, ARecordWhoseBytesAllGoToOneAddressIsLost) {
   const auto found = overwritten.found();
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].where.line, 40);
-  EXPECT_THAT(found[0].what,
-              HasSubstr("byte 0 of the EEPROM was written 30 times, one right after the other"));
+  EXPECT_THAT(found[0].what, HasSubstr("byte 0 of the EEPROM was written 30 times in immediate succession"));
 }
 
 TEST_F(EepromTest, ARecordIsStoredWhereItsAddressIsCountedOnOrTheSameByteIsKeptUpToDate) {
@@ -136,7 +135,7 @@ TEST_F(EepromTest, ANumberOfTwoBytesCanBeTornWhereBothChange) {
   EXPECT_EQ(found[0].where.line, 5);
   EXPECT_EQ(found[0].times, 1);
   EXPECT_THAT(found[0].what,
-              HasSubstr("a power cut from 6.0034 to 6.0102 s (as a script has it: after eeprom 8 "
+              HasSubstr("a power cut from 6.0034 to 6.0102 s (in a script: after eeprom 8 "
                         "power off for 20ms) leaves 00 00 in bytes 0 to 1 of the EEPROM, neither "
                         "the old FF 00 nor the new 00 01"));
   EXPECT_THAT(found[0].mend, HasSubstr("checksum"));

@@ -98,7 +98,7 @@ TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("charge, in [battery]"));
   e.power.charge = 0.127;
   EXPECT_THAT(why(Verdict::timeout), EndsWith("since 7.00 s: its battery, at 13 % of its charge, gives "
-                                              "4.40 V of the 4.50 V that it needs."));
+                                              "4.40 V of the required 4.50 V."));
   e.power.charge.reset();
   e.faults = {{"power", {"sag", "3V"}, {}, 7 * kSecond}};
   EXPECT_THAT(why(Verdict::timeout),
@@ -118,13 +118,12 @@ TEST_F(Explain, AWeakBatteryIsNamedWhereItsRobotIsStuckOrLost) {
   e.power.charge = 0.0;
   EXPECT_THAT(why(Verdict::stuck), EndsWith("visited); its battery is empty."));
   e.power = {.since = 7 * kSecond, .resets = 3, .charge = 0.6};
-  EXPECT_THAT(why(Verdict::lost),
-              EndsWith("visited); the chip was reset 3 times for want of voltage, and last "
-                       "ran again at 7.00 s."));
+  EXPECT_THAT(why(Verdict::lost), EndsWith("visited); the chip was reset 3 times by brown-outs, and last "
+                                           "ran again at 7.00 s."));
   e.power.resets = 1;
-  EXPECT_THAT(why(Verdict::lost), EndsWith("; the chip was reset once for want of voltage, and ran again at "
+  EXPECT_THAT(why(Verdict::lost), EndsWith("; the chip was reset once by a brown-out, and ran again at "
                                            "7.00 s."));
-  EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("voltage")));
+  EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("brown-out")));
 }
 
 TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
@@ -257,7 +256,7 @@ TEST_F(Explain, ADivisionByZeroIsToLookAtFirstWhereTheRunFails) {
   e.divisions_by_zero = {{{"mean", "My.ino", 3}, 0.5, 7}};
   e.verdict = Verdict::lost;
   EXPECT_EQ(next_step(e).text,
-            "look first at the division by zero in mean, My.ino:3: what it gives means nothing");
+            "look first at the division by zero in mean, My.ino:3: its result is meaningless");
   e.verdict = Verdict::reached;
   EXPECT_EQ(next_step(e).text, "");
 }
@@ -300,7 +299,7 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
   e.pin_level = true;
   EXPECT_THAT(next(Verdict::timeout),
               EndsWith("the sketch waits for pin 4 (button \"start\"), which is HIGH: "
-                       "press it by a script with the line: at 1s press start 200ms"));
+                       "press it with this line in a script: at 1s press start 200ms"));
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
 }
 
@@ -308,11 +307,12 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
   lose_the_line();
   e.steered = -0.4;
   e.line_side = 0.018;
-  EXPECT_THAT(next(Verdict::lost), AllOf(StartsWith("it steered away from the line: that was under its left "
-                                                    "sensors, and it turned right; "),
-                                         HasSubstr("robosim wire")));
+  EXPECT_THAT(next(Verdict::lost),
+              AllOf(StartsWith("it steered away from the line: the line was under its left "
+                               "sensors, but it turned right; "),
+                    HasSubstr("robosim wire")));
   e.line_side = -0.018;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, and it turned left"));
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, but it turned left"));
   e.int_bits = 16;
   EXPECT_THAT(next(Verdict::lost), AllOf(StartsWith("it steered away"), HasSubstr("int has 16 bits")));
   EXPECT_EQ(next_step(e).by, NextStep::By::host);
@@ -329,7 +329,7 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
 TEST_F(Explain, SensorsThatAreReadInSetupOnlyAreToldWhereTheLineIsLost) {
   lose_the_line();  // at 2 s
   e.sensors_read = kMillisecond;
-  EXPECT_THAT(next(Verdict::lost), StartsWith("the sketch has looked at no line sensor since 0.00 s"));
+  EXPECT_THAT(next(Verdict::lost), StartsWith("the sketch has read no line sensor since 0.00 s"));
   e.sensors_read = 1800 * kMillisecond;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
   e.sensors_read = kNever;
@@ -340,10 +340,9 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   lose_the_line();
   e.activity.call = "delay(500)";
   e.activity.where = {"loop", "My.ino", 9};
-  EXPECT_EQ(
-      next(Verdict::lost),
-      "the sketch is in delay(500) in loop, My.ino:9: as long as that lasts it reads no sensor, and the "
-      "robot drives on");
+  EXPECT_EQ(next(Verdict::lost),
+            "the sketch is in delay(500) in loop, My.ino:9: during this time it reads no sensor, but the "
+            "robot drives on");
   for (const char* call : {"delay(5)", "delay()", "delayMicroseconds(500)"}) {
     e.activity.call = call;
     EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << call;

@@ -114,7 +114,7 @@ TEST_F(LaunchTest, SaysOfWhatNeedsTheChipThatItCompilesThere) {
   };
   EXPECT_THAT(
       error_of("void setup() { asm volatile(\"wdr\"); }\n"),
-      ::testing::AllOf(HasSubstr("asm() holds assembler of the chip"), HasSubstr("add --target avr")));
+      ::testing::AllOf(HasSubstr("asm() contains assembler of the chip"), HasSubstr("add --target avr")));
   EXPECT_THAT(error_of("void setup() { missing(); }\n"),
               ::testing::AllOf(HasSubstr("missing"), ::testing::Not(HasSubstr("--target avr"))));
 }

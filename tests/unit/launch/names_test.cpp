@@ -45,7 +45,7 @@ class NamesTest : public ::testing::Test {
 };
 
 TEST_F(NamesTest, ASketchWithoutANameIsTheCurrentFolder) {
-  EXPECT_THAT(refusal([] { choose_sketch(""); }), HasSubstr("holds no sketch"));
+  EXPECT_THAT(refusal([] { choose_sketch(""); }), HasSubstr("has no sketch"));
   touch("My.ino");
   const SketchChoice choice = choose_sketch("");
   EXPECT_EQ(choice.name, ".");
@@ -71,7 +71,7 @@ TEST_F(NamesTest, ASketchsFileStandsInItsFolder) {
 TEST_F(NamesTest, ASketchOfOursIsFoundByName) {
   EXPECT_TRUE(fs::exists(choose_sketch("PidFollower").path));
   EXPECT_THAT(refusal([] { choose_sketch("PidFolower"); }), HasSubstr("did you mean PidFollower?"));
-  EXPECT_THAT(refusal([] { choose_sketch("no/such"); }), HasSubstr("no/such: there is no such file"));
+  EXPECT_THAT(refusal([] { choose_sketch("no/such"); }), HasSubstr("no/such: no such file"));
 }
 
 TEST_F(NamesTest, ABareWordNamesAFolderHereBeforeASketchOfRobosim) {
@@ -81,7 +81,7 @@ TEST_F(NamesTest, ABareWordNamesAFolderHereBeforeASketchOfRobosim) {
   EXPECT_EQ(choose_sketch("Mine").folder, "Mine");
   const SketchChoice hiding = choose_sketch("PidFollower");
   EXPECT_EQ(hiding.path, "PidFollower");
-  EXPECT_THAT(remarks_on_project(hiding, {}), ElementsAre(HasSubstr("not Robosim's sketch of that name")));
+  EXPECT_THAT(remarks_on_project(hiding, {}), ElementsAre(HasSubstr("not the sample sketch")));
   EXPECT_THAT(remarks_on_project(choose_sketch("./PidFollower"), {}), IsEmpty());
   EXPECT_THAT(refusal([] { choose_sketch("Mime"); }),
               HasSubstr("'Mime' is neither a folder here nor a sketch of Robosim; there are "));
@@ -92,10 +92,10 @@ TEST_F(NamesTest, AFileWithoutItsEndingIsShownWithIt) {
   touch("mine.toml");
   touch("Mine");
   EXPECT_THAT(refusal([] { choose_map("yard", "."); }),
-              HasSubstr("for the file in this folder write yard.map"));
+              HasSubstr("to use the file in this folder, give yard.map"));
   EXPECT_THAT(refusal([] { choose_robot("mine", "."); }),
-              HasSubstr("for the file in this folder write mine.toml"));
-  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("for the file here write ./Mine"));
+              HasSubstr("to use the file in this folder, give mine.toml"));
+  EXPECT_THAT(refusal([] { choose_sketch("Mine"); }), HasSubstr("to use the file here, give ./Mine"));
 }
 
 TEST_F(NamesTest, AnElfSaysWhichTargetItIsFor) {
@@ -139,7 +139,7 @@ TEST_F(NamesTest, AMapThatIsNamedIsNotAnnounced) {
   EXPECT_TRUE(fs::exists(choose_map("d", folder_).path));
   EXPECT_EQ(choose_map("./a.map", folder_).name, "./a.map");
   EXPECT_THAT(refusal([&] { choose_map("ovla", folder_); }), HasSubstr("did you mean oval?"));
-  EXPECT_THAT(refusal([&] { choose_map("x.map", folder_); }), HasSubstr("x.map: there is no such file"));
+  EXPECT_THAT(refusal([&] { choose_map("x.map", folder_); }), HasSubstr("x.map: no such file"));
 }
 
 TEST_F(NamesTest, TheRobotBesideTheSketchComesBeforeUno5) {
@@ -161,7 +161,7 @@ TEST_F(NamesTest, ARobotMayBeNamedWithAnotherBoard) {
   EXPECT_EQ(choose_robot(file + "@bluepill", folder_).path, file + "@bluepill");
   EXPECT_THAT(refusal([&] { choose_robot("uno55@bluepill", folder_); }), HasSubstr("did you mean uno5?"));
   EXPECT_THAT(refusal([&] { choose_robot("./none.toml@bluepill", folder_); }),
-              HasSubstr("./none.toml: there is no such file"));
+              HasSubstr("./none.toml: no such file"));
 }
 
 TEST(Target, SketchesAreCompiledForAllThree) {

@@ -89,14 +89,15 @@ TEST_F(ProjectTest, AStandInIsRemarkedOnceItIsNeeded) {
   Project project;
   project.file = "x/build.options.json";
   project.board_name = "MiniCore:avr:328";
-  EXPECT_THAT(refusal([&] { check_board(project); }), HasSubstr("Robosim has no board MiniCore:avr:328"));
+  EXPECT_THAT(refusal([&] { check_board(project); }), HasSubstr("unknown board MiniCore:avr:328"));
   find_stand_in(project, "atmega1284p");
   EXPECT_THAT(project.remarks, IsEmpty());
   EXPECT_THROW(check_board(project), InputError);
   find_stand_in(project, "atmega328p");
-  EXPECT_THAT(project.remarks,
-              ElementsAre("build.options.json says MiniCore:avr:328, a board that Robosim does not have: the "
-                          "program is for an ATmega328P at 16 MHz, which the uno has"));
+  EXPECT_THAT(
+      project.remarks,
+      ElementsAre("build.options.json names the board MiniCore:avr:328, which Robosim does not have: the "
+                  "program is for an ATmega328P at 16 MHz, as on the uno"));
   EXPECT_NO_THROW(check_board(project));
 }
 
@@ -132,7 +133,7 @@ build_flags =
   EXPECT_THAT(project.flags, ElementsAre("-DSPEED=120", "-DNAME=\"a", "-DENV=mine"));
   EXPECT_THAT(project.includes, ElementsAre(folder_ / "more"));
   EXPECT_THAT(project.remarks,
-              ElementsAre("of build_flags -D, -U and -I are taken, and not b\" -std=gnu++17"));
+              ElementsAre("only -D, -U and -I of build_flags are used; ignored: b\" -std=gnu++17"));
 }
 
 TEST_F(ProjectTest, OptionsThatNameProgramsOrFilesAreNotTaken) {
@@ -179,19 +180,19 @@ TEST_F(ProjectTest, TheEnvironmentIsTheOneNamedElseTheDefaultElseTheFirstOfAKnow
   const std::string ini = "[env:esp]\nboard = esp32dev\n[env:a]\nboard = uno\n[env:b]\nboard = leonardo\n";
   EXPECT_EQ(platformio(ini).environment, "a");
   EXPECT_THAT(platformio(ini).remarks,
-              ElementsAre("of 3 environments in platformio.ini a is taken; choose another with --env"));
+              ElementsAre("a, one of 3 environments in platformio.ini, is used; choose another with --env"));
   EXPECT_EQ(platformio("[platformio]\ndefault_envs = esp, b\n" + ini).environment, "b");
   EXPECT_EQ(board(platformio(ini, "b").board), "leonardo");
   EXPECT_THAT(refusal([&] { platformio(ini, "c"); }), HasSubstr("--env: there is no environment “c”"));
   EXPECT_THAT(refusal([&] { platformio("[platformio]\ndefault_envs = x\n" + ini); }),
-              HasSubstr("default_envs: there is no [env:x]"));
+              HasSubstr("default_envs: no such section [env:x]"));
 }
 
 TEST_F(ProjectTest, ABoardThatRobosimDoesNotHaveIsNamedWithItsPlaceAndTheOnesThereAre) {
   const Project project = platformio("[env:esp]\nboard = esp32dev\n");
   EXPECT_THAT(refusal([&] { check_board(project); }),
-              AllOf(HasSubstr("platformio.ini:2: Robosim has no board esp32dev"),
-                    HasSubstr("uno, nanoatmega328new"), HasSubstr("--robot uno5@nano")));
+              AllOf(HasSubstr("platformio.ini:2: unknown board esp32dev"), HasSubstr("uno, nanoatmega328new"),
+                    HasSubstr("--robot uno5@nano")));
   check_board(platformio("[env:uno]\nboard = uno\n"));
 }
 
@@ -205,19 +206,20 @@ TEST_F(ProjectTest, PlatformiosFoldersOfLibrariesAreTakenWhereTheyAre) {
   EXPECT_THAT(project.remarks, IsEmpty());
   fs::remove_all(folder_ / ".pio");
   EXPECT_THAT(platformio("[env:uno]\nboard = uno\nlib_deps = Servo\n").remarks,
-              ElementsAre(HasSubstr("lib_deps names Servo, and .pio/libdeps/uno is not there yet")));
+              ElementsAre(HasSubstr("lib_deps names Servo, but .pio/libdeps/uno does not exist yet")));
 }
 
 TEST_F(ProjectTest, WhatPlatformioWouldRefuseIsRefusedWithItsLine) {
-  EXPECT_THAT(refusal([&] { platformio("[env:a]\nboard uno\n"); }),
-              HasSubstr("platformio.ini:2: “board uno” has no ="));
-  EXPECT_THAT(refusal([&] { platformio("board = uno\n"); }), HasSubstr("stands before the first section"));
-  EXPECT_THAT(refusal([&] { platformio("[platformio]\n"); }), HasSubstr("has no environment"));
+  EXPECT_THAT(
+      refusal([&] { platformio("[env:a]\nboard uno\n"); }),
+      HasSubstr("platformio.ini:2: a line without =: expected [SECTION] or KEY = VALUE, got “board uno”"));
+  EXPECT_THAT(refusal([&] { platformio("board = uno\n"); }), HasSubstr("a line before the first section"));
+  EXPECT_THAT(refusal([&] { platformio("[platformio]\n"); }), HasSubstr("the file has no environment"));
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nextends = env:a\n"); }), HasSubstr("in a circle"));
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nboard = ${env:a.board}\n"); }),
-              HasSubstr("stands for itself"));
+              HasSubstr("refers to itself"));
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nboard = uno\nframework = mbed\n"); }),
-              HasSubstr("platformio.ini:3: framework mbed"));
+              HasSubstr("platformio.ini:3: framework: expected arduino, got mbed"));
 }
 
 TEST_F(ProjectTest, AProfileSaysBoardAndLibraries) {
@@ -248,7 +250,8 @@ TEST_F(ProjectTest, ASketchWithoutProfilesMayStillSayItsBoard) {
   EXPECT_EQ(board(sketch_yaml("default_port: /dev/ttyACM0\n").board), "none");
   EXPECT_EQ(board(sketch_yaml("").board), "none");
   EXPECT_THAT(refusal([&] { sketch_yaml("a: [1\nb: 2\n"); }), HasSubstr("sketch.yaml:"));
-  EXPECT_THAT(refusal([&] { sketch_yaml("default_profile: x\n"); }), HasSubstr("there is no profile x"));
+  EXPECT_THAT(refusal([&] { sketch_yaml("default_profile: x\n"); }),
+              HasSubstr("default_profile: no such profile x"));
 }
 
 TEST_F(ProjectTest, SectionsThatExtendEachOtherInManyWaysAreLookedThroughOnce) {
@@ -270,7 +273,7 @@ TEST_F(ProjectTest, NothingOfThisMachinesEnvironmentReachesASketch) {
 
 TEST_F(ProjectTest, NestingHasALimitForItsTimeGrowsWithTheSquare) {
   EXPECT_THAT(refusal([&] { sketch_yaml("default_fqbn: arduino:avr:uno\na: " + std::string(200'000, '[')); }),
-              HasSubstr("sketch.yaml:2: is nested too deep: at most 64 "));
+              HasSubstr("sketch.yaml:2: the YAML is nested too deeply: expected at most 64 levels"));
   EXPECT_EQ(board(sketch_yaml("default_fqbn: arduino:avr:uno\na: " + std::string(60, '[') +
                               std::string(60, ']') + "\n")
                       .board),
@@ -289,7 +292,8 @@ TEST_F(ProjectTest, AnchorsThatStandForEachOtherAMillionTimesCostNothing) {
 
 TEST_F(ProjectTest, AFolderWithoutSuchFilesHasNoEnvironment) {
   EXPECT_TRUE(read_project(folder_).file.empty());
-  EXPECT_THAT(refusal([&] { read_project(folder_, "uno"); }), HasSubstr("has neither a platformio.ini"));
+  EXPECT_THAT(refusal([&] { read_project(folder_, "uno"); }),
+              HasSubstr("--env requires a platformio.ini with environments or a sketch.yaml"));
 }
 
 TEST_F(ProjectTest, WhatArduinoCliOrPlatformioHaveBuiltKnowsItsBoardAndItsSketch) {

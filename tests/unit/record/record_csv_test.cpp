@@ -125,7 +125,9 @@ TEST(CsvRecorder, OtherEndingsAreRefusedNamingTheOnesThatExist) {
     make_recorder("a.json");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("must be .csv, .vcd, .html, .rec, .perfetto.json, .svg or .png"));
+    EXPECT_THAT(
+        error.what(),
+        HasSubstr("expected a name that ends in .csv, .vcd, .html, .rec, .perfetto.json, .svg or .png"));
   }
 }
 

@@ -310,11 +310,11 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
   columns.add(wire::Sample{});
   const std::string good = encoded();
   EXPECT_EQ(refusal(good), "");
-  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("x.rec: this is no recording"));
+  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("x.rec: not a readable recording"));
   EXPECT_THAT(refusal(good.substr(0, 20)), HasSubstr("damaged or cut off"));
-  EXPECT_THAT(refusal("robosim.rec/2\n"), HasSubstr("of a newer version of Robosim"));
-  EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin as one"));
-  EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("must be an object"));
+  EXPECT_THAT(refusal("robosim.rec/2\n"), HasSubstr("made by a newer version of Robosim"));
+  EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin like one"));
+  EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("expected an object"));
   EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
 }
 
@@ -322,15 +322,16 @@ TEST_F(ARecording, ThatUnpacksToTooMuchIsRefusedBeforeItIsUnpacked) {
   const auto refusal_of = [&](const std::string& content) {
     return refusal(kRecordingMagic + deflated(content));
   };
-  const std::string magic = "x.rec: this is no recording that can be read: ";
-  EXPECT_EQ(refusal_of(std::string(17 << 20, ' ')), magic + "it holds too much") << "a header without an end";
+  const std::string magic = "x.rec: not a readable recording: ";
+  EXPECT_EQ(refusal_of(std::string(17 << 20, ' ')), magic + "its content is too large")
+      << "a header without an end";
   EXPECT_EQ(refusal_of("{\"a\":" + std::string(1000, '[') + std::string(1000, ']') + "}\n"),
             magic + "its header is damaged");
   std::string wide = "{\"a\":[";
   for (int i = 0; i < 2'100'000; ++i) wide += "0,";
   EXPECT_EQ(refusal_of(wide + "0]}\n"), magic + "its header is damaged");
   const std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
-  EXPECT_EQ(refusal_of(all + std::string(65 << 20, '\0')), magic + "it holds too much");
+  EXPECT_EQ(refusal_of(all + std::string(65 << 20, '\0')), magic + "its content is too large");
 }
 
 TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {

@@ -31,19 +31,20 @@ TEST(ATableOfARealRobot, MayHaveAnyUnitsSeparatorsAndColumns) {
   EXPECT_EQ(track.what, "a log of 0.10 s");
   const Track bare = track_of_table("t,x,y\n0,1,2\n1,2,3\n", "log.csv");
   EXPECT_THAT(bare.x_mm, ElementsAre(1, 2));
-  EXPECT_EQ(bare.what, "a log of 1.00 s, x and y taken for mm");
+  EXPECT_EQ(bare.what, "a log of 1.00 s, x and y read as mm");
 }
 
 TEST(ATableOfARealRobot, IsRefusedWithItsLine) {
   EXPECT_THAT(refusal_of_table("a,b\n1,2\n"),
-              AllOf(StartsWith("log.csv:1"), HasSubstr("columns for time, x and y"), HasSubstr("“a,b”")));
+              AllOf(StartsWith("log.csv:1"), HasSubstr("the log's columns: expected time, x and y"),
+                    HasSubstr("“a,b”")));
   EXPECT_THAT(refusal_of_table("t,x,y\n0,1,2\n1,,2\n"),
-              AllOf(StartsWith("log.csv:3"), HasSubstr("must be numbers")));
+              AllOf(StartsWith("log.csv:3"), HasSubstr("time, x and y: expected numbers")));
   EXPECT_THAT(refusal_of_table("t,x,y\n1,1,2\n0.5,1,2\n"),
-              AllOf(StartsWith("log.csv:3"), HasSubstr("goes back")));
+              AllOf(StartsWith("log.csv:3"), HasSubstr("goes backwards")));
   EXPECT_THAT(refusal_of_table("t,x,y\n1,1,2\n"), HasSubstr("at least two rows"));
   EXPECT_THAT(refusal_of_table(""), HasSubstr("at least two rows"));
-  EXPECT_THAT(refusal_of_table("t,x,y\n0,nan,2\n1,1,2\n"), HasSubstr("must be numbers"));
+  EXPECT_THAT(refusal_of_table("t,x,y\n0,nan,2\n1,1,2\n"), HasSubstr("time, x and y: expected numbers"));
 }
 
 TEST(TwoTracks, AreHeldAgainstEachOtherAtEqualTimes) {

@@ -193,9 +193,8 @@ TEST_F(AgentsTest, CannotBeSavedWhereTheirFirmwareCannot) {
   setup.map = &map_;
   setup.agents = {agent(driver_, "none")};
   Simulation simulation(setup);
-  EXPECT_THAT(
-      [&] { simulation.save(); },
-      testing::ThrowsMessage<InputError>(testing::HasSubstr("only a run on an emulated chip can be saved")));
+  EXPECT_THAT([&] { simulation.save(); }, testing::ThrowsMessage<InputError>(
+                                              testing::HasSubstr("saving a run requires an emulated chip")));
 }
 
 }  // namespace

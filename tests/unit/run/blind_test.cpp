@@ -90,7 +90,7 @@ TEST(Blind, IsWhoLosesTheLineBetweenTwoLooks) {
   EXPECT_EQ(found[0].detector, "blind");
   EXPECT_EQ(found[0].where.file, "A.ino");
   EXPECT_EQ(found[0].where.line, 9);
-  EXPECT_THAT(found[0].what, HasSubstr("without a look at a line sensor"));
+  EXPECT_THAT(found[0].what, HasSubstr("without reading a line sensor"));
   EXPECT_THAT(found[0].what, HasSubstr("the sketch was in delay(700)"));
   EXPECT_THAT(found[0].mend, HasSubstr("millis()"));
 }

@@ -100,7 +100,7 @@ TEST(MotorsLeftOn, IsWhoStopsSteeringAndNotItsMotors) {
   const auto found = seen(leaves_to_the_right([](Driven& robot, SimTime) { robot.drive(0.3, 0.4); }));
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "motors_left_on");
-  EXPECT_THAT(found[0].what, HasSubstr("asked no line sensor any more"));
+  EXPECT_THAT(found[0].what, HasSubstr("no longer read any line sensor"));
 }
 
 TEST(MotorsLeftOn, IsNobodyWhoStopsItsMotors) {

@@ -117,7 +117,7 @@ TEST_F(StopConditionsTest, APatternTakesNoMoreTimeThanThereIsTextWhateverItIs) {
             0)
       << "bytes";
   EXPECT_THAT(drive({{.kind = Stop::Kind::line, .text = "(a)\\1"}}).refused,
-              HasSubstr("no regular expression of those that take no more time"));
+              HasSubstr("expected one that runs in linear time"));
 }
 
 TEST_F(StopConditionsTest, OfTwoThatAreMetInOneTickTheFirstCounts) {
@@ -128,10 +128,12 @@ TEST_F(StopConditionsTest, OfTwoThatAreMetInOneTickTheFirstCounts) {
 TEST_F(StopConditionsTest, NamesThatDoNotExistAreRefusedWithThoseThatDo) {
   EXPECT_THAT(drive({{.kind = Stop::Kind::reading, .text = "S9"}}).refused, HasSubstr("S1"));
   EXPECT_THAT(drive({{.kind = Stop::Kind::pin, .text = "D99"}}).refused, HasSubstr("uno has no pin D99"));
-  EXPECT_THAT(drive({{.kind = Stop::Kind::line, .text = "("}}).refused, HasSubstr("no regular expression"));
+  EXPECT_THAT(drive({{.kind = Stop::Kind::line, .text = "("}}).refused,
+              HasSubstr("invalid regular expression"));
   EXPECT_THAT(drive({{.kind = Stop::Kind::event, .text = "collision"}}).refused,
               HasSubstr("collision_began"));
-  EXPECT_THAT(drive({{.kind = Stop::Kind::motors, .agent = 1}}).refused, HasSubstr("no robot 1"));
+  EXPECT_THAT(drive({{.kind = Stop::Kind::motors, .agent = 1}}).refused,
+              HasSubstr("unknown robot: expected a number from 0 to 0, got 1"));
 }
 
 }  // namespace

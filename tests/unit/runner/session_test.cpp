@@ -387,10 +387,10 @@ TEST_F(SessionTest, RefusesRobotsThatCannotBeTogether) {
     return error.message;
   };
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].name = "A"; }), HasSubstr("two robots are named A"));
-  EXPECT_THAT(message_with([](auto& r) { r.name = ""; }), HasSubstr("each has a name"));
+  EXPECT_THAT(message_with([](auto& r) { r.name = ""; }), HasSubstr("the first robot requires a name"));
   EXPECT_THAT(message_with([](auto& r) { r.gdb_port = 3333; }), HasSubstr("a run of its own"));
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].target = "avr"; }),
-              HasSubstr("robot B: “avr” is no target of robosim-built-in; it runs built-in"));
+              HasSubstr("robot B: unknown target of robosim-built-in: expected built-in, got “avr”"));
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].start = "0,0,E"; }), StartsWith("robot B: "));
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].start = "10,14,W"; }),
               HasSubstr("robot B starts on top of robot A"));
@@ -398,7 +398,7 @@ TEST_F(SessionTest, RefusesRobotsThatCannotBeTogether) {
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].robot = "uno9"; }), StartsWith("robot B: "));
   EXPECT_THAT(message_with([](auto& r) { r.agents[0].script = "at 1s pres start"; }), HasSubstr("robot B: "));
   EXPECT_THAT(message_with([&](auto& r) { r.agents.assign(256, good); }),
-              HasSubstr("there are 257 robots; a run may have 256"));
+              HasSubstr("too many robots: expected at most 256, got 257"));
 }
 
 TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {
@@ -516,9 +516,8 @@ TEST_F(SessionTest, BlamesTheMachineForTooFewDescriptorsAndNoSketch) {
 TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {
   for (const auto& [deed, reason] :
        {std::pair<void (*)(), const char*>{[] { ::raise(SIGKILL); },
-                                           "it took its process down by signal 9 (Killed)"},
-        std::pair<void (*)(), const char*>{[] { ::_exit(3); },
-                                           "it took its process down with exit status 3"}}) {
+                                           "it ended its process with signal 9 (Killed)"},
+        std::pair<void (*)(), const char*>{[] { ::_exit(3); }, "it ended its process with exit status 3"}}) {
     Session session(drivers(deed));
     session.line();
     const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
@@ -595,8 +594,9 @@ TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
   EXPECT_THAT(ask<wire::Refused>(wire::Act{"press horn"}).message, HasSubstr("horn"));
   EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::reading("S9", true)}}).message, HasSubstr("S9"));
   EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::line("(")}}).message, HasSubstr("("));
-  EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("stands still"));
-  EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message, HasSubstr("one JSON object a line"));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("a paused run"));
+  EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message,
+              HasSubstr("one JSON object in a line"));
   EXPECT_EQ(ask<wire::Paused>(wire::GoOn{kMillisecond, {}}).t_ns, kMillisecond);
 }
 

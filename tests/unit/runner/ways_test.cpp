@@ -130,16 +130,17 @@ TEST_F(WaysTest, CountLinesEachForItself) {
 
 TEST_F(WaysTest, OfARunThatCannotPartAreRefused) {
   request_.ways = wire::Ways{2 * kSecond, {}, {}};
-  EXPECT_THAT(refusal(), HasSubstr("parts into 0 ways; 1 to 64 are allowed"));
+  EXPECT_THAT(refusal(), HasSubstr("the ways of a run: expected 1 to 64, got 0"));
   request_.ways->scripts = {"", "at 1s lift\n"};
-  EXPECT_THAT(refusal(), HasSubstr("script:1: this is due before the run parts"));
+  EXPECT_THAT(refusal(), HasSubstr("script:1: this line is due before the run is split"));
   request_.ways->scripts = {"after boot 2 lift\n"};
-  EXPECT_THAT(refusal(), HasSubstr("script:1: a way's lines begin with at, or wait for `after`"));
+  EXPECT_THAT(refusal(),
+              HasSubstr("script:1: expected a line that begins with at, or with the way's `after`"));
   request_.ways->scripts = {"", "at 3s press nothing\n"};
   EXPECT_THAT(refusal(), HasSubstr("nothing"));
   request_.ways->scripts = {""};
   request_.pins = true;
-  EXPECT_THAT(refusal(), HasSubstr("nothing is streamed"));
+  EXPECT_THAT(refusal(), HasSubstr("cannot stream events"));
   request_.pins = false;
   RequestedRun run(make, request_, nothing);
   EXPECT_THROW(go_all_ways(run, request_, {}), InputError);

@@ -120,7 +120,7 @@ TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {
   EXPECT_GT(at(0.299).readings[2], 0.9);
   EXPECT_EQ(at(0.310).readings[2], 0.0);
   EXPECT_GT(at(0.321).readings[2], 0.9) << "and there again";
-  EXPECT_THAT(happenings, ElementsAre("line erased, 3,14 to 20,14", "the floor as before, 3,14 to 20,14"));
+  EXPECT_THAT(happenings, ElementsAre("line erased, 3,14 to 20,14", "floor restored, 3,14 to 20,14"));
 }
 
 TEST_F(ChangingWorld, ALineThatIsErasedCountsAsNone) {

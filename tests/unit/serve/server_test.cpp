@@ -128,28 +128,29 @@ TEST_F(Serving, RunsWhatIsChosenAndKeepsItsPage) {
 TEST_F(Serving, RefusesWantsThatMakeNoSense) {
   serve("echo ran\n");
   const std::pair<const char*, const char*> wrong[] = {
-      {"", "no JSON object"},
-      {"[]", "no JSON object"},
-      {"{\"sketch\": ", "no JSON object"},
-      {R"({"map": "oval"})", "no sketch of that name"},
-      {R"({"sketch": "../outside"})", "no sketch of that name"},
-      {R"({"sketch": "./away/Theirs"})", "no sketch of that name"},
-      {R"({"sketch": "/etc"})", "no sketch of that name"},
-      {R"({"sketch": "--help"})", "no sketch of that name"},
-      {R"({"sketch": 3})", "sketch must be a text"},
-      {R"({"sketch": "./Mine", "robot": "/etc/passwd"})", "no robot of that name"},
-      {R"({"sketch": "./Mine", "map": "./floors/../../x.map"})", "no map of that name"},
-      {R"({"sketch": "./Mine", "map": "oval\u0000"})", "no map of that name"},
-      {R"({"sketch": "./Mine", "target": "; rm -rf /"})", "target must be"},
-      {R"({"sketch": "./Mine", "seed": -1})", "seed must be"},
-      {R"({"sketch": "./Mine", "seed": "1"})", "seed must be"},
-      {R"({"sketch": "./Mine", "for_s": 1e9})", "for_s must be"},
-      {R"({"sketch": "./Mine", "goal": "--record=/tmp/x"})", "goal must be"},
-      {R"({"sketch": "./Mine", "record": "/tmp/x"})", "key that Robosim does not know"},
-      {R"({"sketch": "./Mine", "scripts": {"A": "at 1s press start"}})", "scripts are of several robots"},
-      {R"({"sketch": "./Mine", "scripts": "at 1s press start"})", "scripts must be an object"},
-      {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "cannot be a robot's name"},
-      {R"({"sketch": "./Mine", "scripts": {"A": 1}})", "A must be a text"},
+      {"", "expected a JSON object"},
+      {"[]", "expected a JSON object"},
+      {"{\"sketch\": ", "expected a JSON object"},
+      {R"({"map": "oval"})", "expected a sketch of the served folder"},
+      {R"({"sketch": "../outside"})", "expected a sketch of the served folder"},
+      {R"({"sketch": "./away/Theirs"})", "expected a sketch of the served folder"},
+      {R"({"sketch": "/etc"})", "expected a sketch of the served folder"},
+      {R"({"sketch": "--help"})", "expected a sketch of the served folder"},
+      {R"({"sketch": 3})", "sketch: expected a text"},
+      {R"({"sketch": "./Mine", "robot": "/etc/passwd"})", "expected a robot of the served folder"},
+      {R"({"sketch": "./Mine", "map": "./floors/../../x.map"})", "expected a map of the served folder"},
+      {R"({"sketch": "./Mine", "map": "oval\u0000"})", "expected a map of the served folder"},
+      {R"({"sketch": "./Mine", "target": "; rm -rf /"})", "target: expected host, avr or stm32"},
+      {R"({"sketch": "./Mine", "seed": -1})", "seed: expected a number"},
+      {R"({"sketch": "./Mine", "seed": "1"})", "seed: expected a number"},
+      {R"({"sketch": "./Mine", "for_s": 1e9})", "for_s: expected a number"},
+      {R"({"sketch": "./Mine", "goal": "--record=/tmp/x"})", "goal: expected the name of a goal"},
+      {R"({"sketch": "./Mine", "record": "/tmp/x"})", "unknown key in the request: expected sketch, robot"},
+      {R"({"sketch": "./Mine", "scripts": {"A": "at 1s press start"}})",
+       "scripts requires the file of several robots"},
+      {R"({"sketch": "./Mine", "scripts": "at 1s press start"})", "scripts: expected an object"},
+      {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "invalid name of a robot"},
+      {R"({"sketch": "./Mine", "scripts": {"A": 1}})", "A: expected a text"},
   };
   for (const auto& [json, sentence] : wrong) {
     const auto answer = run(json);
@@ -326,7 +327,7 @@ TEST_F(Serving, WaitsForNoRequestForEver) {
        {"POST /api/run" + body, "POST /api/file" + body, "GET /" + head + "X-Long: ", std::string("GET /")}) {
     const Drips slow(port(), begin);
     EXPECT_THAT(slow.answer, HasSubstr("HTTP/1.1 408")) << begin;
-    EXPECT_THAT(slow.answer, HasSubstr("a request must be here within 0.2 s")) << begin;
+    EXPECT_THAT(slow.answer, HasSubstr("the request is too slow: expected all of it within 0.2 s")) << begin;
   }
 }
 

@@ -19,13 +19,13 @@ std::string refusal(const FleetTrial& trial) {
 }
 
 TEST(FleetTest, SaysWhatCannotBeRunAndOfWhichRobot) {
-  EXPECT_THAT(refusal({}), HasSubstr("a FleetTrial needs robots"));
-  EXPECT_THAT(refusal({.robots = {{.name = "A"}}}), HasSubstr("robot A needs a sketch"));
+  EXPECT_THAT(refusal({}), HasSubstr("a FleetTrial requires robots"));
+  EXPECT_THAT(refusal({.robots = {{.name = "A"}}}), HasSubstr("robot A requires a sketch"));
   EXPECT_THAT(
       refusal({.robots = {{.name = "A", .sketch = "PidFollower"}, {.name = "A", .sketch = "PidFollower"}}}),
       HasSubstr("two robots are named A"));
   EXPECT_THAT(refusal({.robots = {{.name = "A B", .sketch = "PidFollower"}}}),
-              HasSubstr("cannot be a robot's name"));
+              HasSubstr("invalid name of a robot"));
   EXPECT_THAT(refusal({.robots = {{.name = "A", .sketch = "PidFollower"},
                                   {.name = "B", .sketch = "PidFollower", .start = "99,2,W"}},
                        .map = "oval"}),
@@ -42,7 +42,7 @@ TEST(FleetTest, NamesItsRobotsWhereOneIsUnknown) {
     fleet.robot("C");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("there is no robot C"));
+    EXPECT_THAT(error.what(), HasSubstr("unknown robot: expected "));
   }
 }
 

@@ -34,7 +34,8 @@ Trial forgetful() {
 
 TEST(Follows, NeedsADriveAndEveryMillisecondOfIt) {
   Simulation robot(pid_on_oval());
-  EXPECT_THAT(explanation(Follows(line(), within(15_mm)), robot.so_far()), HasSubstr("it drove 0 mm in all"));
+  EXPECT_THAT(explanation(Follows(line(), within(15_mm)), robot.so_far()),
+              HasSubstr("it drove 0 mm in total"));
   const Drive drive = robot.run_for(3_s);
   const Length worst = drive.worst().cross_track;
   EXPECT_GT(worst.mm, 1.0);
@@ -72,7 +73,7 @@ TEST(NeverCollides, TellsWhenAndWhereItDid) {
   EXPECT_GT(drive.collisions(), 0);
   EXPECT_THAT(drive, Not(NeverCollides()));
   EXPECT_THAT(explanation(NeverCollides(), drive),
-              HasSubstr("it met a wall, an obstacle or the map's edge, at column 1"));
+              HasSubstr("it hit a wall, an obstacle or the map's edge, at column 1"));
 }
 
 TEST(Collides, IsNotWhatTheRobotIsToldInWords) {
@@ -96,7 +97,7 @@ Graph three_lines(bool twisted) {
 
 TEST(Graphs, DifferIfTheirLinesComeInByOtherArms) {
   EXPECT_THAT(difference(three_lines(false), three_lines(true)),
-              HasSubstr("its lines join them in another way"));
+              HasSubstr("but its lines connect them differently"));
   EXPECT_THAT(three_lines(false), IsTheSameGraphAs(three_lines(false)));
 }
 
@@ -189,7 +190,7 @@ TEST(ARunThatFailsByItself, FailsTheTestUnlessItAsksHowTheRunEnded) {
         Simulation robot(forgetful());
         robot.run_for(20_s);
       },
-      "the run failed by itself");
+      "the run failed, and no expectation checked its verdict");
   Simulation robot(forgetful());
   EXPECT_TRUE(robot.run_until(ends("crashed"), within(20_s)));
   EXPECT_THAT(robot, EndsAs("crashed"));

@@ -55,7 +55,7 @@ TEST(AtEveryPowerCut, EndsWithTheFirstRunThatFailsAndNamesTheWrite) {
   });
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_THAT(failures[0],
-              HasSubstr("this was with a power cut during write 1 to the EEPROM, its byte left new"));
+              HasSubstr("in a run with a power cut during write 1 to the EEPROM, its byte left new"));
   EXPECT_THAT(failures[0], HasSubstr(", with the command that replays it"));
   EXPECT_EQ(runs, 1 + 3 + 1) << "the failing one is run again for all to see";
 }
@@ -65,7 +65,7 @@ TEST(AtEveryPowerCut, FailsWithoutACutIfTheBodyDoes) {
       caught_failures([] { AtEveryPowerCut(diary(), [](Simulation& robot) { robot.press("nose"); }); });
   ASSERT_EQ(failures.size(), 1u);
   EXPECT_THAT(failures[0], HasSubstr("nose"));
-  EXPECT_THAT(failures[0], HasSubstr("this was without any power cut"));
+  EXPECT_THAT(failures[0], HasSubstr("in a run without a power cut"));
   EXPECT_THAT(failures[0], HasSubstr(", with the command that replays it"));
 }
 

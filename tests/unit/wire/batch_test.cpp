@@ -204,7 +204,7 @@ TEST(Batches, ThatAreCutOffOrDamagedAreRefused) {
   std::size_t refused = 0;
   for (std::size_t size = 1; size < whole.size(); ++size) refused += !refusal(whole.substr(0, size)).empty();
   EXPECT_GE(refused, whole.size() - 20) << "but where an event ends";
-  EXPECT_THAT(refusal("?" + whole.substr(1)), HasSubstr("does not hold whole events"));
+  EXPECT_THAT(refusal("?" + whole.substr(1)), HasSubstr("a batch with an incomplete event"));
   const std::string zero(8, '\0'), back = std::string("b\0\0\0\xFF\xFF\xFF\xFF", 8);
   EXPECT_THAT(refusal(back), HasSubstr("whole events")) << "a time before 0";
   EXPECT_THAT(refusal("t" + zero.substr(1) + std::string(8, '\xFF')), HasSubstr("whole events"));

@@ -60,23 +60,26 @@ std::string whole_result() {
 TEST(Hostile, ARequestThatIsNoObjectIsToldWhoItIsThatListens) {
   for (const char* line : {"GET / HTTP/1.1", "", "[]", "42", "null", "{", "{\"id\": NaN}", "{\"id\": 1e999}",
                            "{\"id\": 1, \"do\": \"\xff\"}"}) {
-    EXPECT_THAT(request_fault(line), HasSubstr("one JSON object a line")) << line;
-    EXPECT_THAT(driven_fault(line), HasSubstr("one JSON object a line")) << line;
+    EXPECT_THAT(request_fault(line), HasSubstr("one JSON object in a line")) << line;
+    EXPECT_THAT(driven_fault(line), HasSubstr("one JSON object in a line")) << line;
   }
-  EXPECT_EQ(request_fault("GET / HTTP/1.1"),
-            "this is a runner of Robosim's, and a request to it must be one JSON object a line, not “GET / "
-            "HTTP/1.1”");
+  EXPECT_EQ(
+      request_fault("GET / HTTP/1.1"),
+      "the request to this runner of Robosim: expected one JSON object in a line, got “GET / HTTP/1.1”");
 }
 
 TEST(Hostile, ARequestOfAnotherVersionOrNameIsToldWhatIsKnown) {
   EXPECT_EQ(request_fault(R"({"id": 1, "protocol": 2, "do": "run"})"),
-            "this runner speaks version 1 of the runner protocol, and the request is of another");
+            "\"protocol\" in the request: expected 1, the version of this runner");
   EXPECT_EQ(request_fault(R"({"id": 1, "do": "walk"})"),
-            "a runner is asked \"describe_robot\" or \"run\", not “walk”");
-  EXPECT_THAT(request_fault(R"({"id": 1})"), HasSubstr("\"do\" is missing"));
-  EXPECT_THAT(request_fault(R"({"do": "run"})"), HasSubstr("a number as its \"id\""));
+            "\"do\" in the request to a runner: expected \"describe_robot\" or \"run\", got “walk”");
+  EXPECT_THAT(
+      request_fault(R"({"id": 1})"),
+      HasSubstr("\"do\" in the request to a runner: expected \"describe_robot\" or \"run\", got none"));
+  EXPECT_THAT(request_fault(R"({"do": "run"})"), HasSubstr("\"id\" in the request: expected a number"));
   EXPECT_EQ(driven_fault(R"({"id": 1, "do": "run"})"),
-            "a run that stands still is asked \"script\", \"continue\", \"eeprom\" or \"end\", not “run”");
+            "\"do\" in the request to a paused run: expected \"script\", \"continue\", \"eeprom\" or "
+            "\"end\", got “run”");
   EXPECT_EQ(request_fault(R"({"id": 1, "protocol": 1, "do": "describe_robot", "robot": "uno5"})"), "");
 }
 
@@ -84,34 +87,34 @@ TEST(Hostile, ASentenceNamesTheKeyAndWhatIsAllowed) {
   const std::string begin = R"({"id": 1, "do": "run", "image": "i", "map": "m", "robot": "r")";
   EXPECT_EQ(request_fault(begin + "}"), "");
   EXPECT_EQ(request_fault(begin + R"(, "for_ns": -1})"),
-            "\"for_ns\" in the request must be a whole number from 0");
+            "\"for_ns\" in the request: expected a whole number from 0");
   EXPECT_EQ(request_fault(begin + R"(, "gdb_port": 65536})"),
-            "\"gdb_port\" in the request must be a whole number from 0 to 65535");
+            "\"gdb_port\" in the request: expected a whole number from 0 to 65535");
   EXPECT_EQ(request_fault(begin + R"(, "samples_every_ns": 1500000})"),
-            "\"samples_every_ns\" in the request must be a multiple of 1000000 from 0");
+            "\"samples_every_ns\" in the request: expected a multiple of 1000000 from 0");
   EXPECT_EQ(request_fault(begin + R"(, "seed": 18446744073709551616})"),
-            "\"seed\" in the request must be a whole number from 0");
+            "\"seed\" in the request: expected a whole number from 0");
   EXPECT_EQ(request_fault(begin + R"(, "for_ns": 9223372036854775808})"),
-            "\"for_ns\" in the request must be a whole number from 0");
+            "\"for_ns\" in the request: expected a whole number from 0");
   EXPECT_EQ(request_fault(begin + R"(, "profile": "real"})"),
-            "\"profile\" in the request must be \"ideal\", \"typical\", \"typical@1\" or \"typical@2\"");
+            "\"profile\" in the request: expected \"ideal\", \"typical\", \"typical@1\" or \"typical@2\"");
   EXPECT_EQ(request_fault(begin + R"(, "stream": ["pin", "pins"]})"),
-            "\"stream\" in the request must be an array of \"pin\", \"serial\", \"note\" and \"io\"");
-  EXPECT_EQ(request_fault(begin + R"(, "source": [1]})"), "\"source\" in the request must be an array of 2");
+            "\"stream\" in the request: expected an array of \"pin\", \"serial\", \"note\" and \"io\"");
+  EXPECT_EQ(request_fault(begin + R"(, "source": [1]})"),
+            "\"source\" in the request: expected an array of 2");
   EXPECT_THAT(request_fault(begin + R"(, "sed": 1})"),
-              HasSubstr("\"sed\" in the request is unknown; known are id, do, protocol, image"));
+              HasSubstr("\"sed\" in the request: unknown key; expected id, do, protocol, image"));
   EXPECT_EQ(request_fault(R"({"id": 1, "do": "run", "map": "m", "robot": "r"})"),
-            "\"image\" in the request is missing; it must be a string that is not empty");
+            "\"image\" in the request: missing key; expected a string that is not empty");
   EXPECT_EQ(driven_fault(R"({"id": 1, "do": "continue", "until": [{"motors": true}, {"motors": 1}]})"),
-            "\"until[1].motors\" in the request must be true or false");
+            "\"until[1].motors\" in the request: expected true or false");
   EXPECT_EQ(driven_fault(R"({"id": 1, "do": "continue", "until": [{}]})"),
-            "\"until[0]\" in the request needs one of the keys serial, line, note, event, visited, at, "
-            "reading, pin, "
-            "motors or rest_ns, and only one");
+            "\"until[0]\" in the request: expected exactly one of the keys serial, line, note, event, "
+            "visited, at, reading, pin, motors or rest_ns");
   EXPECT_THAT(driven_fault(R"({"id": 1, "do": "continue", "until": [{"serial": "a", "note": "b"}]})"),
-              HasSubstr("and only one"));
+              HasSubstr("expected exactly one of the keys"));
   EXPECT_THAT(driven_fault(R"({"id": 1, "do": "continue", "until": [{"note": "b", "from": 1}]})"),
-              HasSubstr("\"until[0].from\" in the request is unknown"));
+              HasSubstr("\"until[0].from\" in the request: unknown key"));
 }
 
 TEST(Hostile, DeepNestingIsRefusedEverywhere) {
@@ -151,8 +154,8 @@ TEST(Hostile, AnyKeyWithAValueOfAnotherKindIsNamed) {
       Json changed = request;
       changed[key] = other;
       const std::string fault = request_fault(changed.dump());
-      EXPECT_THAT(
-          fault, AnyOf("", HasSubstr("\"" + key + "\""), HasSubstr("\"" + key + "["), HasSubstr("is asked")));
+      EXPECT_THAT(fault,
+                  AnyOf("", HasSubstr("\"" + key + "\""), HasSubstr("\"" + key + "["), HasSubstr("\"do\"")));
     }
     Json without = request;
     without.erase(key);

@@ -118,9 +118,9 @@ TEST(Protocol, LinesThatAreNotOfTheProtocolAreQuoted) {
   EXPECT_THAT(refusal(R"({"id": 1, "event": "smaple"})"), HasSubstr("“smaple”"));
   EXPECT_THAT(refusal(R"({"id": 1, "event": "note", "t_ns": "x", "text": ""})"), HasSubstr("t_ns"));
   EXPECT_THAT(refusal(R"({"id": 1, "event": "note", "t_ns": 1})"),
-              HasSubstr("\"text\" is missing; it must be a string"));
+              HasSubstr("\"text\": missing key; expected a string"));
   EXPECT_THAT(refusal(R"({"id": 1, "event": "started", "start": [1, 2]})"), HasSubstr("start"));
-  EXPECT_THAT(refusal(R"({"id": 1, "result": {}})"), HasSubstr("\"result.verdict\" is missing"));
+  EXPECT_THAT(refusal(R"({"id": 1, "result": {}})"), HasSubstr("\"result.verdict\": missing key"));
 }
 
 TEST(Protocol, ARunRequestHoldsOnlyWhatDiffersFromTheDefault) {

@@ -74,7 +74,7 @@ TEST(Guess, WithoutNamesTheWayThatItMostlyDrivesIsForward) {
   const std::string text = guessed("", run);
   EXPECT_THAT(text, HasSubstr("pins = { en = 5, in1 = 8, in2 = 7 }"));
   EXPECT_THAT(text, HasSubstr("pins = { en = 6, in1 = 9, in2 = 10 }"));
-  EXPECT_THAT(text, HasSubstr("# ? which motor is the left one"));
+  EXPECT_THAT(text, HasSubstr("# ? the left motor is guessed"));
 }
 
 TEST(Guess, WhereTheNamesSayForwardAndItDrivesTheOtherWayTheMotorsAreReversed) {
@@ -201,13 +201,13 @@ TEST(Guess, MotorShieldsAreKnownByTheirLibraries) {
 
 TEST(Guess, NumbersOfMotorsOnAShieldAreNoSides) {
   const std::string two = guessed("AF_DCMotor motor1(1);\nAF_DCMotor motor2(2);\n", Seen());
-  EXPECT_THAT(two, HasSubstr("# ? which motor is the left one is guessed from their numbers"));
+  EXPECT_THAT(two, HasSubstr("# ? the left motor is guessed from the numbers of the motors"));
   const std::string four = guessed(
       "AF_DCMotor motor1(1);\nAF_DCMotor motor2(2);\nAF_DCMotor motor3(3);\nAF_DCMotor motor4(4);\n", Seen());
-  EXPECT_THAT(four, HasSubstr("motors 1 and 2 are taken for this side"));
-  EXPECT_THAT(four, HasSubstr("motors 3 and 4 are taken for this side"));
+  EXPECT_THAT(four, HasSubstr("motors 1 and 2 are assumed to drive this side"));
+  EXPECT_THAT(four, HasSubstr("motors 3 and 4 are assumed to drive this side"));
   EXPECT_THAT(guessed("AF_DCMotor left(1);\nAF_DCMotor right(2);\nAF_DCMotor arm(4);\n", Seen()),
-              HasSubstr("# ? motor 4 of the shield (AF_DCMotor(4), a.ino:3) has no side in its name"));
+              HasSubstr("# ? the name of motor 4 of the shield (AF_DCMotor(4), a.ino:3) gives no side"));
 }
 
 TEST(Guess, AnEnablePinThatStaysHighIsNoMotor) {
@@ -277,7 +277,7 @@ TEST(Guess, KeypadsAndShiftRegistersAreKnownByWhatTheyAreGiven) {
   EXPECT_THAT(text, HasSubstr("type = \"keypad\"\nrows = [9, 8, 7, 6]\ncolumns = [5, 4, 3]"));
   EXPECT_THAT(
       text, HasSubstr("type = \"shift-register\"\npins = { data = \"A2\", clock = \"A1\", latch = \"A0\" }"));
-  EXPECT_THAT(text, HasSubstr("# ? what hangs on the outputs of REG?"));
+  EXPECT_THAT(text, HasSubstr("# ? what is connected to the outputs of REG?"));
 }
 
 TEST(Guess, NumbersGivenToADisplayNameNoPins) {

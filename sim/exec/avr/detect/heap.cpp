@@ -73,15 +73,15 @@ void Heap::answered() {
     const Pieces free = pieces();
     seen_.add(
         {"no_memory",
-         fmt::format("there was no memory for {} bytes{}: a String silently becomes empty, or stays as it "
-                     "was, and new gives a null pointer",
+         fmt::format("no memory was left for {} bytes{}: a String silently becomes empty or stays "
+                     "unchanged, and new returns a null pointer",
                      asked.bytes,
                      free.bytes < asked.bytes
                          ? ""
-                         : fmt::format(", though {} are free, in {} pieces of which the largest has {},",
+                         : fmt::format(", although {} are free, in {} pieces of which the largest has {},",
                                        free.bytes, free.count, free.largest)),
-         "Keep less in RAM: print texts in the place of joining them, F(\"…\") for those that stay, a "
-         "char array of fixed size for those that change.",
+         "Store less in RAM: print texts instead of joining them, use F(\"…\") for constant texts and a char "
+         "array of fixed size for texts that change.",
          where_(), 1e-9 * static_cast<double>(machine_.now()), 1});
     return;
   }
@@ -105,12 +105,12 @@ void Heap::note_pieces(int asked, int end) {
     in_pieces_ = {
         "heap_in_pieces",
         fmt::format(
-            "the heap grew for {} bytes though {} of its were free, in {} pieces of which the largest "
-            "had {}; {} bytes are left until it meets the stack",
+            "the heap grew for {} bytes although {} bytes in it were free, in {} pieces of which the largest "
+            "had {}; {} bytes are left before it meets the stack",
             asked, free.bytes, free.count, free.largest, std::max(0, machine_.chip().lowest_sp() - end)),
-        "Texts of many lengths, some kept and some not, leave holes: reserve() each kept one once, in "
-        "setup(), "
-        "keep texts in char arrays of fixed size, print what is not kept in the place of joining it.",
+        "Texts of many lengths, some stored and some temporary, leave holes: reserve() each stored one once, "
+        "in setup(), store texts in char arrays of fixed size, and print temporary texts instead of joining "
+        "them.",
         grown_at_,
         first_s,
         times};
@@ -140,11 +140,12 @@ std::optional<Detected> Heap::growth() const {
   Detected seen;
   seen.detector = "heap_grows";
   seen.what = fmt::format(
-      "the heap has grown by {} bytes, {:.0f} each second, and goes on: in some {:.0f} s it meets the stack",
+      "the heap has grown by {} bytes, {:.0f} each second, and keeps growing: in about {:.0f} s it meets the "
+      "stack",
       grown, rate, left / rate);
   seen.mend =
-      "Print a text in the place of keeping it, or keep it in a char array of fixed size; reserve() once, in "
-      "setup(); give back what new has made.";
+      "Print a text instead of storing it, or store it in a char array of fixed size; reserve() once, in "
+      "setup(); delete everything that new has created.";
   seen.where = grown_at_;
   seen.first_s = 1e-9 * static_cast<double>(growths_.front().at);
   seen.times = times[0] + times[1] + times[2];

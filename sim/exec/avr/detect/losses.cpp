@@ -13,8 +13,8 @@ constexpr std::size_t kMostPlaces = 64, kJumpsOfHandler = 8;
 constexpr std::uint8_t kModeMask = 0x03, kHighModeBit = 0x08, kClockMask = 0x07;
 
 constexpr const char* kBeBrief =
-    "Keep interrupts off for as long as it takes to copy a number, and let handlers only note what came: the "
-    "work is loop()'s.";
+    "Keep interrupts off only while copying a number, and let handlers only record events: leave the work to "
+    "loop().";
 
 }  // namespace
 
@@ -60,11 +60,12 @@ void Losses::lost(int vector) {
   if (is_new) place->second = where_();
   if (is_edge)
     return see("lost_edge",
-               fmt::format("an edge at pin {} came and was lost: the one before it still waited for its "
-                           "handler, {}; what counts them falls behind",
+               fmt::format("an edge at pin {} was lost: the previous edge was still waiting for its handler, "
+                           "{}; a counter of the edges falls behind",
                            pin->second, held_off()),
                place->second, 1);
-  see("lost_byte", fmt::format("a received byte was lost: more had come than the chip holds, {}", held_off()),
+  see("lost_byte",
+      fmt::format("a received byte was lost: the chip's receive buffer was full, {}", held_off()),
       place->second, 1);
 }
 
@@ -102,7 +103,7 @@ void Losses::ticks_lost(std::int64_t ticks, Cycle at) {
   const double off_us = 1e6 * static_cast<double>(at - flagged_ + static_cast<Cycle>(ticks) * period_) /
                         machine_.chip().clock_hz();
   see("lost_tick",
-      fmt::format("millis() lost {} of {:.3f} ms: timer 0 overflowed again before its handler could come, "
+      fmt::format("millis() lost {} of {:.3f} ms: timer 0 overflowed again before its handler could run, "
                   "because {} for at least {:.1f} ms, until here",
                   ticks == 1 ? "a tick" : fmt::format("{} ticks", ticks), 1e-3 * tick_us,
                   handler ? "a handler was running" : "interrupts were off (noInterrupts(), cli())",

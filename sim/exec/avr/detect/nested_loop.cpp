@@ -30,10 +30,10 @@ void NestedLoop::visited(std::uint32_t, Cycle) {
   const double first_s = deepest_ == kFewest ? now_s : seen_.first_s;
   seen_ = {"nested_loop",
            fmt::format(
-               "loop() is called out of itself, and does not come back: {} are open at {:.2f} s, each takes "
-               "{} bytes of the stack, and {} are left until it reaches the variables",
+               "loop() is called from within itself and does not return: {} calls are open at {:.2f} s, each "
+               "takes {} bytes of the stack, and {} bytes are left before it reaches the variables",
                deepest_, now_s, bytes, left > 0 ? left : 0),
-           "Return: main() calls loop() again and again.",
+           "Return from loop(): main() calls it repeatedly.",
            program_.debug.place(call_site(cpu)),
            first_s,
            static_cast<int>(deepest_ - 1)};

@@ -38,10 +38,10 @@ std::vector<Detected> ReferenceChange::found() const {
   if (!found_) return {};
   const int number = found_->pin >= board_.analog_pin_0 ? found_->pin - board_.analog_pin_0 : found_->pin;
   return {{"reference_change",
-           fmt::format("until the capacitor at AREF is charged, the first analogRead(A{}) behind a change of "
-                       "the reference gives a wrong number, and was taken for good",
+           fmt::format("the sketch used the first analogRead(A{}) after a change of the reference, which is "
+                       "wrong until the capacitor at AREF is charged",
                        number),
-           "Read once in vain after analogReference(), and again some milliseconds later.",
+           "After analogReference() read once, discard the result, and read again some milliseconds later.",
            debug_.place(found_->pc), 1e-9 * static_cast<double>(found_->at), used_}};
 }
 

@@ -179,14 +179,14 @@ std::vector<Detected> StackMargin::found() const {
   seen.detector = "stack_margin";
   const char* const next = nearest_.has_heap ? "the heap" : "variables";
   const std::string end =
-      left < 0 ? fmt::format("overwrites {} bytes of {}, now and then", -left, next)
-               : fmt::format("leaves {} bytes of RAM; with one call more it overwrites {}, now and then",
-                             left, next);
+      left < 0 ? fmt::format("occasionally overwrites {} bytes of {}", -left, next)
+               : fmt::format("leaves {} bytes of RAM; with one more call it occasionally overwrites {}", left,
+                             next);
   seen.what = fmt::format(
       "an interrupt at the wrong moment {}: {}, and only {} are free where the main program is deepest", end,
       names, nearest_.room);
   seen.mend =
-      "Keep texts in flash (F(\"…\"), PROGMEM), make buffers and arrays smaller, and do without recursion.";
+      "Store texts in flash (F(\"…\"), PROGMEM), make buffers and arrays smaller, and avoid recursion.";
   seen.where = place(nearest_.where);
   seen.first_s = 1e-9 * static_cast<double>(nearest_.at);
   return {seen};

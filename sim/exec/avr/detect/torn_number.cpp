@@ -37,13 +37,13 @@ std::string torn_text(const Tearing::Found& found, const DebugInfo& debug, std::
       at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
   if (found.deed == Tearing::Deed::writes_back)
     return fmt::format(
-        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt, and came "
-        "{:.1f} µs too late to be undone by that",
+        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt, and ran "
+        "only {:.1f} µs too late for its change to be lost",
         readable(found.number->name), handler, later_us);
   const bool writes = found.deed == Tearing::Deed::writes;
   return fmt::format(
-      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and came "
-      "{:.0f} µs too late to leave half of an old number and half of a new one",
+      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and ran only "
+      "{:.0f} µs too late to mix bytes of the old and the new number",
       writes ? "write" : "read", readable(found.number->name), found.number->size,
       writes ? "writes" : "reads", handler, later_us);
 }

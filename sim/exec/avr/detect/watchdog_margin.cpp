@@ -23,11 +23,12 @@ std::uint32_t power_of(std::uint8_t control) {
 }
 
 std::string mended(std::uint32_t power) {
-  return power < kLongestPower ? fmt::format(
-                                     "Take the next longer time, wdt_enable({}), or call wdt_reset() within "
-                                     "what takes so long.",
-                                     kNames[power + 1])
-                               : "Call wdt_reset() within what takes so long.";
+  return power < kLongestPower
+             ? fmt::format(
+                   "Use the next longer timeout, wdt_enable({}), or call wdt_reset() within "
+                   "the code that takes so long.",
+                   kNames[power + 1])
+             : "Call wdt_reset() within the code that takes so long.";
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ void WatchdogMargin::bites(std::uint8_t flags) {
       Detected& seen = bite_.emplace_back();
       seen.detector = "watchdog_bite";
       seen.what =
-          fmt::format("the watchdog, which waits {:.0f} ms, was not fed for so long, and reset the chip",
+          fmt::format("the watchdog was not reset within its timeout of {:.0f} ms, and reset the chip",
                       1e3 * seconds_of(power));
       seen.mend = mended(power);
       seen.where = where_();
@@ -99,9 +100,8 @@ std::vector<Detected> WatchdogMargin::found() const {
   const double waits_s = seconds_of(longest_power_);
   seen.detector = "watchdog_margin";
   seen.what = fmt::format(
-      "the watchdog, which waits {:.0f} ms, was fed {:.0f} ms after the time before, {:.0f} % of that; its "
-      "own "
-      "clock is some 10 % off, so that another chip, or a warm one, resets there",
+      "the watchdog, with a timeout of {:.0f} ms, was reset {:.0f} ms after the previous reset, {:.0f} % of "
+      "the timeout; its clock is up to about 10 % off, so that another chip, or a warm one, resets there",
       1e3 * waits_s, 1e3 * passed_s, 100.0 * passed_s / waits_s);
   seen.mend = mended(longest_power_);
   return all;
