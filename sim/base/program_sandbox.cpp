@@ -121,9 +121,9 @@ ProgramSandbox::ProgramSandbox(const std::vector<fs::path>& read, fs::path scrat
   allow(rules_.get(), "/dev/null", all);
 }
 
-bool ProgramSandbox::enter(const char* folder, unsigned long bytes) const {
+bool ProgramSandbox::enter(const char* folder, unsigned long bytes, int seconds) const {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  limit(RLIMIT_CPU, kCompileSeconds, 5);
+  limit(RLIMIT_CPU, seconds, 5);
   limit(RLIMIT_DATA, bytes);
   limit(RLIMIT_FSIZE, kMadeBytes);
   limit(RLIMIT_CORE, 0);
@@ -144,15 +144,16 @@ std::string ProgramSandbox::missing() {
 }
 
 /// Starts a ChildStart within the sandbox, like Child. After the fork, only async-signal-safe calls.
-Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes) {
+Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes, int seconds) {
   constexpr int kCannotStart = 127;
   const std::vector<std::string> settings = bare_environment(sandbox.scratch());
   const std::vector<char*> words = null_ended(start.words), environment = null_ended(settings);
   return Child([&] {
     const int input = start.input >= 0 ? start.input : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-    const bool ready =
-        ::dup2(input, STDIN_FILENO) == STDIN_FILENO && ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
-        ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO && sandbox.enter(start.folder.c_str(), bytes);
+    const bool ready = ::dup2(input, STDIN_FILENO) == STDIN_FILENO &&
+                       ::dup2(start.output, STDOUT_FILENO) == STDOUT_FILENO &&
+                       ::dup2(start.errors, STDERR_FILENO) == STDERR_FILENO &&
+                       sandbox.enter(start.folder.c_str(), bytes, seconds);
     if (ready) ::execve(words[0], words.data(), environment.data());
     return kCannotStart;
   });
@@ -165,7 +166,7 @@ std::string output_within(const ProgramSandbox& sandbox, ChildStart start, std::
     const Descriptor nothing(::open("/dev/null", O_WRONLY | O_CLOEXEC));
     start.output = pipe.write.get();
     start.errors = nothing.get();
-    Child child = start_within(sandbox, start);
+    Child child = start_within(sandbox, start, kCompileBytes, kLookupSeconds);
     pipe.write.close();
     char buffer[4096];
     while (output.size() < most_bytes) {

@@ -14,6 +14,7 @@
 namespace robosim {
 
 constexpr int kCompileSeconds = 30;                   ///< of processor time, per program
+constexpr int kLookupSeconds = 5;                     ///< of processor time, for output_within()
 constexpr int kWaitSeconds = 30;                      ///< of wall time almost without work
 constexpr int kStepSeconds = 300;                     ///< of processor time, all programs of one build step
 constexpr unsigned long kCompileBytes = 224ul << 20;  ///< of variables and heap, all programs at one time
@@ -27,8 +28,9 @@ class ProgramSandbox {
   ProgramSandbox(const std::vector<std::filesystem::path>& read, std::filesystem::path scratch);
 
   /// Enters it for ever, in a fork before it becomes a program, including all its children; then it is in
-  /// `folder`. It may have `bytes` of variables and heap. Async-signal-safe. Returns false on failure.
-  bool enter(const char* folder, unsigned long bytes = kCompileBytes) const;
+  /// `folder`. It may have `bytes` of variables and heap, and `seconds` of processor time. Async-signal-safe.
+  /// Returns false on failure.
+  bool enter(const char* folder, unsigned long bytes = kCompileBytes, int seconds = kCompileSeconds) const;
 
   /// Returns an empty text if this kernel confines compilers; else a clause: "the kernel has no Landlock, and
   /// …".
@@ -46,9 +48,9 @@ class ProgramSandbox {
 /// Starts the program `start.words[0]`, an absolute path, within the sandbox. Of the user's environment it
 /// gets only PATH, without relative folders. `start.output` and `start.errors` must be descriptors.
 Child start_within(const ProgramSandbox& sandbox, const ChildStart& start,
-                   unsigned long bytes = kCompileBytes);
+                   unsigned long bytes = kCompileBytes, int seconds = kCompileSeconds);
 
-/// Returns its standard output, at most `most_bytes`; empty if it cannot be started.
+/// Returns its standard output, at most `most_bytes`, within kLookupSeconds; empty if it cannot be started.
 std::string output_within(const ProgramSandbox& sandbox, ChildStart start, std::size_t most_bytes);
 
 /// Returns the program of that name on $PATH; empty if there is none. Relative folders are skipped: a
