@@ -55,9 +55,9 @@ TEST_F(SanitizeTest, AnOverflowOfASignedNumber) {
 
 TEST_F(SanitizeTest, AShiftThatIsTooFar) {
   expect_found("volatile int by = 32; volatile int one = 1;", "one = one << by;",
-               "a shift by 32 bits, and an int has 32 here: 0 to 31 are possible");
+               "a shift by 32 bits, but an int has 32 here: 0 to 31 are possible");
   expect_found("volatile int by = -1; volatile int one = 1;", "one = one >> by;",
-               "a shift by -1 bits, and an int has 32 here: 0 to 31 are possible");
+               "a shift by -1 bits, but an int has 32 here: 0 to 31 are possible");
 }
 
 TEST_F(SanitizeTest, ADivisionByZero) {

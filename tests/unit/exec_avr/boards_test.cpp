@@ -30,7 +30,7 @@ void loop() {}
         "}");
     FAIL() << "it fits";
   } catch (const std::exception& error) {
-    EXPECT_THAT(error.what(), HasSubstr("and the nano168 has 1024 of RAM"));
+    EXPECT_THAT(error.what(), HasSubstr("but the nano168 has 1024 of RAM"));
   }
 }
 

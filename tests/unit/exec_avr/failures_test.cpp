@@ -105,7 +105,7 @@ void loop() {
 )");
     run(20 * kMillisecond);
     ASSERT_TRUE(avr_->crash()) << board;
-    EXPECT_THAT(avr_->crash()->reason, HasSubstr(board[0] == 'u' ? "interrupt 12 has" : "interrupt 9 has"));
+    EXPECT_THAT(avr_->crash()->reason, HasSubstr(board[0] == 'u' ? "interrupt 12 was" : "interrupt 9 was"));
     EXPECT_EQ(avr_->crash()->where.function, "loop") << board;
   }
 }

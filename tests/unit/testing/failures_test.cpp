@@ -178,7 +178,7 @@ TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
       text("summary.md"),
       AllOf(HasSubstr("### Robosim: 0 passed, 7 failed, 0 skipped"), HasSubstr("| `WrongButton."),
             HasSubstr("| `Forgetful.VisitsTheStations` | Forgetful on d (uno3, target host, seed 1), "),
-            HasSubstr(": it did not come to 2 and 3 until "),
+            HasSubstr(": it did not come to 2 and 3 before "),
             HasSubstr(" s as crashed: The sketch crashed")));
 }
 

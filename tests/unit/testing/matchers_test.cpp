@@ -109,7 +109,7 @@ TEST(Stations, AreThoseItCameToInTheirOrder) {
   EXPECT_THAT(tour, VisitsInOrder({2, 1}));
   EXPECT_THAT(tour, Not(VisitsInOrder({1, 2})));
   EXPECT_THAT(tour, Visits({1, 2}));
-  EXPECT_THAT(explanation(Visits({2, 7}), tour), HasSubstr("it did not come to 7 until"));
+  EXPECT_THAT(explanation(Visits({2, 7}), tour), HasSubstr("it did not come to 7 before"));
   EXPECT_THAT(tour, Reaches("tour"));
   EXPECT_THAT(explanation(Reaches("laps:1"), tour), HasSubstr("the goal of this run is tour"));
 }
