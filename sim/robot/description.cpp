@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 64;
 constexpr double kTrackAsWheels = 0.57735026918962576;  // 1 / sqrt(3): sim/world/body_skid.cpp
-constexpr double kMostSteered = 30.0 * kDegree;  // linkages of hobby cars reach 25 to 35 degrees
+constexpr double kMostSteered = 30.0 * kDegree;         // linkages of hobby cars reach 25 to 35 degrees
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
 std::vector<std::string> board_names() {
