@@ -1,5 +1,5 @@
-// The core's handler of timer 0, and millis() where it reads its number, done at once, leave what their
-// instructions leave, one after the other.
+// Tests that executing the core's timer 0 handler and the read in millis() at once has the same result as
+// executing their instructions.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -108,7 +108,7 @@ struct Counts {
   int slips = 0, skids = 0, contacts = 0, rests = 0;
 };
 
-// So many robots on a map, with commands and figures by chance, for a second.
+// Compares `robots` on a map, with random commands and parameters, for a second.
 void compare(const std::string& name, unsigned seed, std::size_t robots, Counts& counts) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Chance chance(seed);

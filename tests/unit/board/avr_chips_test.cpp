@@ -31,7 +31,7 @@ std::vector<const BoardSpec*> avr_boards() {
   return boards;
 }
 
-/// What avr-g++ says to a source, or makes of it.
+/// The messages or the output of avr-g++ for a source.
 struct Compiled {
   std::string output, errors;
 };

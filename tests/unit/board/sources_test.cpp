@@ -65,7 +65,7 @@ TEST(Boards, AreArduinosWhereArduinoHasThem) {
     EXPECT_EQ(board->variant, value("build.variant"));
     EXPECT_EQ(board->chip->compiler_name, value("build.mcu"));
     EXPECT_EQ(std::to_string(board->flash_bytes), value("upload.maximum_size"));
-    // Of a Gemma Arduino says no more: its boot loader is no serial line's.
+    // boards.txt has no more of a Gemma, since its boot loader does not use a serial line.
     if (value("upload.protocol").empty()) {
       EXPECT_EQ(board->upload_protocol, nullptr);
       continue;

@@ -39,7 +39,7 @@ class SketchTest : public testing::Test {
     return build({folder_ / name, *find_board("uno"), "host", std::move(libraries)});
   }
 
-  /// What the InputError of a build says.
+  /// Returns the message of a build's InputError.
   std::string error_of(const std::string& name, std::vector<std::filesystem::path> libraries = {}) const {
     try {
       build_here(name, std::move(libraries));

@@ -1,4 +1,4 @@
-// What is quick while nobody asks after each move does the same as the robot does move by move.
+// Tests that fast moves, without a caller between them, equal the robot's moves one by one.
 #include "sim/cells/quick.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Every way in which firmware can bring its chip down is told with its reason and its place. The sketches are
-// those of the system tests.
+// Tests that every way in which firmware can crash its chip is reported with reason and place. The sketches
+// are those of the system tests.
 
 #include <fmt/format.h>
 

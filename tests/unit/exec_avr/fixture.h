@@ -1,5 +1,5 @@
-// A sketch given as text, built with the genuine core, run by an AVR executor tick by tick, with all that it
-// does written down.
+// Builds a sketch, given as text, with the genuine core, and runs it tick by tick on an AVR executor that
+// records its actions.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   void run(SimTime duration) {
     for (const SimTime end = now_ + duration; now_ < end;) avr_->run_until(now_ += kTick);
   }
-  /// What the sketch prints in `duration`.
+  /// Returns the text that the sketch prints in `duration`.
   std::string output(const std::string& text, SimTime duration = 200 * kMillisecond) {
     start(text);
     run(duration);

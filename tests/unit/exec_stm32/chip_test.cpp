@@ -263,7 +263,7 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
-// What is behind WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
+// Code after WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
 TEST_F(Stm32ChipTest, WithSleeponexitOnlyHandlersRun) {
   EXPECT_EQ(
       output("volatile uint32_t& scr = *(volatile uint32_t*)0xE000ED10;\n"

@@ -55,7 +55,7 @@ Firmware firmware_of(const std::vector<std::uint16_t>& code) {
   return firmware;
 }
 
-/// Instructions that we know, but for those that jump, or concern the processor itself.
+/// Returns random instructions, except jumps and those that control the processor.
 std::vector<std::uint16_t> random_code(std::mt19937& random) {
   std::vector<std::uint16_t> code;
   int block = 0;  // instructions left of an IT block

@@ -10,7 +10,7 @@ namespace {
 using Side = PathFollower::Side;
 using State = PathFollower::State;
 
-// What the three sensors see, for followers of either side: `near` is the preferred side's.
+// The three sensors' readings, for followers of either side; `near` is on the preferred side.
 struct Seen {
   bool near, middle, far;
 };
@@ -22,7 +22,7 @@ constexpr Seen kTee{true, true, true};
 
 class PathFollowerTest : public ::testing::TestWithParam<Side> {
  protected:
-  // The sensors see this for so long, looked at every 2 ms.
+  // Shows `seen` to the sensors for `ms`, read every 2 ms.
   void see(Seen seen, int ms) {
     for (int i = 0; i < ms; i += 2) {
       now += 2;

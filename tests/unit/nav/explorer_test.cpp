@@ -21,8 +21,8 @@ typedef nav::FixedTree<> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// Scans a floor and expects that all that can be reached is known as it is, and each line run along once
-/// from each end.
+/// Scans a floor. Expects a correct map of all that can be reached, and one run along each line from each
+/// end.
 template <class Walker, class Network>
 void expectScan(Floor& floor, Stand start, Network& network, int32_t drift = 0) {
   Walker walker(floor, start);

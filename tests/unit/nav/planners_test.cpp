@@ -51,7 +51,7 @@ void explore(Dice& dice, Floor& floor, Network& network) {
   ASSERT_EQ(explorer.state(), nav::ScanState::complete);
 }
 
-/// What all others are compared with: every distance from one node, by relaxing all lines until nothing
+/// Reference for all planners: computes every distance from one node by relaxing all lines until nothing
 /// changes.
 template <class Network>
 std::vector<int> distances(const Network& network, int from, bool by_cost) {
@@ -73,7 +73,7 @@ std::vector<int> distances(const Network& network, int from, bool by_cost) {
   return far;
 }
 
-/// Lines, or costs, of a way; -1 if it is none.
+/// Returns the lines, or costs, of a path; -1 if it is not a path.
 template <class Network>
 int length(const Network& network, const Way& way, bool by_cost) {
   int sum = 0;

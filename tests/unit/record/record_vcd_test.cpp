@@ -89,7 +89,7 @@ TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
   record.add(up);
   up.agent = 2;
   up.t_ns = 2000;
-  record.add(up);  // a robot that nobody has asked for
+  record.add(up);  // a robot that was not requested
   const std::string vcd = text_of(record);
   const std::size_t second = vcd.find("$scope module B $end\n");
   ASSERT_NE(second, std::string::npos);

@@ -31,7 +31,7 @@ supply = "6 V"
 chip = "tb6612"
 )";
 
-/// The line is 20 mm wide, if the map's front matter does not say another width, and runs east through the
+/// The line is 20 mm wide unless the map's front matter sets another width. It runs east through the
 /// origin of `line()`.
 class BenchRobot {
  public:

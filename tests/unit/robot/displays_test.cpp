@@ -1,4 +1,4 @@
-// What shows text and colours, and the sensor of the motors' current.
+// Tests displays of text and colours, and the sensor of the motors' current.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ class OnBoard : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Waits most of the time, and now and then drives, prints, looks or crashes.
+/// Waits most of the time, and occasionally drives, prints, reads a sensor or crashes.
 class Dozing final : public OnBoard {
  public:
   Dozing(unsigned seed, const BoardSpec& board, bool tells_sleep)

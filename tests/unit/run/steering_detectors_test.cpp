@@ -1,5 +1,5 @@
-// Motors that nobody stops (sim/judge/motors_left_on.h), and how long Serial keeps a robot from looking
-// (sim/judge/slow_serial.h), on robots that are driven by hand.
+// Tests the detectors of motors that were left on (sim/judge/motors_left_on.h) and of slow Serial output
+// (sim/judge/slow_serial.h), on robots that the test drives.
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// What a run that is driven step by step goes on until.
+// Tests stop conditions of runs that are driven step by step.
 
 #include <gmock/gmock.h>
 

@@ -70,7 +70,7 @@ class Session {
     return text;
   }
 
-  /// What follows a line.
+  /// Reads the bytes after a line.
   std::string bytes(std::size_t count) {
     char some[4096];
     while (unread_.size() < count) {
@@ -83,7 +83,7 @@ class Session {
     return text;
   }
 
-  /// What it answers to a line, events apart.
+  /// Returns its answer to a line, without events.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
@@ -198,7 +198,7 @@ class SessionTest : public ::testing::Test {
     request_.for_ns = 20 * kSecond;
   }
 
-  /// What a runner says to this request, which it cannot carry out.
+  /// Returns a runner's error for a request that it cannot carry out.
   static wire::ErrorAnswer refusal(const wire::RunRequest& request) {
     Session session(drivers());
     session.line();

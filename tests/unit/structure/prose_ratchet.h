@@ -1,5 +1,5 @@
-// Counts what breaks the rules of prose, by rule and area, and compares the numbers with prose_ratchet.txt, above
-// which they must not rise.
+// Counts findings of the rules of prose by rule and area. The numbers of prose_ratchet.txt are upper limits
+// of these counts.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// What is read quickly and what nlohmann reads is the same, and so is what neither reads.
+// Tests that the fast reader and nlohmann read and reject the same texts.
 #include "sim/wire/json_parse.h"
 #include "sim/base/json_limits.h"
 
