@@ -1,7 +1,7 @@
-// The sketch AiNavigator on the robot uno5: it scans a map, and then drives to every station it is told.
+// Tests the sketch AiNavigator on the robot uno5: it scans a map, and then drives to every given station.
 //
-// What it says is compared with what is: where the robot stands when it says that it has arrived.
-// ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map, on the chip too.
+// Compares its output with the world: where the robot stands when it prints that it has arrived.
+// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the chip, too.
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ grid::TrueGraph graph_of(const std::string& map_name, const std::string& start =
   return grid::true_graph(map, start.empty() ? grid::default_start(map) : grid::parse_start(map, start));
 }
 
-// What a run has shown.
+// Observations of a run.
 struct Seen {
   std::string text;           // what the sketch said, without CR
   std::vector<int> arrivals;  // "arrived at"

@@ -15,7 +15,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// What the session prints when these lines are typed blindly.
+/// Returns the output of a session in which these lines are typed in advance.
 Ended play(const std::vector<std::string>& words, const std::string& typed,
            const std::filesystem::path& folder = ".") {
   std::vector<std::string> all{"play"};

@@ -171,7 +171,7 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// In the second run memory is larger, so what filled it goes on, to a fault that the first run never came to.
+// In the second run memory is larger, so the code that filled it continues to a fault after the first's end.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -239,7 +239,7 @@ TEST(CliSanitize, BlamesNoSketchForAWrapThatAnyOtherMicrosecondTurnsAside) {
   const nlohmann::json seconds = detected_in(
       "  while (millis() - begin < 700) {}\n  for (int i = 0; i < 40; i++) Serial.println(millis() / 1000);");
   EXPECT_TRUE(seconds.empty()) << seconds;
-  // How long it takes to make a float of it depends on how large it is.
+  // The duration of its conversion to float depends on its value.
   const nlohmann::json by_count = detected_in(
       "  unsigned n = 0;\n  while (millis() - begin < 700) { volatile float f = millis(); n++; }\n"
       "  if (n % 2) delay(300);");

@@ -87,7 +87,7 @@ void loop() {
 }
 )";
 
-// Nobody presses its button.
+// Its button is not pressed.
 constexpr const char* kWaitsForAButton = R"(bool started = false;
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);

@@ -46,7 +46,7 @@ std::vector<std::string> pages() {
   return found;
 }
 
-/// What a newcomer has: a clone to work in, and `robosim` on the PATH.
+/// Creates a newcomer's environment: a clone to work in, and `robosim` on the PATH.
 void make_clone(const Folder& clone, const Folder& programs) {
   for (const auto& entry : fs::directory_iterator(ROBOSIM_CHECKOUT))
     if (const std::string name = entry.path().filename();

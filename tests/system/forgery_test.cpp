@@ -19,7 +19,7 @@
 namespace robosim::test {
 namespace {
 
-/// What a runner's last line would be, for each request that it may be the answer to.
+/// Returns the last line of a runner for each request that it may answer.
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {
@@ -176,7 +176,7 @@ void setup() {
 void loop() {})"},
 };
 
-/// What a command says of a run of the sketch F.
+/// Returns a command's verdict of a run of the sketch F.
 nlohmann::json verdict_of(const Folder& folder, const char* target, Ended& ended) {
   ended = robosim_command({"run", "./F", "--map", "oval", "--robot", "uno5", "--goal", "laps:1", "--for",
                            "2s", "--target", target, "--json"},
@@ -209,7 +209,7 @@ TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
 INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of_attempt);
 
 TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
-  // What these do harms nobody; the others would.
+  // These are harmless; the others are not.
   for (const char* name :
        {"WritesToEveryDescriptorAndExits", "PrintsAndExits", "ClosesAllDescriptorsAndExits",
         "PutsThePipeInThePlaceOfItsStandardOutput", "GuessesTheToken"}) {

@@ -1,4 +1,4 @@
-// What our own sketches promise: the figures of the README, for many seeds.
+// Tests the stock sketches' guarantees, with many seeds.
 
 #include "sim/base/file.h"
 #include "tests/support/effort.h"
