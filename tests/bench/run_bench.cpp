@@ -1,4 +1,4 @@
-// How many times faster than real time whole simulations run, on one core, with noise.
+// Measures the speed of whole simulations as a multiple of real time, on one core, with noise.
 
 #include <benchmark/benchmark.h>
 

@@ -89,8 +89,8 @@ class Driver {
     call(session_ + "/goog/cdp/execute", {{"cmd", "Emulation.setDeviceMetricsOverride"}, {"params", screen}});
     call(session_ + "/url", {{"url", url}});
   }
-  /// What an async function's body returns. It may use `$`, `key(name)`, `until(is)` and `drawn()`, which
-  /// waits until the page has been laid out and drawn again.
+  /// Runs the body of an async function, and returns its result. It may use `$`, `key(name)`, `until(is)` and
+  /// `drawn()`, which waits until the page has been laid out and drawn again.
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"

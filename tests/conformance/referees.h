@@ -11,7 +11,7 @@
 
 namespace robosim::conformance {
 
-/// What a program has reported, and whether it came to its end.
+/// A program's report, and whether it reached its end.
 struct Report {
   std::vector<std::uint8_t> bytes;
   bool ended = false;

@@ -8,11 +8,11 @@
 
 namespace robosim::hostile {
 
-/// In texts, stands for the absolute path of a file that no input may read, and for a port that none may
-/// reach.
+/// Placeholder in texts for the absolute path of a file that no input may read. The next one stands for a
+/// port that no input may reach.
 constexpr const char* kSecretHere = "@SECRET@";
 constexpr const char* kPortHere = "@PORT@";
-/// What the file holds, and the environment. Its appearance in any output is a finding.
+/// Content of the secret file and environment variable. Its appearance in any output is a finding.
 constexpr const char* kSecret = "hunter2hunter2";
 /// A line that begins with this is one that an input has forged.
 constexpr const char* kForged = "FORGED";

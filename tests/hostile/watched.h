@@ -57,7 +57,7 @@ class Canaries {
   std::map<int, std::filesystem::path> folders_;
 };
 
-/// A port of this machine that nobody has a reason to connect to.
+/// A port of this machine that no program should connect to.
 class QuietPort {
  public:
   QuietPort();
@@ -69,7 +69,7 @@ class QuietPort {
   int number_ = 0;
 };
 
-/// What all files below a folder are: names, kinds, sizes and times of change.
+/// Describes all files below a folder: names, kinds, sizes and times of change.
 std::map<std::string, std::string> state_of(const std::filesystem::path& folder,
                                             const std::vector<std::string>& except = {});
 
