@@ -48,7 +48,7 @@ show_progress() {
 }
 
 summary='
-  # What test N writes comes as "N: TEXT"; some of it says the same of every test.
+  # Output of test N comes as "N: TEXT"; some lines are equal for every test.
   match($0, /^[0-9]+: /) {
     number = substr($0, 1, RLENGTH - 2)
     text = substr($0, RLENGTH + 1)

@@ -56,7 +56,7 @@ class Cpu {
   Stop run(Cycle until);
   /// From within a hook: makes run() return after this instruction, without a reason to stop.
   void look_up() { horizon_ = 0; }
-  /// Likewise with Stop::stopped.
+  /// From within a hook: makes run() return Stop::stopped after this instruction.
   void stop() { stop_with(Stop::stopped); }
 
   /// A listener for WDR.

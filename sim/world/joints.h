@@ -32,7 +32,7 @@ class Joints {
   explicit Joints(const grid::Course& course) : joints_(course.joints) {}
   bool empty() const { return joints_.empty(); }
 
-  /// What rolls: a wheel, or a ball.
+  /// A rolling body: a wheel or a ball.
   struct Roller {
     double radius = 0.0;  ///< m
     Vec2 rolls;           ///< which way, a unit vector; of a ball 0

@@ -36,7 +36,7 @@ class Lighting {
   std::size_t count() const { return lights_.size(); }
   /// Switches one off, or on again.
   void switch_light(std::size_t number, bool on) { lights_[number].on = on; }
-  /// What changes during a run: which are on.
+  /// Returns the state that changes during a run: which lights are on.
   std::vector<bool> save() const;
   void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }

@@ -74,7 +74,7 @@ class Simulation {
   // The present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
-  /// Whether an LED or a button is on.
+  /// Returns whether an LED or a button is on.
   bool is_on(const std::string& part, const char* file = __builtin_FILE(), int at = __builtin_LINE()) const;
   double reading(const std::string& part, const char* file = __builtin_FILE(),
                  int at = __builtin_LINE()) const;
