@@ -11,8 +11,8 @@
 namespace robosim::structure {
 namespace {
 
-/// A phrase, and what to write. An element of a phrase is one word or punctuation mark: `a|b` is one of these,
-/// `!a|b` is any other or none, `^` is the beginning of the sentence, `$` its end or a punctuation mark.
+/// A phrase, and what to write. Its elements are words or punctuation marks: `a|b` is one of these; `!a|b` is
+/// any other or none; `^` is the beginning of the sentence; `$` is its end or a punctuation mark.
 struct Phrase {
   const char* phrase;
   const char* instead;
@@ -175,7 +175,7 @@ std::vector<std::string> long_sentences(const Passage& passage) {
   std::vector<std::string> found;
   if (passage.kind == Passage::Kind::row || passage.kind == Passage::Kind::cell) return found;
   for (const std::vector<Token>& sentence : sentences(passage.text)) {
-    std::size_t words = 0, first = 0;
+    std::size_t words = 0, first = 0, depth = 0;  // of parentheses
     const auto end_part = [&](std::size_t next) {
       if (words > kLongestSentence)
         found.push_back(fmt::format("{}: a sentence has {} words: expected at most {}",
@@ -185,8 +185,11 @@ std::vector<std::string> long_sentences(const Passage& passage) {
     };
     for (std::size_t i = 0; i < sentence.size(); ++i) {
       const Token& token = sentence[i];
-      const bool is_break = token.text == ":" || token.text == ";";
-      if (token.is_word && std::isdigit(static_cast<unsigned char>(token.text.front())) == 0) ++words;
+      const bool is_break = depth == 0 && (token.text == ":" || token.text == ";");
+      if (token.text == "(") ++depth;
+      if (token.text == ")" && depth > 0) --depth;
+      if (depth == 0 && token.is_word && std::isdigit(static_cast<unsigned char>(token.text.front())) == 0)
+        ++words;
       if (is_break || i + 1 == sentence.size()) end_part(i + 1);
     }
   }

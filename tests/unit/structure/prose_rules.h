@@ -21,7 +21,7 @@ constexpr std::size_t kLongestSubject = 72;
 std::vector<std::string> odd_words(const Passage& passage);
 
 /// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon ends a sentence,
-/// too. Numbers are not counted. Rows and cells of tables are not sentences.
+/// too. Numbers and text in parentheses are not counted. Rows and cells of tables are not sentences.
 std::vector<std::string> long_sentences(const Passage& passage);
 
 /// Returns a message if a comment opens with a fragment such as `Whether …` or `The same.`, and not with a verb.

@@ -176,6 +176,7 @@ TEST(Passages, OfScriptsAreComments) {
 
 TEST(Sentences, EndAtFullStopsButNotWithinNumbersNamesAndAbbreviations) {
   EXPECT_THAT(sentences("At 0.5 V, e.g. in main.cpp. Is it? \"Yes.\" Last"), SizeIs(4));
+  EXPECT_THAT(sentences("Runs (as here). At 5 V. The J. smith rule. It has x. Then"), SizeIs(5));
   EXPECT_THAT(sentences(" \n "), IsEmpty());
   const auto found = sentences("“Robot's” cross-track → x");
   ASSERT_THAT(found, SizeIs(1));
@@ -230,7 +231,7 @@ TEST(OddWords, AreNotGoodEnglish) {
 TEST(LongSentences, AreCountedInWordsBetweenStopsAndColons) {
   std::string words;
   for (std::size_t i = 0; i < kLongestSentence; ++i) words += "word ";
-  EXPECT_THAT(long_sentences(paragraph(words + "12 0.5.")), IsEmpty());
+  EXPECT_THAT(long_sentences(paragraph(words + "12 0.5 (or more: here).")), IsEmpty());
   EXPECT_THAT(long_sentences(paragraph(words + ": " + words + "; " + words + ".")), IsEmpty());
   EXPECT_THAT(long_sentences(paragraph("Short.\n" + words + "more.")),
               ElementsAre(fmt::format("a.md:2: a sentence has {} words: expected at most {}",

@@ -259,10 +259,17 @@ std::string without_symbols(std::string_view utf8) {
   return text;
 }
 
-bool is_abbreviation(std::string_view word) {
-  static constexpr std::array<std::string_view, 12> kAll = {"e.g", "i.e", "etc", "vs",  "cf",     "no",
-                                                            "rev", "sec", "al",  "fig", "approx", "st"};
-  return word.size() <= 1 || std::find(kAll.begin(), kAll.end(), word) != kAll.end();
+/// Returns whether the full stop at `at` belongs to an abbreviation, the word `last` before it. A single letter is
+/// one if a lower-case letter follows.
+bool is_abbreviation(std::string_view text, const Token* last, std::size_t at) {
+  static constexpr std::array<std::string_view, 11> kAll = {"e.g", "i.e", "etc", "vs",  "cf",    "no",
+                                                            "rev", "sec", "al",  "fig", "approx"};
+  if (!last || !last->is_word || last->at + last->text.size() != at) return false;
+  if (last->text.size() == 1 && is_letter(last->text.front())) {
+    const std::size_t next = text.find_first_not_of(" \n", at + 1);
+    return next != text.npos && std::islower(static_cast<unsigned char>(text[next])) != 0;
+  }
+  return std::find(kAll.begin(), kAll.end(), last->text) != kAll.end();
 }
 
 }  // namespace
@@ -349,9 +356,9 @@ std::vector<std::vector<Token>> sentences(std::string_view utf8) {
       all.back().push_back(std::move(token));
       i = end;
     } else {
-      const bool ends = (c == '.' || c == '!' || c == '?') && !all.back().empty() &&
-                        !(c == '.' && all.back().back().at + all.back().back().text.size() == i &&
-                          is_abbreviation(all.back().back().text));
+      const bool ends =
+          c == '!' || c == '?' ||
+          (c == '.' && !is_abbreviation(text, all.back().empty() ? nullptr : &all.back().back(), i));
       all.back().push_back({std::string(1, c), i, false});
       ++i;
       if (!ends) continue;
