@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the tests of a preset that is built: a line of progress, then each failure with its output and the command that
-# repeats it, what was skipped and why, and the sum. All that the tests wrote stays in build/PRESET/tests.log.
+# Runs the tests of a built preset: a line of progress, then each failure with its output and the command to repeat it.
+# Then the skipped tests and the reasons, and the sum. The complete output stays in build/PRESET/tests.log.
 # `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`: with -V, -N and others about ctest's own output, it is ctest's own.
 # Status: ctest's; 130 after Ctrl-C.
 set -uo pipefail

@@ -30,7 +30,7 @@
 //
 // Where it is. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is
 // stored as quarter turns and the remaining angle. Lines run along quarters, so a remaining angle of less
-// than 0.15 rad decays with ds / 150 mm, and differences between the wheels do not accumulate. A junction is
+// than 0.15 rad decays with ds / 150 mm. So differences between the wheels do not accumulate. A junction is
 // on the line by which the robot leaves it.
 //
 // follow(), leave() and begin() return when they are done.

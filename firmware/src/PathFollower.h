@@ -7,8 +7,8 @@
 //          [L M R]        - else the line goes on? follow it;
 //            ^            - else turn right until there is a line: that of a bend, or the one it came on.
 //
-// On lines without closed loops this visits every station and returns to where it began, however the lines
-// branch, and needs no memory at all. With the right hand everything is mirrored.
+// On lines without closed loops this visits every station and returns to the start, however the lines
+// branch. It needs no memory at all. With the right hand everything is mirrored.
 //
 // Following the edge. The hand is the middle sensor, and it feels the line's edge on the preferred side.
 // Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag,
@@ -22,8 +22,8 @@
 // ("width") at the present speed, with a full or an empty battery. Then the robot turns on the spot until the
 // middle sensor finds the line.
 //
-// Mounting. The middle sensor is some centimetres ahead of the axle, the other two a little further to its
-// sides than the line is wide: 22 mm for a line of 20 mm.
+// Mounting. The middle sensor is some centimetres ahead of the axle. The other two are to its sides, a little
+// further than the line is wide: 22 mm for a line of 20 mm.
 //
 // This class does not access pins: pass the sensors' values, and use the two speeds. It never waits; call
 // update() every 1 to 5 ms.

@@ -239,8 +239,8 @@ class Cpu {
   }
 
   // --- the stack
-  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever
-  /// firmware writes SPL or SPH (on_sp_written).
+  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt. Also called
+  /// whenever firmware writes SPL or SPH (on_sp_written).
   Call on_sp_low;
   Call on_sp_written;
   /// Returns the last calls, returns and interrupts, the last first: addresses in words.

@@ -118,7 +118,7 @@ BodyParams default_body_params();
 /// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
 double effective_track(double track, double wheelbase);
 
-/// Returns the steering angle at the body's middle, rad, for an angle `inner` of the inner one of two steered
+/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner one of two steered
 /// wheels, which are `track` apart: body_steer.cpp.
 double steered_middle(double inner, double track, double steer_base);
 

@@ -12,8 +12,8 @@
 // carries a mass m, loses of its kinetic energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              in all 4 m G h at most, at any speed
 //
-// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width, and its tread of width
-// w bridges w |sin theta| of it. Robot files do not have w, so 6 mm are assumed, as narrow wheels have. A
+// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width. Its tread of width w
+// bridges w |sin theta| of it. Robot files do not have w, so 6 mm are assumed, as narrow wheels have. A
 // ball has no tread; one that is hardly wider than the gap is caught in it.
 //
 // Not modelled: soft tyres, which sink less and lose less; boards of different heights (a [[hill]] is a

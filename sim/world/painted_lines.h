@@ -43,7 +43,7 @@ class PaintedLines {
 
   /// Returns the remaining share of paint at p, 0..1, if the share `worn` is gone. At each point of a lattice
   /// of 10 mm it is whole or gone; in between it is the smooth mean of four points. So its mean over
-  /// a long line is 1 - worn, and paint that is gone at a smaller `worn` is gone at a larger one.
+  /// a long line is 1 - worn. Paint that is gone at a smaller `worn` is gone at a larger one.
   double left(Vec2 p, double worn) const;
 
  private:

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a map file. It is rejected with a place, or is a map that can be written, read
-// again, walked, and converted to a graph and to geometry.
+// Reads arbitrary bytes as a map file. It is rejected with a place, or is a valid map: it can be written,
+// read again, walked, and converted to a graph and to geometry.
 #include <algorithm>
 #include <cstdint>
 #include <string>

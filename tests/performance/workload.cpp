@@ -1,5 +1,5 @@
 // robosim_workload NAME COUNT: repeats a piece of Robosim's work COUNT times, for count.sh to count. The work
-// before the first time is equal for every COUNT, so the difference of two counts is the cost of the work.
+// before the first time is equal for every COUNT. So the difference of two counts is the cost of the work.
 #include <fmt/format.h>
 
 #include <charconv>

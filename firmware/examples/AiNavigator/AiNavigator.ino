@@ -8,8 +8,8 @@
 //   buzzer          a short beep: done; a long one: an error
 //   bumper          stops the robot; if the obstacle stays, it goes back and takes another way
 //
-// The EEPROM stores the map and the station at which the robot stands, so it need not scan again after a
-// power cycle. If it was switched off between stations, its position is unknown and it scans again.
+// The EEPROM stores the map and the station at which the robot stands. So it need not scan again after a
+// power cycle, unless it was switched off between stations: then its position is unknown.
 
 #include <EEPROM.h>
 #include <LineKit.h>

@@ -12,9 +12,9 @@
 //   void leave(nav::Turn turn);           // turns there; follow() then runs that way
 //   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
 //
-// begin() returns `junction` or `line` if the robot stands on one, and `end` if the line goes one way only,
-// which it then faces. An `end` with no arms is a single spot without any line to follow; `lost` means that
-// there is no line.
+// begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line goes one way
+// only, which the robot then faces. An `end` with no arms is a single spot without any line to follow; `lost`
+// means that there is no line.
 //
 // follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
 // outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start

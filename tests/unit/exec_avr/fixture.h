@@ -1,5 +1,5 @@
-// Builds a sketch, given as text, with the genuine core, and runs it tick by tick on an AVR executor that
-// records its actions.
+// Builds a sketch, given as text, with the genuine core. Runs it tick by tick on an AVR executor, and records
+// its actions.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Tests that runs of the built-in driver are equal, bit for bit, in builds by gcc and clang, with and without
+// Tests that runs of the built-in driver are bit-identical in all builds: by gcc and clang, with and without
 // optimisation, on x86-64 and arm64. CI runs these tests in all of those builds.
 
 #include <gtest/gtest.h>

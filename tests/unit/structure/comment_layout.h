@@ -12,7 +12,7 @@ namespace robosim::structure {
 /// Returns a message for each comment line that has more than `limit` columns. A character is one column.
 std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 
-/// Returns a message for each line of a comment that continues a row of a table, formula or code example at a
+/// Returns a message for each line of a comment that continues a row of a table, formula or example at a
 /// wrong column. A row is indented by two columns or more; two spaces or more separate its cells:
 ///
 ///   label   a row that fills its line up to the limit, continued
@@ -26,7 +26,7 @@ std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 ///   - or it is a short piece of text, at the table's end or before a line at the column of the last cell;
 ///   - or its last cell would be at the row's column without its first words.
 ///
-/// A line is also reported if it starts before the last cell of the row before it, and goes on below that
+/// A line is also reported if it starts before the last cell of the previous row and continues below that
 /// cell. Rows without a second cell, labels wider than their column, nested lists and pictures are not
 /// reported.
 std::vector<std::string> broken_rows(const Files& files, std::size_t limit);
