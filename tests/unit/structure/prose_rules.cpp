@@ -26,12 +26,14 @@ constexpr Phrase kWords[] = {
     {"by turns", "alternately"},
     {"now and then", "occasionally"},
     {"so many !that|people|of", "the number of"},
-    {"that many", "the number of"},
+    {"that many $|or|for", "the number of"},
     {"so long !as|that", "the duration of"},
     {"tells|tell|told of", "reports"},
     {"is|are|was|were|be told !to", "reports, notifies, prints, returns"},
     {"!there is|are none $", "is not, is missing"},
-    {"!there|longer is|are no !longer|more|less|better|worse|doubt|use|need|problem|matter|good|different",
+    {"!there|longer is|are no "
+     "!longer|more|less|better|worse|higher|lower|larger|smaller|greater|faster|slower|shorter|later|nearer|"
+     "doubt|use|need|problem|matter|good|different",
      "is not"},
     {"of ours|theirs|yours", "a specific noun"},
     {"takes|take|took|taken apart", "decodes"},

@@ -197,7 +197,7 @@ TEST(OddWords, OfTheTableAreFound) {
                            "By turns left and right.",
                            "Moves now and then.",
                            "Runs so many steps.",
-                           "Moves that many steps.",
+                           "Takes that many.",
                            "For so long it waits.",
                            "It tells of a crash.",
                            "The file is none.",
@@ -221,10 +221,10 @@ TEST(OddWords, OfTheTableAreFound) {
 TEST(OddWords, AreNotGoodEnglish) {
   for (const char* text :
        {"There is none.", "It is none of these.", "There is no such file.", "It is no longer there.",
-        "It is no more than 5.", "So many that it fails.", "Not as long as that.",
-        "The linker is told to drop it.", "An obstacle behind the robot.", "5 cm behind the axle.", "Indeed.",
-        "The clock lags behind.", "It searches, for example, here.", "Code such as `anew` is not prose.",
-        "Takes a part of it."})
+        "It is no more than 5.", "It is no higher than that.", "Options that many commands have.",
+        "So many that it fails.", "Not as long as that.", "The linker is told to drop it.",
+        "An obstacle behind the robot.", "5 cm behind the axle.", "Indeed.", "The clock lags behind.",
+        "It searches, for example, here.", "Code such as `anew` is not prose.", "Takes a part of it."})
     EXPECT_THAT(odd_words(passages_of_document("a.md", text).at(0)), IsEmpty()) << text;
 }
 
