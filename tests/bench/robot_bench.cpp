@@ -1,4 +1,4 @@
-// A tick of a whole robot: its parts, its body and its walls, with the noise of the profile `typical`.
+// Measures a tick of a whole robot: parts, body and walls, with the noise of the profile `typical`.
 
 #include <benchmark/benchmark.h>
 

@@ -39,7 +39,7 @@ std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
   return outcome.verdict == judge::Verdict::reached ? "" : outcome.why;
 }
 
-/// As a user would who has only libsimavr; but it does not sleep when the chip does. Its own callback for
+/// Runs libsimavr as its users do, except that it does not sleep when the chip does. Its own callback for
 /// that waits in real time, and takes six times as much processor time for SleepsIdle.
 std::string run_libsimavr(const std::filesystem::path& image, const BoardSpec& board, SimTime length) {
   elf_firmware_t firmware{};

@@ -1,4 +1,4 @@
-// The world alone: a tick of one body, and what a sensor pays for the floor.
+// Measures the world alone: a tick of one body, and the cost of a sensor's view of the floor.
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -32,7 +32,7 @@
 
 namespace robosim::test {
 
-/// A program that says where it is when it is ready: the word behind `before` on its standard output.
+/// A program that prints its address when it is ready: the word after `before` on its standard output.
 class Started {
  public:
   Started(std::vector<std::string> words, const std::string& before) {
@@ -130,7 +130,7 @@ class Driver {
   std::string session_;
 };
 
-/// The browser of this program; started when it is asked for.
+/// Returns the browser of this program; starts it at the first call.
 inline Driver& browser() {
   static Driver driver;
   return driver;

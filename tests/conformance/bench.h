@@ -1,5 +1,5 @@
-// A chip on a bench, with nothing around it but what a test sets: pins at levels, voltages, a list of what it
-// did.
+// A chip on a bench: the test sets levels and voltages at its pins, and gets a list of the chip's
+// actions.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ class Bench final : public avr::Surroundings {
   std::map<int, double> pin_voltages;  ///< of pins with an analog voltage; others have their level's
   std::map<int, PinDrive> drives;      ///< how the chip drives its pins
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
-  std::vector<std::pair<avr::Cycle, int>> samples;        ///< channels whose voltage was asked for, and when
+  std::vector<std::pair<avr::Cycle, int>> samples;        ///< converted channels, with times
   std::map<int, bool> listens_to;                         ///< pins whose edges the chip wants
   std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< what a received frame takes, and since when
   std::vector<std::uint8_t> reported;

@@ -1,4 +1,4 @@
-// Other emulators that the same programs run on. They are referees: nothing that is shipped links one.
+// Other emulators, which run the same programs for comparison. Nothing that is shipped links them.
 #pragma once
 
 #include <cstdint>

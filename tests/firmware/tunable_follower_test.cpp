@@ -1,5 +1,5 @@
-// TunableFollower: a line follower with a button, a serial port, settings in EEPROM, and a mind for its
-// safety.
+// Tests TunableFollower: a line follower with a button, a serial port, settings in EEPROM, and safety
+// stops.
 #include <robosim/testing.h>
 
 #include <regex>

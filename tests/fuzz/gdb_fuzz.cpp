@@ -1,5 +1,5 @@
-// Whatever a debugger sends: the processor is never asked for what a packet does not hold, and when the
-// debugger goes the run goes on.
+// Sends arbitrary bytes as a debugger. The processor gets only requests that packets contain, and the run
+// continues when the debugger disconnects.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

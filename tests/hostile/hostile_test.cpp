@@ -1,5 +1,5 @@
-// Hostile sketches, folders and requests, each against the whole command: docs/explanation/security.md says
-// what has to hold. It takes an hour: cmake --workflow --preset hostile.
+// Tests hostile sketches, folders and requests, each against the whole command. docs/explanation/security.md
+// lists the guarantees. It takes an hour: cmake --workflow --preset hostile.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Hostile inputs as data: a mechanism and a variant of it, and what is written into a sketch's folder or sent
-// to a server. No two inputs share both names.
+// Hostile inputs as data: names of a mechanism and a variant, and the files or requests to write or send. No
+// two inputs share both names.
 #pragma once
 
 #include <ostream>
@@ -42,7 +42,7 @@ inline std::ostream& operator<<(std::ostream& out, const Input& input) {
 
 /// Sketches that compile, and attack while they are loaded or run.
 std::vector<Input> sketches();
-/// Folders that attack whatever reads or compiles them.
+/// Folders that attack every program that reads or compiles them.
 std::vector<Input> folders();
 
 struct HostileRequest {

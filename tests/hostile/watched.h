@@ -1,5 +1,5 @@
-// A command that is watched from outside: how long it takes, how much memory all of its processes have, what
-// it leaves running, and which files it touches.
+// Observes a command from outside: its duration, the memory of all its processes, the processes that it
+// leaves running, and the files that it touches.
 #pragma once
 
 #include <sys/types.h>

@@ -1,5 +1,5 @@
-// The unit tests of our Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy of
-// it: what its engineer would run beside the suite of sketches, with sanitizers that look at each access.
+// Runs the unit tests of the Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy
+// of it, with sanitizers. An engineer of the library would run them in addition to the suite of sketches.
 #pragma once
 
 #include <filesystem>

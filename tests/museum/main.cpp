@@ -99,7 +99,7 @@ void for_each(std::size_t count, std::vector<Stage>& stages, Task task) {
   for (std::future<void>& worker : workers) worker.get();
 }
 
-/// The suite on the firmware as it is. Gives the targets that can be asked.
+/// Runs the suite on the unchanged firmware, and returns the usable targets.
 std::vector<std::string> run_baseline(std::vector<Stage>& stages) {
   std::vector<TestRun> runs(kTargets.size());
   for_each(runs.size(), stages, [&](Stage& stage, std::size_t i) {

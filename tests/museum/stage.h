@@ -1,4 +1,4 @@
-// A copy of our firmware that can be spoiled, and the suite of tests/firmware against it.
+// A copy of the firmware for inserting bugs, and the suite of tests/firmware against it.
 #pragma once
 
 #include <filesystem>

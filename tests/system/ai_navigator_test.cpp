@@ -25,7 +25,7 @@ grid::TrueGraph graph_of(const std::string& map_name, const std::string& start =
 
 // Observations of a run.
 struct Seen {
-  std::string text;           // what the sketch said, without CR
+  std::string text;           // the sketch's output, without CR
   std::vector<int> arrivals;  // "arrived at"
   int collisions = 0;
   double time_s = 0.0;
@@ -35,7 +35,7 @@ struct Seen {
 
 const std::string kScan = "at 300ms press start 100ms\n";
 
-// Interrupts the run when it has said the line `until`.
+// Interrupts the run when it has printed the line `until`.
 Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));

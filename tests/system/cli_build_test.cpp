@@ -1,4 +1,4 @@
-// `robosim build`, as a user starts it.
+// Tests `robosim build`, as a user starts it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `robosim compare`: it finds each planted difference, and none where targets only take their time.
+// Tests `robosim compare`: it finds each planted difference, and none if targets only differ in timing.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

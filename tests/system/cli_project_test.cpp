@@ -1,4 +1,4 @@
-// `robosim` in the folders of other tools: PlatformIO's, arduino-cli's.
+// Tests `robosim` in the folders of other tools: PlatformIO's, arduino-cli's.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `--sanitize`, as a user gives it.
+// Tests `--sanitize`, as a user gives it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
 }
 
-// Without being asked: a failure on the chip is looked into.
+// A failure on the chip is examined automatically.
 TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const std::string sum = sketch_folder("ChipSum").string() + "/";
@@ -198,7 +198,7 @@ TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {
 
 // --- detectors
 
-/// Drives to and fro, 700 ms each way; `waits` is its line 5.
+/// Drives forwards and backwards, 700 ms each; `waits` is its line 5.
 nlohmann::json detected_in(const std::string& waits) {
   const Folder folder;
   folder.write(

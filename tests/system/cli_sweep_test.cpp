@@ -1,4 +1,4 @@
-// `robosim sweep` as a user runs it, with very short runs.
+// Tests `robosim sweep`, as a user starts it, with very short runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -230,7 +230,7 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
 TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   const Folder folder;
   const std::string file = (folder / "a.csv").string();
-  // Seed 1 crashes at once, seed 2 drives for ever.
+  // Seed 1 crashes at once, seed 2 drives without end.
   const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
                     "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
   Words json = words;

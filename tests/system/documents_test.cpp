@@ -1,5 +1,5 @@
-// Every command of README.md and docs runs as it is written there, in a clone, and prints what the page
-// shows.
+// Tests that every command of README.md and docs runs as written, in a clone, and prints the output on the
+// page.
 #include <gtest/gtest.h>
 
 #include <algorithm>

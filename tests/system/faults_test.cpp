@@ -1,4 +1,4 @@
-// Faults between board and world, as a sketch meets them, on each target.
+// Tests faults between board and world, as a sketch meets them, on each target.
 #include "tests/support/require_target.h"
 #include "tests/system/system_test.h"
 
@@ -93,7 +93,7 @@ TEST_P(Faults, AreTheSameInEveryRun) {
   EXPECT_THAT(text, testing::Not(HasSubstr("<a><b><c><d><e><f><g><h>")));
 }
 
-/// The one way in which a drifting clock reaches firmware and what it does, whatever executes it.
+/// The common effect of a drifting clock on firmware and its actions, for every executor.
 class ClockFaults : public Faults {
  protected:
   /// Returns millis() 1.1 s after power-on; for 1 s the clock has run too fast by `drift`.

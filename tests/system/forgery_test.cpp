@@ -57,7 +57,7 @@ struct Attempt {
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
 std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
-/// Declared for all of them; LINES is what they say.
+/// Declarations for all of them; LINES is their output.
 constexpr const char* kOfTheSystem = R"(
 extern "C" {
 typedef void (*Handler)(int);

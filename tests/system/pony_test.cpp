@@ -48,7 +48,7 @@ struct Watch {
   }
 };
 
-// Looks at all that the robot says; a tour ends when it is home.
+// Observes all of the robot's output; a tour ends when it is home.
 Watch watch(const Run& of) {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));

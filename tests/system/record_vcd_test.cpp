@@ -1,4 +1,4 @@
-// `--record x.vcd`, read back by GTKWave's converters: a reader that is not ours.
+// Tests `--record x.vcd` by an independent reader: GTKWave's converters.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A sketch, a robot and a map in; a verdict out.
+// Runs a sketch with a robot on a map, and returns the verdict.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -66,7 +66,7 @@ inline wire::RunRequest request_of(const Run& run) {
 
 inline wire::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
 
-/// The sentence that says what this target lacks; empty if it runs.
+/// Returns a message about the tools that this target lacks; "" if it runs.
 inline std::string what_is_missing(const std::string& target) {
   const std::string tool = build::missing_tool(target);
   if (!tool.empty()) return tool;

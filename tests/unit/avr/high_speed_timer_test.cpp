@@ -1,4 +1,4 @@
-// Timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
+// Tests timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega32u4.h"

@@ -14,7 +14,7 @@
 
 namespace robosim::avr {
 
-/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are left out.
+/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are omitted.
 struct OpcodeRow {
   const char* name = nullptr;
   const char* pattern = nullptr;  ///< of its first word, as the manual has it: 16 digits and letters
@@ -28,7 +28,7 @@ class ManualModel {
   /// `flash`: words, a power of two of them; `long_pc`: the program counter has 22 bits.
   ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
 
-  /// Runs one instruction. False: the opcode is reserved, or the program counter is behind the flash; nothing
+  /// Runs one instruction. False: the opcode is reserved, or the program counter is beyond flash; nothing
   /// has been done.
   bool step();
 

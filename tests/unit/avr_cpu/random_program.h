@@ -1,4 +1,4 @@
-// Random instructions on the processor and on the manual's model, from the same random state.
+// Runs random instructions on the processor and on the manual's model, from the same random state.
 #pragma once
 
 #include <cstdint>

@@ -105,7 +105,7 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
-// The same behind a vector: sei; rjmp .-4; nop; nop; jmp 6.
+// The same loop after a vector: sei; rjmp .-4; nop; nop; jmp 6.
 const std::vector<std::uint16_t> kVectorProgram = [] {
   std::vector<std::uint16_t> words{0x9478, 0xCFFE, 0, 0, 0x940C, 6};
   words.insert(words.end(), std::begin(kTimeProgram) + kTimeHandler, std::end(kTimeProgram));

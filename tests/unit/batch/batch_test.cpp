@@ -1,4 +1,4 @@
-// A batch against single robots: the same commands give the same run, to the last bit.
+// Tests a batch against single robots: the same commands give the same run, to the last bit.
 #include "sim/batch/robots.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Chance {
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// An uno5 with figures by chance.
+// An uno5 with random parameters.
 robot::Description some_uno5(Chance& chance) {
   robot::Description robot = robot::load_description("uno5");
   const auto vary = [&](Number& number) { number = number.scaled(chance.within(0.7, 1.4)); };

@@ -1,5 +1,5 @@
-// AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler reads
-// them.
+// Tests AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler
+// reads them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

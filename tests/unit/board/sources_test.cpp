@@ -1,5 +1,5 @@
-// Boards and chips against what others say of them: Arduino's boards.txt; and our own files that have to
-// repeat some of it.
+// Tests boards and chips against Arduino's boards.txt, and against Robosim's files that must repeat some of
+// it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A folder of its own for each test, and a cache that all share: the core is compiled once.
+// Creates a folder for each test, and a cache that all tests share, so that the core is compiled once.
 #pragma once
 
 #include <gtest/gtest.h>

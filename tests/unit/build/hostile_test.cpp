@@ -1,5 +1,5 @@
-// Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
-// author's choice, who need not be the user.
+// Tests folders that try to make compilers do more than compile. The sketch's author, who need not be the
+// user, chooses names and contents of files.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>

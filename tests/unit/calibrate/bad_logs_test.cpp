@@ -1,4 +1,4 @@
-// Logs and stopwatch files that cannot be right: one sentence each, with the file and mostly the line.
+// Tests invalid logs and stopwatch files: one message each, with the file and mostly the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

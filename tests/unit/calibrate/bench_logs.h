@@ -1,4 +1,4 @@
-// Logs of a robot that is not there, for tests: what its sketch would print.
+// Makes logs of a robot for tests: the output that its sketch would print.
 #pragma once
 
 #include <fmt/format.h>

@@ -26,7 +26,7 @@ class Asks final : public MoveWatcher {
   void moved(const CellPose&, Sense, Move, double) override {}
 };
 
-/// A sequence of numbers by chance.
+/// A sequence of random numbers.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : stream_(seed, 0, "dice", "quick") {}

@@ -1,4 +1,4 @@
-// A sketch given as text, run by a host executor tick by tick, with all that it does written down.
+// Runs a sketch, given as text, tick by tick on a host executor, and records its actions.
 #pragma once
 
 #include <gmock/gmock.h>

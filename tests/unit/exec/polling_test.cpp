@@ -1,5 +1,5 @@
-// Firmware that only waits is left asleep: what it does afterwards, and what is known of it, is what it would
-// be.
+// Tests that skipping firmware that only waits is not observable: its later actions and all reports are the
+// same.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"

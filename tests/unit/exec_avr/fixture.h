@@ -106,7 +106,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   std::vector<PinEvent> pins_;
 };
 
-/// A source of a constant voltage; high from 2.5 V. Counts how often it is asked.
+/// A source of a constant voltage; high from 2.5 V. Counts its queries.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}

@@ -1,4 +1,4 @@
-// Which silent sketches hang, and which wait for an interrupt that may come.
+// Tests which silent sketches hang, and which wait for an interrupt that may come.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

@@ -1,4 +1,4 @@
-// The chip's peripherals without its processor: registers are read and written, and time passes.
+// Drives the chip's peripherals without its processor: reads and writes registers, and advances time.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can bring it down.
+// Tests sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can crash it.
 
 #include <utility>
 
@@ -80,7 +80,7 @@ TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
   EXPECT_GT(quiet.size(), 3u);
 }
 
-// Handlers of three exceptions that say when they run, and `busy()`, some time in which they can.
+// Handlers of three exceptions that report their runs, and `busy()`, a time in which they can run.
 const char* const kHandlers =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
     "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"

@@ -1,4 +1,4 @@
-// Which line of the sketch has driven a pin.
+// Tests which line of the sketch has driven a pin.
 #include <algorithm>
 #include <map>
 #include <set>

@@ -1,5 +1,5 @@
-// Instructions, one after the other, as we execute them and as libunicorn does: the same registers, flags,
-// RAM and time. An IT, and as many instructions as it is about, are one step, whose time is not
+// Compares the emulator with libunicorn, instruction by instruction: registers, flags, RAM and time. An IT
+// and its instructions are one step, whose time is not
 // compared.
 
 #include <gtest/gtest.h>
@@ -142,7 +142,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       for (std::uint32_t at = pc; at <= ours.cpu.pc() + 2; at += 2) text << " " << firmware.half(at);
       const std::string where = text.str();
       ASSERT_EQ(ours.cpu.fault().has_value(), referee.cpu.fault().has_value()) << where;
-      // libunicorn runs on a little behind what goes wrong in a block.
+      // libunicorn continues a little after a fault within a block.
       went_wrong_in_block = ours.cpu.fault() && is_block;
       if (went_wrong_in_block) break;
       for (int number = 0; number < Cpu::kPc; ++number)

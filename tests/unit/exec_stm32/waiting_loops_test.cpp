@@ -41,7 +41,7 @@ class Program {
     load_value(0, value);
     store(address, 0);
   }
-  /// To `to`, a little before or behind; condition 14: always.
+  /// Branches to `to`, a little before or after; condition 14: always.
   void branch(unsigned condition, std::uint32_t to) {
     const auto offset = (to - here() - 4) / 2;
     half(condition == 14 ? 0xE000 | (offset & 0x7FF) : 0xD000 | condition << 8 | (offset & 0xFF));

@@ -1,4 +1,4 @@
-// LineWalker on a painted floor, and all that it says there.
+// Runs LineWalker on a painted floor, and records its reports.
 #pragma once
 
 #include <cmath>

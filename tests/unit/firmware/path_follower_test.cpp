@@ -15,8 +15,8 @@ struct Seen {
   bool near, middle, far;
 };
 constexpr Seen kLine{false, true, false};
-constexpr Seen kOffTheEdge{false, false, false};  // just beside the edge, or no line at all
-constexpr Seen kFarOnly{false, false, true};      // beside the line, which the far sensor sees
+constexpr Seen kOffTheEdge{false, false, false};  // just next to the edge, or no line at all
+constexpr Seen kFarOnly{false, false, true};      // next to the line, which the far sensor sees
 constexpr Seen kBranch{true, true, false};
 constexpr Seen kTee{true, true, true};
 

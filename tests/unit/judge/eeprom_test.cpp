@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A sketch that does what the test says, at the line that it says.
+/// A sketch that performs the test's actions, at the test's lines.
 class Told final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }

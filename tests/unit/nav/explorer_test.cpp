@@ -119,7 +119,7 @@ TEST(Explorer, LearnsRandomTreesWithoutOdometry) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomTree(dice, 2 + dice.below(199), dice.oneIn(2));
-    for (Floor::Line& line : floor.lines) line.cost = 1;  // what the tree's storage says
+    for (Floor::Line& line : floor.lines) line.cost = 1;  // the cost in the tree's storage
     if (dice.oneIn(3)) blockSome(dice, floor, 20);
     Tree tree;
     expectScan<BlindWalker>(floor, randomStand(dice, floor), tree);
@@ -242,7 +242,7 @@ TEST(Explorer, DoesNotGoBackToAnObstacleThatItMetBeforeItsFirstNode) {
   EXPECT_EQ(walker.follows, 6) << "to the obstacle, to the junction, and to each station and back";
 }
 
-/// Tells landmarks from a list, whatever it is told to do.
+/// Returns landmarks from a list, whatever its commands.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
   std::deque<Landmark> script;

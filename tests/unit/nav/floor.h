@@ -50,7 +50,7 @@ class Floor {
   std::vector<Line> lines;
 };
 
-/// Where a robot starts: on a node, facing somehow, or on the line behind an arm, having come out of it.
+/// The start of a robot: on a node with some heading, or on the line after an arm by which it came out.
 struct Stand {
   Arm arm;
   bool on_line = false;

@@ -135,7 +135,7 @@ TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
   constexpr std::int64_t kEvery_ns = 1'000'000;
   for (int i = 1; i <= kChanges; ++i) {
     record.add(wire::VoltsSeen{i * kEvery_ns, "A0", i % 7 + 0.1});
-    record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));  // told 0.9 s late
+    record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));  // reported 0.9 s late
     record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));
   }
   const std::string vcd = text_of(record), volts = " " + id_of(vcd, "A0_volts") + "\n",

@@ -1,4 +1,4 @@
-// A robot on a straight line, with a board that tests play: the bench on which parts are tried.
+// A robot on a straight line, with a board that tests play: a bench for testing parts.
 #pragma once
 
 #include <string>
@@ -81,7 +81,7 @@ inline std::string reflectance_sensor(const std::string& keys) {
          keys;
 }
 
-/// Its axle's centre so far beside the middle of the line, which it is along.
+/// Places the robot along the line, with its axle's centre at this distance from the line's middle.
 inline void place_beside_line(BenchRobot& bench, double metres) {
   bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
 }

@@ -1,4 +1,4 @@
-// Sensors that look along the floor.
+// Tests sensors that look along the floor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

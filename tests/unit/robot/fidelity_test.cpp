@@ -1,4 +1,4 @@
-// Compares our models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
+// Compares the models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
 // ledger -->` and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*'
 // regenerates it.
 #include <fmt/format.h>
@@ -309,7 +309,7 @@ struct Figure {
   const char* unit;
   double scale;
   Range measured;
-  const char* source;  ///< "" if nobody's figure was found
+  const char* source;  ///< "" if no published value was found
   std::function<double(Profile, std::uint64_t)> ours;
   const char* why_not;  ///< why ours is not within the measured range; "" if it is
 };

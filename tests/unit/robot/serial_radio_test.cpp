@@ -1,4 +1,4 @@
-// Radios of several robots on one floor.
+// Tests radios of several robots on one floor.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"

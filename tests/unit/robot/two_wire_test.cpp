@@ -1,4 +1,4 @@
-// Parts on the two-wire bus, as firmware speaks to them.
+// Tests parts on the two-wire bus by firmware's transfers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

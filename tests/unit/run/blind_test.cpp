@@ -1,4 +1,4 @@
-// Blind time (sim/judge/blind.h), on robots that are driven by hand.
+// Tests blind time (sim/judge/blind.h), on robots that the test drives.
 
 #include <gmock/gmock.h>
 

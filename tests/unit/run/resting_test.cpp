@@ -1,5 +1,5 @@
-// A run is the same, whether the ticks of robots at rest, and of firmware that sleeps, are left out or not:
-// firmware, scripts, goals and neighbours by chance.
+// Tests that skipping ticks of resting robots and sleeping firmware does not change a run, with random
+// firmware, scripts, goals and neighbours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@ using testing::SizeIs;
 
 constexpr Pin kSensors[] = {14, 15, 16, 17, 18};  // from the left
 
-/// Drives as `step` has it, which is asked once a millisecond.
+/// Drives by `step`, which is called once per millisecond.
 class Driven : public exec::Executor {
  public:
   using Step = std::function<void(Driven&, SimTime)>;

@@ -1,4 +1,4 @@
-// When a runner ends a run, from what the system says of its process and what the process says of itself.
+// Tests when a runner ends a run, by the system's and the process's reports about the process.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>

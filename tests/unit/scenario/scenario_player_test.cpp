@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Keeps what a run tells.
+/// Records a run's events.
 struct Witness final : run::Listener {
   void began(const run::Beginning& beginning) override { readings = beginning.readings; }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }

@@ -1,5 +1,5 @@
-// Both ends of the protocol against each other, without a process between them: whatever one end can say, the
-// other reads as it was meant.
+// Tests both ends of the protocol against each other, without a process between them: each end reads all that
+// the other can write.
 #include <gtest/gtest.h>
 
 #include <array>

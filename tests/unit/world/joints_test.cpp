@@ -1,4 +1,4 @@
-// Gaps between boards against the closed forms on top of joints.h: how deep a wheel sinks, and what it loses.
+// Tests gaps between boards against the closed forms in joints.h: the depth of a wheel, and its loss.
 #include "sim/world/joints.h"
 
 #include <gtest/gtest.h>

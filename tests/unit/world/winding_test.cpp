@@ -1,5 +1,5 @@
-// Motors with inductance behind a driver, against closed forms within 2 %, and against pulses followed step
-// by step.
+// Tests motors with inductance at a driver, against closed forms within 2 %, and against pulses that are
+// simulated step by step.
 #include "sim/world/winding.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The wrapper `robosim` in a checkout of its own, where the tools it calls are scripts that write down how.
+// Tests the wrapper `robosim` in a separate checkout, where scripts replace its tools and record the calls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// As much of Arduino as the library uses, with a clock and pins that tests set and look at.
+// The part of Arduino that the library uses, with a clock and pins that tests set and read.
 #pragma once
 
 #include <cstdint>
