@@ -1,4 +1,4 @@
-// The rules of CONTRIBUTING for English, each as a function that returns what breaks it.
+// The rules for English, names and commits, each as a function that returns the findings in a text.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ std::vector<std::string> odd_messages(const Passage& passage);
 /// at are not reported.
 std::vector<std::string> long_lines(const std::string& file, std::string_view markdown);
 
-/// Returns a message if the name of a C++ file is one that CONTRIBUTING rules out: a bare preposition or
+/// Returns a message if the name of a C++ file does not describe its content: a bare preposition or
 /// adjective, or a metaphor. `path` is relative to the checkout.
 std::vector<std::string> odd_name(const std::string& path);
 

@@ -146,18 +146,19 @@ TEST(Passages, OfDocumentsAreParagraphsItemsAndCells) {
 }
 
 TEST(Passages, OfSourcesAreCommentsRowsRemarksAndLiterals) {
-  EXPECT_THAT(texts(passages_of_source("a.cpp",
-                                       "// One\n// paragraph.\n//\n//   a row   of a table\n"
-                                       "int i = 1'000;  // a remark\n"
-                                       "                // goes on\n"
-                                       "f(\"three \\\"words\\\" \"\n  \"here\", 'x', \"two words\");\n"
-                                       "}  // namespace a\n"
-                                       "int j;  // NOLINT\n"
-                                       "auto r = R\"(// no comment \" here)\";\n"
-                                       "/// Last.\n",
-                                       true)),
+  EXPECT_THAT(texts(passages_of_source(
+                  "a.cpp",
+                  "// One\n// paragraph.\n//\n//   a row   of a table\n"
+                  "int i = 1'000;  // a remark\n"
+                  "                // goes on\n"
+                  "f(\"three \\\"words\\\" \"\n  \"here\\nand three more\", 'x', \"two words\");\n"
+                  "}  // namespace a\n"
+                  "int j;  // NOLINT\n"
+                  "auto r = R\"(// no comment \" here)\";\n"
+                  "/// Last.\n",
+                  true)),
               ElementsAre("2 1 One\nparagraph.", "3 4 a row   of a table", "4 5 a remark", "4 6 goes on",
-                          "5 7 three \"words\" here", "2 12 Last."));
+                          "5 7 three \"words\" here", "5 7 and three more", "2 12 Last."));
   EXPECT_THAT(passages_of_source("a.cpp", "f(\"three plain words\");\n", false), IsEmpty());
 }
 

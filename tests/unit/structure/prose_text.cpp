@@ -216,7 +216,7 @@ class SourceReader {
     for (++at_; at_ < source_.size() && source_[at_] != '"'; ++at_) {
       if (source_[at_] == '\\' && at_ + 1 < source_.size()) {
         const char escaped = source_[++at_];
-        literal_ += escaped == 'n' || escaped == 't' ? ' ' : escaped;
+        literal_ += escaped == 'n' ? '\n' : escaped == 't' ? ' ' : escaped;
       } else {
         literal_ += source_[at_];
       }
@@ -225,8 +225,9 @@ class SourceReader {
   }
   void end_literal() {
     const std::string text = std::exchange(literal_, "");
-    if (!with_messages_ || count_words(text) < kLeastWords || text.find(' ') == text.npos) return;
-    collector_.single(Passage::Kind::message, literal_line_, text);
+    if (!with_messages_) return;
+    for (const std::string_view line : lines_of(text))
+      if (count_words(line) >= kLeastWords) collector_.single(Passage::Kind::message, literal_line_, line);
   }
   void skip_to(std::size_t end, std::size_t size) {
     end = end == source_.npos ? source_.size() : end + size;

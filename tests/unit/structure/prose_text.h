@@ -16,7 +16,7 @@ struct Passage {
     comment,   ///< a paragraph of a comment on lines of its own
     row,       ///< an indented line of a comment: a table, formula, list or picture
     remark,    ///< a comment after code on the same line
-    message    ///< a string literal of three words or more
+    message    ///< a line of a string literal, of three words or more
   };
 
   std::string file;
