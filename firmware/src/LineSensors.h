@@ -18,7 +18,7 @@
 //
 //   value = 1000 * (raw - floor) / (line - floor),   limited to 0 .. 1000
 //
-// Set the range by setRange(), or let calibrate() find it while you move the robot across the line for a
+// Set the range by setRange(). Or let calibrate() find it while you move the robot across the line for a
 // second or two.
 //
 // Position. The mean place of the line, weighted by each sensor's value:

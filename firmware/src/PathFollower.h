@@ -11,15 +11,15 @@
 // branch. It needs no memory at all. With the right hand everything is mirrored.
 //
 // Following the edge. The hand is the middle sensor, and it feels the line's edge on the preferred side.
-// Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag,
-// and the longer the reading stays the same, the harder it steers. Why the edge and not the middle? There the
+// Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag.
+// The longer the reading stays the same, the harder it steers. Why the edge and not the middle? There the
 // sensor on the preferred side is as far from the line as possible. When it gets dark, that is a branch and
 // nothing else.
 //
 // Turning. The sensors are ahead of the axle. The robot first sees a branch and must then roll on until its
 // axle is over it. Without encoders it does not know how far it has rolled. But the branch that it has just
 // crossed is a ruler, as wide as the line. If the sensor was dark for 70 ms, then 70 ms is one line's width
-// ("width") at the present speed, with a full or an empty battery. Then the robot turns on the spot until the
+// ("width"). That holds with a full or an empty battery. Then the robot turns on the spot until the
 // middle sensor finds the line.
 //
 // Mounting. The middle sensor is some centimetres ahead of the axle. The other two are to its sides, a little

@@ -4,7 +4,7 @@
 // into it are skipped, except the last; the result is the same as running them.
 //
 // At a deadline a look begins: from then on each basic block calls look_at_block(). The look ends when rounds
-// have been skipped, when it takes too long, or at a call that does more than those marked by
+// have been skipped or when it takes too long. It also ends at a call that does more than those marked by
 // note_question(). Looks without success become ever rarer.
 #pragma once
 

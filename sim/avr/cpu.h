@@ -76,7 +76,7 @@ class Cpu {
   // --- interrupts
   /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
   void enter(int vector);
-  /// After enter(): runs the whole handler at once, if it is the core's of timer 0 and nothing happens before
+  /// After enter(): runs the whole handler at once, if it is the core's of timer 0. Nothing may happen before
   /// `until` that must precede its end (time_count.h).
   void count_time(Cycle until);
   /// Returns where the processor continues then, in words.

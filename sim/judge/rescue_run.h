@@ -25,7 +25,7 @@
 // higher than the 3 mm that tiles may differ by. If a higher one rises or falls by 10 mm on a tile, that is a
 // ramp.
 //
-// A lack of progress occurs when the robot is neither on its last tile nor on a neighbour of it on the path.
+// A lack of progress occurs when the robot is neither on its last tile nor on its neighbours on the path.
 // It also occurs when the robot would be lost or stuck (verdicts.md), or when a script picks it up. Around an
 // obstacle it may be anywhere within 1.5 tiles. The captain then puts it on the last checkpoint, or the
 // start. After the third lack in a row it goes to the next checkpoint; the tiles in between do not count.

@@ -19,14 +19,14 @@
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
 // Beyond 45 degrees the body has toppled. So, at rest, it tips where tan(slope) > d / h.
 //
-// With the caster behind, a step or the foot of a slope pushes at a wheel's hub and not at its tread, if it
-// is steeper than the chassis. The speed lost there, by the impact and to the wheel's own slope, acts with
-// the arm h - r, at least 0, instead of h. So a robot does not trip over a step if its mass is no higher than
+// With the caster behind, a step or the foot of a slope may be steeper than the chassis. Then it pushes at a
+// wheel's hub and not at its tread. The speed lost there, by impact and slope, acts with the arm h - r, at
+// least 0, instead of h. So a robot does not trip over a step if its mass is no higher than
 // its hubs.
 //
 // A wheel that goes from the slope k_0 to a steeper one, k_1, keeps its speed times the cosine of the angle
 // between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
-// falls by at most the gain of its fall, 2 g r (1 - 1 / sqrt(1 + k_0^2)).
+// falls by at most 2 g r (1 - 1 / sqrt(1 + k_0^2)), the gain of its fall.
 //
 // Gaps between boards take the energy of each wheel's and the caster's share at once (joints.h). They pull
 // the wheel down while it is in them.

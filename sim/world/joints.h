@@ -1,6 +1,6 @@
 // Gaps between boards: [[joint]] of a map.
 //
-// A wheel of radius r that rolls slowly over a gap of width g turns about its first edge, and then about the
+// A wheel of radius r rolls slowly over a gap of width g. It turns about its first edge, and then about the
 // second. In the middle it has sunk by
 //   h = r - sqrt(r^2 - (g/2)^2)                           for example 0.20 mm: r = 16 mm, g = 5 mm
 // Its slope changes at once from -tan(alpha) to tan(alpha), with sin(alpha) = g / 2r. It meets the second

@@ -94,8 +94,8 @@ uint8_t slotTowards(const Network& network, typename Network::Id node, typename 
   return best;
 }
 
-/// Returns whether ids are those of a depth-first walk. Then every node's parent is the node before it or an
-/// ancestor of that node, and every line connects a node and its parent.
+/// Returns whether ids are those of a depth-first walk. Then every line connects a node and its parent, which
+/// is the node before it or an ancestor of that.
 template <class Network>
 bool isPreorder(const Network& network) {
   typedef typename Network::Id Id;

@@ -161,7 +161,7 @@ void loop() {
 })",
      true, 1400},
     {"OwnCode", R"(
-// Code in flash that the program writes itself, part of it to zeros; and code in RAM.
+// Code in flash that it writes by itself, and a part of it to zeros. And code in RAM.
 static unsigned short* const code = (unsigned short*)0x0800F000;
 static unsigned short in_ram[4] = {0x3001, 0xEA80, 0x0040, 0x4770};  // adds; eor r0, r0, r0, lsl #1; bx lr
 typedef unsigned (*Function)(unsigned);

@@ -1,5 +1,5 @@
 // A painted floor and bodies that move on it. Robot is an ideal robot for LineWalker. Its motors reach the
-// commanded speed immediately, its encoders never miss a count, and its sensors return the share of line
+// commanded speed immediately, and its encoders never miss a count. Its sensors return the share of line
 // under them. x is ahead of the start, y to the right (mm); angles are clockwise.
 #pragma once
 

@@ -48,8 +48,8 @@ class Sweep {
                               "bench.toml"),
             profile, seed, "+++\nline = \"15 mm\"\n+++\n") {}
 
-  /// Returns its reading `beside` m next to the line's middle, without noise: 1 is no light, 0 is the light
-  /// from white at the best height.
+  /// Returns its reading `beside` m next to the line's middle, without noise: 1 = dark, 0 = the light from
+  /// white at the best height.
   double blackness(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;

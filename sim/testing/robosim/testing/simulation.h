@@ -43,8 +43,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once, unless the test
-  // waits for exactly that by ends().
+  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once. A test that waits
+  // for exactly that by ends() does not fail.
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
