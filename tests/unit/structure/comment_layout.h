@@ -19,8 +19,8 @@ std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 ///           at the column of its last cell
 ///
 /// Tools that wrap a row as if it were prose put its rest at the label's column, or before the next label. So
-/// do people, once a row has grown. A line is reported if it follows a full row, which has no space left for
-/// its first word, starts at the row's label, and
+/// do people, once a row has grown. A line is reported if it follows a row without space for its first word,
+/// starts at the row's label, and
 ///
 ///   - the row has an open bracket, or ends with an operator or a comma;
 ///   - or it is a short piece of text, at the table's end or before a line at the column of the last cell;
