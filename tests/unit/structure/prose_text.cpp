@@ -249,19 +249,22 @@ class SourceReader {
   int literal_line_ = 0;
 };
 
-/// Replaces quotes, arrows and other symbols beyond ASCII by spaces. Letters with accents stay.
+/// Replaces quotes, arrows and other symbols beyond ASCII by spaces, and a middle dot, which separates items,
+/// by a semicolon. Letters with accents stay.
 std::string without_symbols(std::string_view utf8) {
   std::string text(utf8);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const std::size_t size = byte == 0xC2 ? 2 : byte == 0xE2 ? 3 : 0;  // U+0080 to 00BF, U+2000 to 2FFF
+    const bool is_middle_dot = utf8.substr(i, 2) == "\xC2\xB7";
     for (std::size_t k = i; k < std::min(i + size, text.size()); ++k) text[k] = ' ';
+    if (is_middle_dot) text[i] = ';';
   }
   return text;
 }
 
-/// Returns whether the full stop at `at` belongs to an abbreviation, the word `last` before it. A single letter is
-/// one if a lower-case letter follows.
+/// Returns whether the full stop at `at` belongs to an abbreviation, the word `last` before it. A single
+/// letter is one if a lower-case letter follows.
 bool is_abbreviation(std::string_view text, const Token* last, std::size_t at) {
   static constexpr std::array<std::string_view, 11> kAll = {"e.g", "i.e", "etc", "vs",  "cf",    "no",
                                                             "rev", "sec", "al",  "fig", "approx"};
