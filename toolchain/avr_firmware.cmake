@@ -10,7 +10,7 @@ set(ROBOSIM_AVR_uno ARDUINO_AVR_UNO standard 32256)
 set(ROBOSIM_AVR_nano ARDUINO_AVR_NANO eightanaloginputs 30720)
 set(ROBOSIM_AVR_RAM 2048)
 
-# What everything for a board is compiled and linked with: the target arduino-BOARD-flags; and its core.
+# Creates the target arduino-BOARD-flags, with the compile and link options of a board, and the board's core.
 function(robosim_board board)
   if(TARGET arduino-${board})
     return()

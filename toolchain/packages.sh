@@ -76,7 +76,7 @@ if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2
   no_packages
 fi
-# Of a package that this release does not have, apt only reports that it cannot locate it.
+# apt only reports that it cannot locate a package that this release does not have.
 available=" $(apt-cache policy "${missing[@]}" | sed -n '/^[^ ]/{s/:$//;h;d}; /Candidate: [^(]/{g;p}' | tr '\n' ' ')"
 for package in "${missing[@]}"; do
   [[ $available == *" $package "* ]] || absent+=("$package")

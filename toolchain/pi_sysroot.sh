@@ -30,7 +30,7 @@ for package in "$folder"/apt/archives/*.deb; do
 done
 rm -r "$folder/apt"
 
-# What points to an absolute path would leave the folder.
+# Links to an absolute path would leave the folder.
 find "$folder" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do
   ln -sfnr "$folder$(readlink "$link")" "$link"
 done

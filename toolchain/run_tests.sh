@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the tests of a preset that is built: a line of progress, then each failure with its output and the command that
-# repeats it, what was skipped and why, and the sum. All that the tests wrote stays in build/PRESET/tests.log.
+# Runs the tests of a built preset: a line of progress, then each failure with its output and the command to repeat it.
+# Then the skipped tests and the reasons, and the sum. The complete output stays in build/PRESET/tests.log.
 # `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`: with -V, -N and others about ctest's own output, it is ctest's own.
 # Status: ctest's; 130 after Ctrl-C.
 set -uo pipefail
@@ -48,7 +48,7 @@ show_progress() {
 }
 
 summary='
-  # What test N writes comes as "N: TEXT"; some of it says the same of every test.
+  # Output of test N comes as "N: TEXT"; some lines are equal for every test.
   match($0, /^[0-9]+: /) {
     number = substr($0, 1, RLENGTH - 2)
     text = substr($0, RLENGTH + 1)

@@ -21,7 +21,7 @@ foreach(name ${ROBOSIM_STM32_PORTABLE})
   file(CREATE_LINK ${ARDUINO_AVR}/cores/arduino/${name} ${ROBOSIM_STM32_STAGE}/${name} SYMBOLIC)
 endforeach()
 
-# What everything for a board is compiled and linked with: the target arduino-BOARD-flags; and its core.
+# Creates the target arduino-BOARD-flags, with the compile and link options of a board, and the board's core.
 function(robosim_board board)
   if(TARGET arduino-${board})
     return()

@@ -18,7 +18,7 @@
 //
 //   value = 1000 * (raw - floor) / (line - floor),   limited to 0 .. 1000
 //
-// Set the range by setRange(), or let calibrate() find it while you move the robot across the line for a
+// Set the range by setRange(). Or let calibrate() find it while you move the robot across the line for a
 // second or two.
 //
 // Position. The mean place of the line, weighted by each sensor's value:
@@ -28,9 +28,9 @@
 // in thousandths of the distance between two sensors. 0 is the middle of the array, negative left, positive
 // right. Five sensors return -2000 to 2000.
 //
-// If no sensor sees the line, position() is the end of the array where the line was last, so that a robot
-// that has run off turns back. But if the line was then more than one sensor away from either end, it cannot
-// have left there. Then this is a gap in the line, and position() is 0, so that the robot crosses it without
+// If no sensor sees the line, position() is the end of the array where the line was last. So a robot that has
+// run off turns back. But if the line was more than one sensor away from both ends, it cannot have left
+// there: this is a gap in the line. Then position() is 0, so that the robot crosses the gap without
 // swerving.
 //
 // The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno ends at
@@ -64,7 +64,7 @@ class LineSensors {
   /// them on.
   void setEmitterPin(uint8_t pin) { emitter_ = pin; }
 
-  /// Sets the readings of all sensors on the bare floor and on the line. `line` may be the smaller one, for a
+  /// Sets the readings of all sensors on the bare floor and on the line. `line` may be the smaller one: for a
   /// white line on a black floor, or for sensors that return less voltage over black.
   void setRange(uint16_t floor, uint16_t line);
   /// Sets the range of one sensor.

@@ -30,7 +30,7 @@
 //
 // Where it is. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is
 // stored as quarter turns and the remaining angle. Lines run along quarters, so a remaining angle of less
-// than 0.15 rad decays with ds / 150 mm, and differences between the wheels do not accumulate. A junction is
+// than 0.15 rad decays with ds / 150 mm. So differences between the wheels do not accumulate. A junction is
 // on the line by which the robot leaves it.
 //
 // follow(), leave() and begin() return when they are done.
@@ -139,13 +139,13 @@ class LineWalkerOf {
   float turned_ = 0;               ///< rad, clockwise, since it began to turn
   bool fade_ = false;              ///< the angle off fades away: it follows a line
   float mark_x_ = 0, mark_y_ = 0;  ///< the last landmark
-  // What its wheels do.
+  // Motion of its wheels.
   float speed_ = 0;                           ///< that it has accelerated to
   float behind_left_ = 0, behind_right_ = 0;  ///< mm
   bool blocked_ = false;
   bool from_line_ = false;  ///< began in the middle of a line, and has met nothing yet
   nav::Heading start_heading_ = 0;
-  // What it stood on last, and how far along the way; from near there it backs up onto it.
+  // Kind and position of its last landmark; from nearby it backs up onto it.
   Passed passed_ = Passed::nothing;
   float passed_at_ = 0;
   nav::Heading passed_heading_ = 0;  ///< in which it came to the corner

@@ -14,7 +14,7 @@ static constexpr float kSearch = 0.6f;        // rad to either side of where a l
 static constexpr float kArmNear = 0.35f;      // rad from a quarter, while looking round
 static constexpr float kTurnedEarly = 0.05f;  // rad that it turns on when it brakes
 static constexpr float kCreepFrom = 3;        // mm before the end of a roll
-static constexpr float kEndMm = 12;           // so long without a line, and it may have ended
+static constexpr float kEndMm = 12;           // distance without a line after which it may have ended
 static constexpr float kSideMm = 150;         // so far it looks for a line lost to a side
 static constexpr float kBackUpMm = 35;
 static constexpr float kNearMm = 40;  // beyond sensors_ahead: turned there, it would not see the line
@@ -22,7 +22,7 @@ static constexpr float kLoopNear = 100, kLoopLeast = 500;  // mm
 static constexpr int16_t kTurnLead = 300;  // 0.001 sensor distances before the middle a turn brakes
 // Sum of all sensors; a line alone gives 2100, at 38 degrees 2700.
 static constexpr uint16_t kLineAndArm = 2700;
-static constexpr uint16_t kClearMs = 500;  // the bumper free for so long, and it goes on
+static constexpr uint16_t kClearMs = 500;  // time with a free bumper before it continues
 static constexpr uint8_t kStillSteps = 4;
 
 // Where along the way a sensor was dark.

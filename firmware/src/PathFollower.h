@@ -7,23 +7,23 @@
 //          [L M R]        - else the line goes on? follow it;
 //            ^            - else turn right until there is a line: that of a bend, or the one it came on.
 //
-// On lines without closed loops this visits every station and returns to where it began, however the lines
-// branch, and needs no memory at all. With the right hand everything is mirrored.
+// On lines without closed loops this visits every station and returns to the start, however the lines
+// branch. It needs no memory at all. With the right hand everything is mirrored.
 //
 // Following the edge. The hand is the middle sensor, and it feels the line's edge on the preferred side.
-// Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag,
-// and the longer the reading stays the same, the harder it steers. Why the edge and not the middle? There the
+// Dark: steer away from the line; white: steer back to it. So the robot runs along the edge in a fine zigzag.
+// The longer the reading stays the same, the harder it steers. Why the edge and not the middle? There the
 // sensor on the preferred side is as far from the line as possible. When it gets dark, that is a branch and
 // nothing else.
 //
 // Turning. The sensors are ahead of the axle. The robot first sees a branch and must then roll on until its
 // axle is over it. Without encoders it does not know how far it has rolled. But the branch that it has just
 // crossed is a ruler, as wide as the line. If the sensor was dark for 70 ms, then 70 ms is one line's width
-// ("width") at the present speed, with a full or an empty battery. Then the robot turns on the spot until the
+// ("width"). That holds with a full or an empty battery. Then the robot turns on the spot until the
 // middle sensor finds the line.
 //
-// Mounting. The middle sensor is some centimetres ahead of the axle, the other two a little further to its
-// sides than the line is wide: 22 mm for a line of 20 mm.
+// Mounting. The middle sensor is some centimetres ahead of the axle. The other two are to its sides, a little
+// further than the line is wide: 22 mm for a line of 20 mm.
 //
 // This class does not access pins: pass the sensors' values, and use the two speeds. It never waits; call
 // update() every 1 to 5 ms.

@@ -39,7 +39,7 @@
 
 class HardwareSerial : public Stream {
  public:
-  /// `connected`: to the computer. The others, Serial1 and so on, have nothing at their other end.
+  /// Creates a port; `connected` means to the computer. Serial1 and further ports are not connected.
   explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);
@@ -77,7 +77,7 @@ extern HardwareSerial Serial3;
 #define HAVE_HWSERIAL3
 #endif
 
-/// Is called after each loop() in which bytes have arrived, if the sketch defines it.
+/// Handles received bytes, if the sketch defines it. It is called after each loop() in which bytes arrived.
 extern void serialEvent() __attribute__((weak));
 extern void serialEventRun() __attribute__((weak));
 

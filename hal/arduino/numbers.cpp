@@ -1,11 +1,11 @@
-// Numbers to text: avr-libc's itoa, ltoa, utoa and ultoa, dtostrf, dtostre.
+// Converts numbers to text: avr-libc's itoa, ltoa, utoa and ultoa, dtostrf, dtostre.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 extern "C" {
 
-/// glibc: formats one double exactly; `format` is like "%.3f".
+/// Formats one double exactly (glibc); `format` is like "%.3f".
 int strfromd(char* text, size_t size, const char* format, double value);
 
 char* ultoa(unsigned long value, char* text, int radix) {
@@ -25,7 +25,7 @@ char* ultoa(unsigned long value, char* text, int radix) {
 
 char* utoa(unsigned int value, char* text, int radix) { return ultoa(value, text, radix); }
 
-// Only base 10 has a sign; in every other the bits are shown, of the type's width.
+// Base 10 has a sign. Every other base prints the bits of the type's width.
 char* ltoa(long value, char* text, int radix) {
   const bool negative = radix == 10 && value < 0;
   if (negative) text[0] = '-';
@@ -57,7 +57,7 @@ char* dtostrf(double value, signed char width, unsigned char decimals, char* tex
 
 char* dtostre(double value, char* text, unsigned char decimals, unsigned char flags) {
   char format[8] = "%.";
-  // avr-libc gives at most 7 decimals here.
+  // avr-libc prints at most 7 decimals here.
   strcat(ultoa(decimals < 7 ? decimals : 7, format + 2, 10), flags & DTOSTR_UPPERCASE ? "E" : "e");
   char* number = text;
   if (!signbit(value)) {

@@ -100,7 +100,7 @@ static const uint8_t SCL = PIN_WIRE_SCL;
    : (p) == 11 ? TIMER2A     \
                : NOT_ON_TIMER)
 
-// A port's PIN, DDR and PORT registers lie one after the other: PINB is 0x23, PINC 0x26, PIND 0x29.
+// A port's PIN, DDR and PORT registers are adjacent: PINB is 0x23, PINC 0x26, PIND 0x29.
 #define portInputRegister(port) (&_SFR_MEM8(0x23 + 3 * ((port)-2)))
 #define portModeRegister(port) (&_SFR_MEM8(0x24 + 3 * ((port)-2)))
 #define portOutputRegister(port) (&_SFR_MEM8(0x25 + 3 * ((port)-2)))

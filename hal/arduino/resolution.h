@@ -1,5 +1,5 @@
-// The resolutions that analogReadResolution and analogWriteResolution (bluepill.h) have set, for cores with
-// them.
+// The resolutions set by analogReadResolution and analogWriteResolution (bluepill.h), for cores that have
+// these functions.
 #pragma once
 
 namespace robosim_hal {

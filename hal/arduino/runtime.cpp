@@ -1,4 +1,4 @@
-// What compiled C++ expects of a runtime, as bare-metal AVR has it: static objects are never destroyed.
+// Runtime functions that compiled C++ requires. As on a bare-metal AVR, static objects are never destroyed.
 #include <stddef.h>
 
 extern "C" {
@@ -6,14 +6,14 @@ extern "C" {
 void* __dso_handle = nullptr;
 
 int __cxa_atexit(void (*)(void*), void*, void*) { return 0; }
-#ifdef __ARM_EABI__  // 32-bit ARM asks by this name
+#ifdef __ARM_EABI__  // the name on 32-bit ARM
 int __aeabi_atexit(void*, void (*)(void*), void*) { return 0; }
 #endif
 
 int errno = 0;
 
-// Sketches that print their free memory name these bounds of the chip's heap. They have no meaning here, and
-// so has the figure: memory is the chip's business.
+// Bounds of the chip's heap, for sketches that print their free memory. They have no meaning on the host, so
+// the printed value is meaningless, too.
 char __heap_start = 0;
 char* __brkval = nullptr;
 char* __malloc_heap_start = nullptr;

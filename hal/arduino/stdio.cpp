@@ -1,12 +1,12 @@
-// Formatting as avr-libc's default vfprintf does it: integers, characters and strings; a floating-point
-// conversion prints "?". The sketch has no stdout, so that printf and puts count and print nothing.
+// Formats like avr-libc's default vfprintf: integers, characters and strings; a floating-point conversion
+// prints "?". The sketch has no stdout, so printf and puts only count characters.
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 namespace {
 
-/// Collects text in a buffer that may be too small, or absent.
+/// Collects text in a buffer that may be too small or missing.
 class Output {
  public:
   Output(char* to, size_t size) : to_(to), size_(size) {}
@@ -36,7 +36,7 @@ struct Conversion {
   bool left = false, plus = false, space = false, alternate = false, zero = false;
   int width = 0;
   int precision = -1;
-  int longs = 0;  ///< how many `l`; negative: how many `h`
+  int longs = 0;  ///< number of `l`; negative: number of `h`
 };
 
 void put_text(Output& out, const Conversion& conversion, const char* text, size_t length) {

@@ -1,4 +1,4 @@
-// What avr-libc's <string.h> has and the machine's C library may lack.
+// Functions of avr-libc's <string.h> that the machine's C library may lack.
 #include <string.h>
 
 extern "C" {

@@ -14,7 +14,7 @@ constexpr PortSpec kPorts[] = {{'A', 0x20},  {'B', 0x23},  {'C', 0x26}, {'D', 0x
                                {'J', 0x103}, {'K', 0x106}, {'L', 0x109}};
 constexpr int8_t kA = 0, kB = 1, kC = 2, kD = 3, kE = 4, kF = 5, kG = 6, kH = 7, kJ = 8, kK = 9, kL = 10;
 
-// 1 and 13.3: the pins. Timers are told by their index.
+// 1 and 13.3: the pins. Timers are given by index.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PA0", kA, 0, -1, -1, 0, -1, -1, -1, -1}, {"PA1", kA, 1, -1, -1, 0, -1, -1, -1, -1},

@@ -10,7 +10,7 @@ namespace atmega328p {
 constexpr PortSpec kPorts[] = {{'B', 0x23}, {'C', 0x26}, {'D', 0x29}};
 constexpr int8_t kB = 0, kC = 1, kD = 2;
 
-// 5: the pins. Timers are told by their index.
+// 5: the pins. Timers are given by index.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PB0", kB, 0, -1, -1, 0, -1, 0, -1, 1},   {"PB1", kB, 1, -1, 1, 0, -1, 1, -1, -1},

@@ -12,7 +12,7 @@ namespace attiny85 {
 // 24: the register summary
 constexpr PortSpec kPorts[] = {{'B', 0x36}};
 
-// 1 and 10.2: the pins. PB5 is the reset, unless its fuse says otherwise. Timers are told by their index.
+// 1 and 10.2: the pins. PB5 is the reset input unless a fuse disables that. Timers are given by index.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PB0", 0, 0, -1, 0, 0, -1, 0, -1, -1}, {"PB1", 0, 1, -1, 0, 1, -1, 1, -1, -1},

@@ -59,8 +59,8 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns volts at an
-/// analog input as if the supply were nominal. If it has dropped to `supply_share()` of that, these volts
-/// suit a reference that drops along, and are too high for one that does not. `held` receives the volts on
+/// analog input as if the supply were nominal. If it has dropped to `supply_share()`, these volts suit a
+/// reference that drops along. They are too high for one that does not. `held` receives the volts on
 /// the converter's capacitor, at the same scale.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,

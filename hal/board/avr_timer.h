@@ -28,12 +28,12 @@ constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
 /// A timer's counting mode.
 struct Counting {
   enum class Kind : uint8_t { normal, clear_on_match, pwm };
-  enum class Top : uint8_t { fixed, compare_a, capture };  ///< where its TOP is kept
+  enum class Top : uint8_t { fixed, compare_a, capture };  ///< source of TOP
 
   Kind kind = Kind::normal;
   bool dual_slope = false;  ///< up and down: phase correct, phase and frequency correct
   Top top = Top::fixed;
-  uint16_t fixed_top = 0xFF;       ///< where `top` is fixed
+  uint16_t fixed_top = 0xFF;       ///< the value of TOP if `top` is `fixed`
   bool frequency_correct = false;  ///< of dual slope: OCRnx is taken over at BOTTOM, not at TOP
   bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, always where OCR is TOP
 };

@@ -46,7 +46,7 @@ class TwiMaster {
   uint8_t status() const { return status_; }
   Step step() const { return step_; }
 
-  /// TWINT has been cleared, with this TWCR: what begins.
+  /// Begins the step that TWCR = `control` selects when TWINT is cleared, and returns it.
   Step begin(uint8_t control) {
     before_ = status_;
     status_ = kNoTwiStatus;
@@ -54,10 +54,10 @@ class TwiMaster {
     if (control & kTwsta) return step_ = Step::start;
     return step_ = transfers() ? Step::byte : Step::none;
   }
-  /// How many bits it takes.
+  /// Returns the step's length in bits.
   int bits() const { return step_ == Step::byte ? 9 : 1; }
-  /// It is done; whether that sets TWINT. `bus` has two_wire_address(), _write(), _read() and _stop()
-  /// (FirmwarePort).
+  /// Completes the step, and returns whether that sets TWINT. `bus` has two_wire_address(), _write(), _read()
+  /// and _stop() (FirmwarePort).
   template <typename Bus, typename Time>
   bool end(Bus& bus, uint8_t& control, uint8_t& data, Time at) {
     const Step done = step_;
@@ -87,7 +87,7 @@ class TwiMaster {
   }
 
  private:
-  // TWSR.
+  // Values of TWSR.
   enum : uint8_t {
     kStarted = 0x08,
     kStartedAgain = 0x10,

@@ -1,4 +1,4 @@
-// The seam between firmware and robot: everything that either can see of a microcontroller, and do to it.
+// The interface between firmware and robot: a microcontroller's pins, buses and memory, seen from both sides.
 //
 //   firmware ──► executor ──► FirmwarePort   RobotPort ◄── robot's parts, simulation
 //                                       one board
@@ -20,7 +20,7 @@ namespace robosim {
 /// A pin by its Arduino number (`5`, `A0` = 14 on an Uno). board_spec.h has the names.
 using Pin = uint8_t;
 
-/// No pin: "not wired".
+/// Marks a pin as not wired.
 constexpr Pin kNoPin = 255;
 
 /// Upper bound of Arduino pin numbers over all boards. Numbers from here on are other wires of a robot.

@@ -15,7 +15,7 @@ constexpr bool equal(const char* a, const char* b) {
   return *a == *b;
 }
 
-/// A pin as a board's table has it.
+/// An entry of a board's table of pins.
 struct PinEntry {
   const char* name;
   const char* chip_name;
@@ -28,8 +28,8 @@ struct PinTable {
   static constexpr uint8_t kSize = kCount;
 };
 
-/// A name that the chip does not have does not compile. `core_timer`: index of the timer that the core keeps
-/// for itself.
+/// Builds a board's table of pins. Does not compile if the chip lacks a name. `core_timer` is the index of
+/// the timer that the core reserves.
 template <int kCount>
 constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entries)[kCount],
                                    int core_timer = -1) {
@@ -79,8 +79,8 @@ constexpr PinEntry kMegaEntries[] = {
     {"A11", "PK3", -1}, {"A12", "PK4", -1}, {"A13", "PK5", -1}, {"A14", "PK6", -1}, {"A15", "PK7", -1}};
 constexpr auto kMegaPins = pins_of(kAtmega2560, kMegaEntries);
 
-// variants/leonardo/pins_arduino.h: A6 to A11 are 4, 6, 8, 9, 10 and 12 once more. D17 and D30 are the LEDs
-// RX and TX.
+// variants/leonardo/pins_arduino.h: A6 to A11 are second names of 4, 6, 8, 9, 10 and 12. D17 and D30 are the
+// LEDs RX and TX.
 constexpr PinEntry kLeonardoEntries[] = {
     {"D0", "PD2", 2},   {"D1", "PD3", 3},   {"D2", "PD1", 1},   {"D3", "PD0", 0},   {"D4", "PD4", -1},
     {"D5", "PC6", -1},  {"D6", "PD7", -1},  {"D7", "PE6", 4},   {"D8", "PB4", -1},  {"D9", "PB5", -1},
@@ -91,16 +91,16 @@ constexpr PinEntry kLeonardoEntries[] = {
     {"D30", "PD5", -1}};
 constexpr auto kLeonardoPins = pins_of(kAtmega32u4, kLeonardoEntries);
 
-// variants/gemma/pins_arduino.h: A0 to A3 are 5, 2, 4 and 3 once more. 5 is the reset, unless a fuse says
-// otherwise.
+// variants/gemma/pins_arduino.h: A0 to A3 are second names of 5, 2, 4 and 3. 5 is the reset input unless a
+// fuse disables that.
 constexpr PinEntry kTinyEntries[] = {
     {"D0", "PB0", -1}, {"D1", "PB1", -1}, {"D2", "PB2", 0},  {"D3", "PB3", -1}, {"D4", "PB4", -1},
     {"D5", "PB5", -1}, {"A0", "PB5", -1}, {"A1", "PB2", -1}, {"A2", "PB4", -1}, {"A3", "PB3", -1}};
 constexpr auto kTinyPins = pins_of(kAttiny85, kTinyEntries);
 
-// The STM32F103C8 has Arduino's pins 0 to 19 where they can do what an Uno's do: 0 and 1 are USART1, PWM is
-// on 3, 5, 6, 9, 10 and 11, A0 to A5 are analog, and no two of 0 to 8 share an interrupt line. Then what is
-// left. Its core sleeps by TIM2 (hal/stm32/clock.h).
+// Pins of the STM32F103C8. Numbers 0 to 19 have the functions of an Uno's: 0 and 1 are USART1, PWM is on 3,
+// 5, 6, 9, 10 and 11, and A0 to A5 are analog. No two of 0 to 8 share an interrupt line. The remaining pins
+// follow. The core uses TIM2 to end a sleep (hal/stm32/clock.h).
 constexpr PinEntry kBluePillEntries[] = {
     {"D0", "PA10", 0},   {"D1", "PA9", 1},    {"D2", "PB12", 2},  {"D3", "PA8", 3},    {"D4", "PB13", 4},
     {"D5", "PB6", 5},    {"D6", "PB7", 6},    {"D7", "PB14", 7},  {"D8", "PB15", 8},   {"D9", "PB8", 9},
@@ -112,8 +112,8 @@ constexpr PinEntry kBluePillEntries[] = {
 };
 constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103c8::kTim2);
 
-// The genuine core's boards.txt, and the boards' circuit diagrams: the Uno's regulator is an NCP1117 (1.1 V)
-// behind a diode (0.7 V). The chip's fuses hold it in reset below 2.7 V (BODLEVEL 101).
+// Sources: the genuine core's boards.txt and the boards' circuit diagrams. The Uno has a diode (0.7 V) before
+// its NCP1117 regulator (1.1 V). The chip's fuses hold it in reset below 2.7 V (BODLEVEL 101).
 constexpr BoardSpec kUno = {
     .name = "uno",
     .fqbn = "arduino:avr:uno",
@@ -140,7 +140,7 @@ constexpr BoardSpec kUno = {
     .upload_baud_old = 0,
 };
 
-// An Uno with ADC6 and ADC7, and room for the larger boot loader that older ones have.
+// The Nano: an Uno with ADC6 and ADC7, and space for the larger boot loader of older Nanos.
 constexpr BoardSpec nano() {
   BoardSpec board = kUno;
   board.name = "nano";
@@ -154,7 +154,7 @@ constexpr BoardSpec nano() {
   return board;
 }
 
-// A Nano of before 2010: half the memory, and a boot loader that speaks slowly.
+// The Nano of before 2010: half the memory, and a boot loader with a lower baud rate.
 constexpr BoardSpec nano168() {
   BoardSpec board = nano();
   board.name = "nano168";
@@ -169,8 +169,8 @@ constexpr BoardSpec nano168() {
   return board;
 }
 
-// A Nano without USB, which there is at two clocks and voltages. Its regulator is a MIC5205 (0.17 V), without
-// a diode.
+// The Pro Mini: a Nano without USB, in two variants of clock and voltage. Its regulator is a MIC5205
+// (0.17 V), without a diode.
 constexpr BoardSpec pro_mini(const char* name, const char* fqbn, const char* platformio, uint32_t clock_hz,
                              double supply_volts) {
   BoardSpec board = nano();
@@ -206,7 +206,7 @@ constexpr BoardSpec mega() {
   return board;
 }
 
-// The Leonardo, and the Micro, which is the same on a smaller board. Serial is its USB, Serial1 its UART.
+// The Leonardo, and the Micro, which is a smaller Leonardo. Serial is the USB port, Serial1 the UART.
 constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* platformio, const char* macro,
                              const char* variant, const char* usb_product, uint16_t usb_id) {
   BoardSpec board = kUno;
@@ -232,8 +232,8 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// Boards with an ATtiny85. Without boot loader or with one of their own, avrdude cannot write to them by a
-// serial port. The chip is in its reset below 2.7 V where its fuse says so, as on the others.
+// Boards with an ATtiny85. avrdude cannot write to them by a serial port: they have no boot loader, or one of
+// another kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
 constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* platformio, const char* macro,
                              uint32_t clock_hz, double supply_volts, uint32_t flash_bytes) {
   BoardSpec board = kUno;
@@ -259,9 +259,9 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// The Blue Pill at a clock: 72 MHz by its crystal, 8 MHz as it comes from a reset. The last 4 KB of its flash
-// are the EEPROM's. Its supply's regulator is taken from the Uno. Its chip has no brown-out detector, but a
-// reset at power-down: 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
+// The Blue Pill at a clock: 72 MHz by its crystal, or 8 MHz as after a reset. The last 4 KB of flash hold the
+// EEPROM. The regulator is assumed to be the Uno's. The chip has no brown-out detector, but a power-down
+// reset at 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {
       .name = name,
@@ -290,8 +290,8 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   };
 }
 
-// Of the boards with a chip of the same target the first is the usual one; of those of one FQBN the first is
-// what Arduino has without its options.
+// The first board of a target is the target's default. The first board of an FQBN is the one that Arduino
+// selects without options.
 constexpr BoardSpec kBoards[] = {
     kUno,
     nano(),

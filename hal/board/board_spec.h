@@ -24,7 +24,7 @@ struct BoardSpec {
   const char* name;        ///< as robot files write it: "uno"
   const char* fqbn;        ///< as arduino-cli writes it: "arduino:avr:uno"
   const char* platformio;  ///< as PlatformIO writes it, a space between several names: "uno"
-  const char* macro;       ///< what the core defines: "ARDUINO_AVR_UNO"
+  const char* macro;       ///< the macro that the core defines: "ARDUINO_AVR_UNO"
   const ChipSpec* chip;
   const PinSpec* pins;
   uint8_t pin_count;     ///< pins are numbered 0 .. pin_count-1

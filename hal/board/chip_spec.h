@@ -40,21 +40,21 @@ struct TimerSpec {
   uint16_t enables;        ///< address of TIMSKn
   uint16_t prescalers[8];  ///< by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
   uint8_t vector;          ///< of compare A, which the others and the overflow follow; an STM32's update
-  // Of an AVR's:
+  // AVR only:
   uint16_t flags = 0;          ///< address of TIFRn
-  bool own_prescaler = false;  ///< it shares none with the others
+  bool own_prescaler = false;  ///< false if timers share the prescaler
   uint16_t reduction = 0;      ///< address of PRR
   int8_t reduction_bit = -1;   ///< that stops it there
-  // Where they are not told, the registers are an ATmega's:
+  // Registers; the defaults are an ATmega's:
   uint16_t control_b = 0;    ///< address of TCCRnB; 0 = after TCCRnA
-  uint16_t top = 0;          ///< address of OCR1C: of a timer 1 as an ATtiny85 has it, whose TCCRnA is TCCR1
+  uint16_t top = 0;          ///< address of OCR1C of an ATtiny85's timer 1, whose TCCRnA is TCCR1; 0 = none
   const char* pins[2] = {};  ///< OCnA and OCnB, where ChipSpec::pins has another timer's
   uint8_t overflow_vector = 0;       ///< 0 = after those of the matches
   uint8_t match_b_vector = 0;        ///< 0 = after that of compare A
   uint8_t flag_bits[3] = {0, 1, 2};  ///< of overflow, compare A and B, in registers that timers may share
 };
 
-/// TimerSpec::bits of an ATmega32U4's timer 4, which is of another kind.
+/// Identifies the ATmega32U4's high-speed timer 4 by TimerSpec::bits.
 constexpr uint8_t kHighSpeedBits = 10;
 
 /// Returns whether the timer shares TIFR and TIMSK with others.
@@ -81,8 +81,8 @@ struct AdcSpec {
   double bandgap_volts;    ///< the internal reference; 0 = none
   int8_t bandgap_channel;  ///< the bits MUX that measure it; -1 = none
   uint8_t vector;
-  // Of an AVR's:
-  /// By the bits ADTS: the vector of the flag that starts a conversion; 0 = the ADC's own.
+  // AVR only:
+  /// The vector of the flag that starts a conversion, by the bits ADTS; 0 = the ADC's own flag.
   uint8_t triggers[8] = {};
   uint16_t reduction = 0;           ///< address of PRR
   int8_t reduction_bit = -1;        ///< that stops it there
@@ -90,7 +90,7 @@ struct AdcSpec {
   uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = none
   uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
   uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = none
-  uint8_t control_b_bits = 0x47;    ///< all that ADCSRB keeps
+  uint8_t control_b_bits = 0x47;    ///< the implemented bits of ADCSRB
 };
 
 struct SpiSpec {
@@ -139,7 +139,7 @@ struct AvrRegisters {
   uint16_t clock_divisor = 0x61;                 ///< CLKPR
   uint16_t watchdog = 0x60;                      ///< WDTCSR
   uint16_t timers = 0x43;                        ///< GTCCR
-  uint8_t timers_kept = 0;                       ///< bits there that are a timer's
+  uint8_t timers_kept = 0;                       ///< bits there that belong to a timer
   uint16_t pll = 0;                              ///< PLLCSR of a PLL that clocks a timer; 0 = none
   uint16_t eeprom = 0x3F;                        ///< EECR, which EEDR, EEARL and EEARH follow
   uint16_t adc_data = 0x78;                      ///< ADCL, which ADCH follows
@@ -184,7 +184,7 @@ struct ChipSpec {
   uint8_t watchdog_vector = 0;
   uint8_t eeprom_vector = 0;
   bool small_core = false;           ///< an AVR without MUL, JMP and CALL
-  bool linked_relaxed = false;       ///< Arduino has its linker make short calls and jumps of long ones
+  bool linked_relaxed = false;       ///< Arduino's linker shortens calls and jumps (--relax)
   uint16_t start_up_cycles = 16384;  ///< of its oscillator, after power-down; the default is a crystal's
 
   const ChipPin* pins;

@@ -13,15 +13,15 @@ class CycleTime {
   constexpr explicit CycleTime(int64_t clock_hz)
       : nanos_(kSecond / common(kSecond, clock_hz)), cycles_(clock_hz / common(kSecond, clock_hz)) {}
 
-  /// When cycle number `count` begins that long after cycle 0.
+  /// Returns the time from the start of cycle 0 to the start of cycle `count`.
   constexpr SimTime of(int64_t count) const { return count * nanos_ / cycles_; }
-  /// The same, rounded up.
+  /// Returns the time from the start of cycle 0 to the start of cycle `count`, rounded up.
   constexpr SimTime at_least(int64_t count) const { return (count * nanos_ + cycles_ - 1) / cycles_; }
-  /// Whole cycles of `length` cycles each in that time.
+  /// Returns the number of whole periods of `length` cycles in `time`.
   constexpr int64_t whole(SimTime time, int64_t length = 1) const {
     return time * cycles_ / (nanos_ * length);
   }
-  /// The first cycle that begins at or after `time`.
+  /// Returns the first cycle that begins at or after `time`.
   constexpr int64_t first_at(SimTime time) const { return (time * cycles_ + nanos_ - 1) / nanos_; }
 
  private:

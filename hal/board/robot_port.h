@@ -13,8 +13,8 @@ class PinSource {
   virtual double volts(SimTime t) = 0;
   /// Returns the logic level. May consume a sample of noise.
   virtual bool level(SimTime t) = 0;
-  /// Returns until when, exclusive, level() certainly keeps its value at `t`, for any number of reads, while
-  /// the pin's drive and the world stay the same. `t` = no promise.
+  /// Returns until when, exclusive, level() certainly keeps its value at `t`, for any number of reads. The
+  /// pin's drive and the world must stay the same until then. `t` = no promise.
   virtual SimTime same_until(SimTime t) { return t; }
   /// Returns its resistance, which charges the capacitor of an ADC; 0 = negligible. Constant.
   virtual double source_ohms() const { return 0.0; }

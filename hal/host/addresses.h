@@ -2,7 +2,7 @@
 // in addresses.cpp before every access of the sketch, its libraries and the core. gcc's own runtime is not
 // used, since it must be the process's first library and ends the process.
 //
-// One shadow byte describes 8 bytes of memory: 0 = all accessible, 1..7 = only the first so many, from 0x80
+// One shadow byte describes 8 bytes of memory: 0 = all accessible, n = 1..7 = only the first n, from 0x80
 // on = none, and why. The shadow lies where gcc expects it, since functions write the shadow of their own
 // frames themselves.
 #pragma once

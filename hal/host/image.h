@@ -172,9 +172,9 @@ struct Image {
   /// Variables of the core that do not change unless FirmwareState::touched.
   const char* settings_begin;
   const char* settings_end;
-  /// Returns whether an interrupt is enabled, other than those of the core's clock and its Serial, that may
-  /// occur even if firmware calls nothing. `held_back` includes those that a clear I flag blocks. It is clear
-  /// in handlers and where firmware reads what handlers write. Call it outside the fiber, as the next one.
+  /// Returns whether an interrupt is enabled that may occur even if firmware calls nothing. Those of the
+  /// core's clock and its Serial do not count. `held_back` includes those that a clear I flag blocks, as in
+  /// handlers and where firmware reads what handlers write. Call it outside the fiber, as the next one.
   bool (*may_interrupt)(bool held_back);
   /// Passes the counts since the start; may be called at any time outside the fiber. Null: the image was not
   /// built for coverage.

@@ -38,7 +38,7 @@ inline bool interrupts_enabled() { return status_register & 0x80; }
 /// The number of nested handlers that run now.
 extern int handler_depth;
 inline bool in_handler() { return handler_depth > 0; }
-/// Whether the sketch has ever enabled SPI, two-wire interface, comparator or the EEPROM's interrupt. Few
+/// True after the sketch has enabled SPI, two-wire interface, comparator or the EEPROM's interrupt. Few
 /// sketches do; until then these are skipped.
 extern bool rare_used;
 /// The number of handlers that have run.

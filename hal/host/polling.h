@@ -1,10 +1,10 @@
 // Skips firmware that only waits by polling. Such firmware returns to a place with the same variables, heap,
-// stack and registers as before, and all its queries are certain to have the same answers for some time. So
-// it repeats the same round, of the same length, until that time is over. As many rounds as certainly fit
+// stack and registers as before. All its queries are certain to have the same answers for some time. So it
+// repeats the same round, of the same length, until that time is over. As many rounds as certainly fit
 // into it are skipped, except the last; the result is the same as running them.
 //
 // At a deadline a look begins: from then on each basic block calls look_at_block(). The look ends when rounds
-// have been skipped, when it takes too long, or at a call that does more than those marked by
+// have been skipped or when it takes too long. It also ends at a call that does more than those marked by
 // note_question(). Looks without success become ever rarer.
 #pragma once
 

@@ -30,7 +30,7 @@ extern uint8_t robosim_register_memory[ROBOSIM_REGISTER_BYTES];
 void robosim_enable_interrupts(void);
 void robosim_disable_interrupts(void);
 
-/// Spends that many CPU cycles in a busy loop (_delay_us and similar). Interrupts are served meanwhile.
+/// Spends `cycles` CPU cycles in a busy loop (_delay_us and similar). Interrupts are served meanwhile.
 void robosim_spend_cycles(uint64_t cycles);
 /// Sends bytes, the highest bit first, as pulses of a digital pin, like a loop in assembler. A bit takes
 /// `period` CPU cycles, and is high for `one` or `zero` of them. Interrupts should be off.

@@ -132,7 +132,7 @@ constexpr Address kSpi1 = 0x40013000, kSpi2 = 0x40003800, kI2c1 = 0x40005400, kI
 // --- RTC (RM0008 18.4), power control (5.4), backup registers (6.4), CRC (4.4)
 constexpr Address kRtc = 0x40002800, kPwr = 0x40007000, kBkp = 0x40006C00, kCrc = 0x40023000;
 
-// --- the processor's own: SysTick (PM0056 4.5), NVIC (4.3), SCB (4.4)
+// --- processor: SysTick (PM0056 4.5), NVIC (4.3), SCB (4.4)
 constexpr Address kStkCtrl = 0xE000E010, kStkLoad = 0xE000E014, kStkVal = 0xE000E018, kStkCalib = 0xE000E01C;
 constexpr uint32_t kStkEnable = 1u << 0, kTickInt = 1u << 1, kClkSource = 1u << 2, kCountFlag = 1u << 16;
 constexpr Address kNvicIser = 0xE000E100, kNvicIcer = 0xE000E180, kNvicIspr = 0xE000E200,

@@ -28,7 +28,7 @@ void start_adc() {
 
 Address timer_base(uint8_t timer) { return timer == 1 ? kTim1 : timer == 3 ? kTim3 : kTim4; }
 
-// 255 steps, as on an Uno, about 1000 times a second.
+// 255 steps, as on an Uno, at about 1000 Hz.
 constexpr uint32_t kPwmSteps = 255, kPwmHz = 1000;
 constexpr uint32_t kPwmPrescaler = F_CPU / (kPwmSteps * kPwmHz);
 
@@ -57,7 +57,7 @@ constexpr int kAdcBits = 12, kPwmBits = 8;
 
 extern "C" {
 
-/// A Blue Pill's reference is its supply, 3.3 V: there is nothing to choose.
+/// Does nothing: a Blue Pill's reference is always its supply, 3.3 V.
 void analogReference(uint8_t) {}
 
 int analogRead(uint8_t number) {
@@ -84,7 +84,7 @@ void analogWrite(uint8_t number, int given) {
   const Address timer = timer_base(pin->timer);
   const uint32_t compare = value > kPwmSteps ? kPwmSteps : value;
   const bool runs = configuration(*pin) == kAlternate;
-  if (!runs) start_pwm(*pin, timer);  // first: without its clock the timer takes nothing
+  if (!runs) start_pwm(*pin, timer);  // first: a timer without clock ignores writes
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;
   if (!runs) configure(*pin, kAlternate);
 }

@@ -21,4 +21,4 @@ constexpr uint32_t kCyclesPerMicro = F_CPU / 1000000u;
 }  // namespace stm32
 }  // namespace robosim
 
-extern "C" volatile uint32_t robosim_millis;  ///< what millis() gives
+extern "C" volatile uint32_t robosim_millis;  ///< the result of millis()

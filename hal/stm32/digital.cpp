@@ -10,7 +10,7 @@ extern "C" {
 void pinMode(uint8_t number, uint8_t mode) {
   const PinMap* pin = pin_at(number);
   if (!pin) return;
-  if (mode == INPUT_PULLUP) write_pin(*pin, true);  // the direction of the pull (9.1.1)
+  if (mode == INPUT_PULLUP) write_pin(*pin, true);  // selects pull-up (9.1.1)
   configure(*pin, mode == OUTPUT ? kPushPull : mode == INPUT_PULLUP ? kPulled : kFloating);
 }
 
@@ -18,7 +18,7 @@ void digitalWrite(uint8_t number, uint8_t level) {
   const PinMap* pin = pin_at(number);
   if (!pin) return;
   write_pin(*pin, level != LOW);
-  // As on an Uno this ends analogWrite.
+  // digitalWrite ends analogWrite, as on an Uno.
   if (is_alternate(configuration(*pin))) configure(*pin, kPushPull);
 }
 

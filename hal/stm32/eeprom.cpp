@@ -12,7 +12,7 @@ constexpr Address kBanks[2] = {kEepromFlash, kEepromFlash + kBankBytes};
 
 bool complete(Address bank) { return load_half(bank) == kBankMark; }
 
-/// The bank that holds; 0 if there is none yet.
+/// Returns the valid bank; 0 if there is none yet.
 Address current_bank() {
   const bool first = complete(kBanks[0]), second = complete(kBanks[1]);
   if (first && second)  // the numbers wrap around
@@ -22,7 +22,7 @@ Address current_bank() {
 
 Address change(Address bank, uint32_t number) { return bank + kChangesAt + 4 * number; }
 
-/// How many places for changes are taken: one was begun if either half is written.
+/// Returns the number of used entries for changes. An entry is used if its first half is written.
 uint32_t changes_in(Address bank) {
   uint32_t low = 0, high = kChanges;
   while (low < high) {
@@ -49,7 +49,7 @@ uint8_t read(Address bank, uint16_t address, uint32_t changes) {
 
 void await_flash() { at(kFlashSr).await(kFlashBusy, 0); }
 
-/// Flash can be changed while it lives (PM0075 2.3.2).
+/// Unlocks flash for writing during its lifetime (PM0075 2.3.2).
 class Unlocked {
  public:
   Unlocked() {
@@ -77,7 +77,7 @@ void erase_page(Address page) {
   at(kFlashCr) = 0;
 }
 
-/// Writes all of `from` to the other bank.
+/// Copies `from` with its changes to the other bank, and returns that bank.
 Address renew(Address from, uint32_t changes) {
   const Address to = from == kBanks[0] ? kBanks[1] : kBanks[0];
   erase_page(to);
@@ -110,7 +110,7 @@ void robosim_eeprom_write(uint16_t address, uint8_t value) {
     bank = renew(bank, changes);
     changes = 0;
   }
-  // The address last: a change counts from then on.
+  // Write the address last, since it makes the change valid.
   program(change(bank, changes), static_cast<uint16_t>(kChangeMark | value));
   program(change(bank, changes) + 2, address);
 }

@@ -1,4 +1,4 @@
-// attachInterrupt on any pin (RM0008 10.2, 9.4.3). A line belongs to one port at a time: the last that asked.
+// attachInterrupt on any pin (RM0008 10.2, 9.4.3). A line belongs to one port: the last one attached.
 #include <Arduino.h>
 
 #include "hal/stm32/pins.h"

@@ -1,4 +1,4 @@
-// strfromd() of the C standard for "%.Nf", "%.Ne" and "%.NE", which newlib lacks: by its own exact
+// strfromd() of the C standard for "%.Nf", "%.Ne" and "%.NE", which newlib lacks. It uses newlib's exact
 // conversion.
 #include <stddef.h>
 #include <stdlib.h>
@@ -7,8 +7,8 @@ extern "C" {
 
 struct _reent;
 extern _reent* _impure_ptr;
-/// newlib: the digits of `value`, without trailing zeros. Mode 2 gives `count` digits, mode 3 gives digits up
-/// to `count` behind the point; `*point` is where that stands (9999 for what is no number).
+/// Returns the digits of `value` without trailing zeros (newlib). Mode 2 gives `count` digits, mode 3 gives
+/// `count` decimals. `*point` receives the position of the decimal point (9999 for NaN and infinity).
 char* _dtoa_r(_reent*, double value, int mode, int count, int* point, int* negative, char** end);
 }
 

@@ -54,8 +54,8 @@ void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   configure(*pin_at(0), kFloating);
   if (baud == 0) baud = 1;
   at(kUsartBrr) = (F_CPU + baud / 2) / baud;
-  // SERIAL_8N1 and the others are bits of an AVR: parity in 4 and 5, stop bits in 3. Parity takes the 9th bit
-  // here.
+  // SERIAL_8N1 and other formats use an AVR's bits: parity in 4 and 5, stop bits in 3. Here parity is the 9th
+  // bit.
   const bool parity = config & 0x20;
   at(kUsartCr2) = config & 0x08 ? kStop2 : 0;
   at(kUsartCr1) = kUe | kTe | kRe | kRxneie | (parity ? kM | kPce : 0) | (parity && config & 0x10 ? kPs : 0);
@@ -78,7 +78,7 @@ int HardwareSerial::availableForWrite() { return kMask - waiting.size(); }
 void HardwareSerial::flush() {
   if (!started) return;
   while (!waiting.empty() || !(load(kUsartSr) & kTc)) {
-    const Quiet quiet;  // also goes on where the caller has interrupts off
+    const Quiet quiet;  // works even if the caller has disabled interrupts
     serve();
   }
 }

@@ -1,4 +1,4 @@
-// What runs before setup(): the vector table (RM0008 10.1.2, table 63), memory, clocks, constructors.
+// Start-up code before setup(): vector table (RM0008 10.1.2, table 63), memory, clocks, constructors.
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -11,7 +11,7 @@ extern void (*__init_array_end[])();
 
 int main();
 
-/// The handler of interrupts without one.
+/// Handles interrupts that have no handler.
 void Default_Handler() {
   for (;;) {
   }
@@ -147,7 +147,7 @@ __attribute__((section(".isr_vector"), used)) const Vector robosim_vectors[16 + 
     USBWakeUp_IRQHandler,
 };
 
-// A sketch may have its own, which calls init() itself, as on an AVR.
+// A sketch may define its own main(), which calls init() itself, as on an AVR.
 __attribute__((weak)) int main() {
   init();
   setup();

@@ -9,11 +9,11 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
-/// What a sleep takes to begin and to end, at most: some 400 cycles.
+/// The time to begin and end a sleep, at most: some 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits where no interrupt is served, so that micros() stands still after a millisecond: by the counter
-/// alone.
+/// Waits by the counter alone, for callers with interrupts off, where micros() stops after a millisecond.
+/// Needs no interrupt.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {
@@ -24,7 +24,7 @@ void spin(uint32_t us) {
   }
 }
 
-/// How many microseconds `pin` stays at `level`, until `end` at most: then false.
+/// Waits while `pin` stays at `level`. Returns false if that takes until `timeout` us after `start`.
 bool wait_while(const PinMap& pin, bool level, unsigned long start, unsigned long timeout) {
   while (read_pin(pin) == level)
     if (micros() - start >= timeout) return false;
@@ -48,7 +48,7 @@ unsigned long micros() {
   const Quiet quiet;
   uint32_t count = load(kStkVal);
   uint32_t ms = robosim_millis;
-  // The counter may have reached 0 while its interrupt waits.
+  // The counter may have reached 0 with its interrupt still pending.
   if (load(kScbIcsr) & kPendStSet) {
     count = load(kStkVal);
     ++ms;

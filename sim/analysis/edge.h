@@ -11,7 +11,7 @@
 
 namespace robosim::analysis {
 
-/// How long a run must follow another one after a difference, to count as equal.
+/// Time for which a run must follow another one after a difference, to count as equal.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
 /// Returns whether `mine` does as `other` where two targets differ, and for `behind_ns` more; or ends in the

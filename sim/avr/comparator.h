@@ -11,8 +11,8 @@
 // themselves are sampled when ACSR is read or written, and every 64 cycles while a result is awaited: by an
 // interrupt (ACIE), timer 1 (ACIC), or the ADC's auto trigger.
 //
-// Not modelled: the 1 to 2 cycles of ACO's synchroniser, the comparator's offset and hysteresis, PWM at AIN0
-// or AIN1, which counts as the level in PORTx.
+// Not modelled: the 1 to 2 cycles of ACO's synchroniser, the comparator's offset and hysteresis. PWM at AIN0
+// or AIN1 counts as the level in PORTx.
 #pragma once
 
 #include <array>

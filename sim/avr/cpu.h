@@ -56,7 +56,7 @@ class Cpu {
   Stop run(Cycle until);
   /// From within a hook: makes run() return after this instruction, without a reason to stop.
   void look_up() { horizon_ = 0; }
-  /// Likewise with Stop::stopped.
+  /// From within a hook: makes run() return Stop::stopped after this instruction.
   void stop() { stop_with(Stop::stopped); }
 
   /// A listener for WDR.
@@ -76,7 +76,7 @@ class Cpu {
   // --- interrupts
   /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
   void enter(int vector);
-  /// After enter(): runs the whole handler at once, if it is the core's of timer 0 and nothing happens before
+  /// After enter(): runs the whole handler at once, if it is the core's of timer 0. Nothing may happen before
   /// `until` that must precede its end (time_count.h).
   void count_time(Cycle until);
   /// Returns where the processor continues then, in words.
@@ -239,8 +239,8 @@ class Cpu {
   }
 
   // --- the stack
-  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt, and whenever
-  /// firmware writes SPL or SPH (on_sp_written).
+  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt. Also called
+  /// whenever firmware writes SPL or SPH (on_sp_written).
   Call on_sp_low;
   Call on_sp_written;
   /// Returns the last calls, returns and interrupts, the last first: addresses in words.

@@ -52,8 +52,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.pack();                                    \
   state.sp = sp
 #define RESUME goto resume
-// Likewise for code that reads no flags except I and T: the others stay in registers, and RESUME_WITH_FLAGS
-// restores them. `state.sreg` has them when run() returns, at the latest.
+// Stores the state for code that reads no flags except I and T. The others stay in registers, and
+// RESUME_WITH_FLAGS restores them. `state.sreg` has them when run() returns, at the latest.
 #define PUT_PLACE(words)                                        \
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \

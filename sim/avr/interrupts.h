@@ -1,7 +1,7 @@
 // The requested interrupts, by vector, the lowest first (data sheet, chapter 12).
 //
-// A peripheral requests a vector while its flag and its enable bit are both set, and withdraws the request
-// when either is cleared. So a flag that was set before its enable bit is served when the enable bit is set.
+// A peripheral requests a vector while its flag and its enable bit are both set. It withdraws the request
+// when either is cleared. So a flag that was set before its enable bit is served when that is set.
 #pragma once
 
 #include <array>

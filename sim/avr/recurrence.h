@@ -17,8 +17,8 @@ struct Round {
   bool interruptible = false;  ///< somewhere in it, the I flag is set
 };
 
-/// Finds the loop. Returns nothing if the program accesses an I/O register other than SREG and SP, needs more
-/// than the processor, or has not looped within the limit of instructions. `cpu` does not change.
+/// Finds the loop. Returns nothing if the program accesses I/O registers except SREG and SP, needs more than
+/// the processor, or exceeds the limit of instructions. `cpu` does not change.
 std::optional<Round> find_round(const Cpu& cpu, int most_instructions);
 
 /// The addresses in data memory that an interrupt's handler may change, without its own stack.

@@ -51,7 +51,7 @@ struct TimeCount {
   }
 };
 
-/// Returns the handler that begins with the first of these words of flash, if it is this one and its
+/// Returns the handler at the first of these words of flash, if it is this one and its
 /// variables are in RAM. `code` is the decoded flash.
 std::optional<TimeCount> time_count_of(std::span<const std::uint8_t> flash, std::span<const Instruction> code,
                                        int first_ram, int last_ram);

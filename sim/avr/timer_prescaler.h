@@ -4,8 +4,8 @@
 //   timers 0, 1   a shared one (PSRSYNC)
 //   timer 2       its own (PSRASY); on an ATtiny85, timer 1 (PSR1)
 //
-// They run freely from the reset on, whatever the timers do. A timer that divides by N ticks where its
-// prescaler's count is a multiple of N, so its first tick comes 1 to N cycles after its start. TSM holds
+// They run freely from the reset on, whatever the timers do. A timer that divides by N ticks when its
+// prescaler's count is a multiple of N. So its first tick comes 1 to N cycles after its start. TSM holds
 // prescalers at 0 while they are being reset. A timer that divides by 1 bypasses the prescaler. They stop in
 // the sleep modes without an I/O clock.
 #pragma once

@@ -19,7 +19,7 @@ class Base64 {
   char* finish(char* to);
 
  private:
-  char left_[3] = {};  ///< bytes that are no whole group
+  char left_[3] = {};  ///< bytes of an incomplete group
   std::size_t left_size_ = 0;
 };
 /// Decodes base64. Throws InputError at any other character.

@@ -165,8 +165,8 @@ bool is_typographic_quote(std::string_view text) {
   return false;
 }
 
-// The first thing that toml++ would answer with a sentence that few understand (a character beyond ASCII
-// outside strings and comments is no TOML), or with more stack than there is.
+// Finds the first fault for which toml++ has an unclear message (a character beyond ASCII outside strings and
+// comments is not TOML), or for which it would overflow the stack.
 std::optional<Fault> find_fault(std::string_view text) {
   std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark is allowed
   Nesting nesting;

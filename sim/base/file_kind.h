@@ -1,4 +1,4 @@
-// What a user's file is, by its content: for messages about a file that was given for another.
+// Detects the kind of a user's file by its content, for messages about a file of the wrong kind.
 #pragma once
 
 #include <optional>

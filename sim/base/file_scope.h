@@ -55,8 +55,8 @@ void extend_file_scope(const std::filesystem::path& folder);
 /// Returns the error for a path that leads out.
 InputError out_of_scope(const std::filesystem::path& path, const Place& place = {});
 
-/// Throws InputError if there is a scope and `path`, named at `place`, leads out of the served folder and is
-/// not below Robosim's own. The path need not exist.
+/// Throws InputError if there is a scope and `path`, named at `place`, leads out of it: out of the served
+/// folder and of Robosim's own. The path need not exist.
 void check_in_scope(const std::filesystem::path& path, const Place& place = {});
 
 /// Returns whether there is no scope, or `folder` is the served one or below it.

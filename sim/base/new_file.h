@@ -9,8 +9,8 @@
 
 namespace robosim {
 
-/// Large content goes to the disk as it arrives, into an unnamed file, which vanishes unless it is finished,
-/// however this process ends. Small content stays in memory. So does all content where unnamed files are
+/// Large content goes to the disk as it arrives, into an unnamed file. Unless it is finished, the file
+/// vanishes with this process. Small content stays in memory. So does all content where unnamed files are
 /// impossible (a device, a pipe, some file systems).
 class NewFile {
  public:

@@ -14,7 +14,7 @@
 namespace robosim {
 namespace {
 
-// The same on every machine.
+// Numbers of system calls that are equal on every machine.
 constexpr std::uint32_t kPidfdSendSignal = 424, kIoUringSetup = 425, kPidfdGetfd = 438;
 
 constexpr std::uint32_t kNeedless[] = {SYS_socket,

@@ -1,5 +1,5 @@
-// Names of robots: a stock robot's name or the path of a robot file, optionally followed by @ and the board
-// that replaces its own, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/reference/robots.md).
+// Names of robots: a stock robot's name or the path of a robot file. An optional @ and a board replace the
+// robot's own board, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/reference/robots.md).
 #pragma once
 
 #include <string>

@@ -45,14 +45,14 @@ std::string all_of(const std::vector<std::string>& names) {
 
 namespace {
 
-/// What stands in a word for a form that has a parameter: of "laps:N" and "lap:3", "laps:3".
+/// Completes a form that has a parameter by a word: "laps:3" for "laps:N" and "lap:3".
 std::string filled_in(const std::string& form, const std::string& word) {
   const std::size_t colon = form.find(':'), given = word.find(':');
   if (colon == form.npos || given == word.npos) return form;
   return form.substr(0, colon) + word.substr(given);
 }
 
-/// How many letters two words have in common from their first on.
+/// Returns the length of the common prefix of two words.
 std::size_t same_beginning(const std::string& a, const std::string& b) {
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }

@@ -10,9 +10,9 @@ namespace robosim {
 /// Lists names: "d, oval and tight".
 std::string all_of(const std::vector<std::string>& names);
 
-/// Returns the candidate that differs least from `word`, if so few letters differ that it may be a slip, or
-/// one that begins with it. A candidate such as "laps:N" stands for laps with any parameter: "lap:3" gives
-/// "laps:3".
+/// Returns the candidate that differs least from `word`, if few letters differ, so that it may be a slip. Or
+/// returns one that begins with it. A candidate such as "laps:N" stands for laps with any parameter: "lap:3"
+/// gives "laps:3".
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 /// Returns "; did you mean oval?", or nothing if no candidate is close.

@@ -6,8 +6,8 @@
 
 namespace robosim {
 
-/// Writes control characters, invalid UTF-8 and characters that change the writing direction as `\x1b` or
-/// `\u202e`, so that a terminal executes none of them. Keeps line feeds and tabs, and writes CR LF as LF.
+/// Escapes control characters, invalid UTF-8 and changes of the writing direction as `\x1b` or `\u202e`.
+/// Then a terminal executes none of them. Keeps line feeds and tabs, and writes CR LF as LF.
 std::string for_terminal(std::string_view text);
 
 /// Does the same, in one line: a line feed in a file's name must not start a new line.

@@ -15,7 +15,7 @@
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
 // commands it has equal poses, and reads equal volts, noise included, bit for bit (tests/unit/batch). It
 // costs less, as it has no pins, no edges, and no unused parts. The arithmetic is done for a block of robots
-// at once (bodies.h), and the pose once for all sensors that read at one time.
+// at once (bodies.h). The pose is computed once for all sensors that read at one time.
 //
 // Robots of a batch neither see nor touch each other.
 #pragma once

@@ -116,7 +116,7 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
-/// A folder of another user may hold images of theirs, and they could not use images made in it.
+/// Returns whether the cache may use a folder. Another user's folder may hold that user's images.
 bool usable(const fs::path& folder) {
   if (!is_utf8(folder.string())) return false;  // runners get the paths of images in JSON
   std::error_code error;

@@ -28,8 +28,8 @@ enum class QuotientByZero { all_ones, zero };
 /// Returns what the chip of `board` gives.
 QuotientByZero quotient_by_zero(const BoardSpec& board);
 
-/// Returns the lines that do the work of one line of gcc's assembly and give what the chip gives where the
-/// divisor is zero; empty if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` must
+/// Returns lines that replace one line of gcc's assembly and give the chip's result if the divisor is
+/// zero; empty if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` must
 /// differ between the divisions of a file: it goes into their labels. The operands are those that gcc writes;
 /// no line depends on how the assembler expands a macro.
 std::string division_of_chip(std::string_view line, QuotientByZero quotient, int number);

@@ -73,7 +73,7 @@ bool is_library(const fs::path& folder) {
          holds_headers(folder / "include");
 }
 
-/// A larger library.properties is none.
+/// A larger library.properties is ignored.
 constexpr std::uintmax_t kMostProperties_bytes = 256 << 10;
 
 /// Returns the value of a key in a file such as library.properties; empty if there is none.

@@ -199,7 +199,7 @@ void check_seen(const fs::path& sketch, const Place& place, const std::string& h
   }
 }
 
-/// Whether the user has set a limit below ours.
+/// Returns whether the user has set a lower limit than Robosim.
 static bool has_lower_limit(int what, rlim_t ours) {
   rlimit limit{};
   ::getrlimit(static_cast<__rlimit_resource_t>(what), &limit);

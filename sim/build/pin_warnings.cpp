@@ -18,7 +18,7 @@
 namespace robosim::build {
 namespace {
 
-/// Of the text that words_in() was given: there are as many as characters.
+/// A word in words_in()'s text. Its number is limited only by the number of characters.
 struct Word {
   std::string_view text;  ///< a name, a number, a string's quote, or one character
   std::string_view file;

@@ -113,7 +113,7 @@ char state_of(pid_t process) {
   return name_end == facts.npos ? '\0' : facts[name_end + 2];
 }
 
-/// Whether a program has hardly worked for a while: it waits for what does not come, such as a writer of
+/// Detects a program that has hardly worked for a while: it waits without end, for example for a writer of
 /// a pipe that it includes.
 struct Idleness {
   bool look(pid_t process, int most_s) {

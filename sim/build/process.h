@@ -27,7 +27,7 @@ constexpr const char* kTooMuchOutput = "robosim: too much output";
 constexpr const char* kTooMuchTime = "robosim: too much processor time of all programs together";
 /// And of one that was killed because it hardly worked for kWaitSeconds.
 constexpr const char* kWaits = "robosim: the program waits for input that never comes";
-/// What gcc says of a program that took more than kCompileSeconds.
+/// gcc's message about a program that took more than kCompileSeconds.
 constexpr const char* kTimeExceeded = "CPU time limit exceeded";
 
 struct Interrupted : std::runtime_error {
@@ -39,7 +39,7 @@ struct CommandResult {
   std::string output;  ///< standard output and standard error, interleaved
 };
 
-/// Whether the program failed and said that it got no memory.
+/// Returns whether the program failed with a message that it got no memory.
 bool lacks_memory(const CommandResult& result);
 
 /// Runs all of them, several at a time, and waits for all. Results are in the order of the commands. Messages

@@ -86,8 +86,8 @@ struct Toolchain {
   std::function<void()> core_begins = {};  ///< the Request's
 };
 
-/// Returns the core for a target and board. With a hal of ours it is a folder of links in the cache. They
-/// lead to the genuine core's portable sources, to avr-libc's list of registers, and to our hal. Nothing is
+/// Returns the core for a target and board. With Robosim's hal it is a folder of links in the cache. They
+/// lead to the genuine core's portable sources, to avr-libc's list of registers, and to the hal. Nothing is
 /// copied.
 ///
 ///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim

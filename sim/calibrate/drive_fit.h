@@ -1,4 +1,4 @@
-// Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log, and its
+// Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log. Its
 // parameters are changed until its wheels' angles match the encoder counts.
 //
 // For a wheel with torque k_t per ampere, k_e volts per rad/s, resistance R and inertia J, steps determine

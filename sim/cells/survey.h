@@ -1,8 +1,8 @@
 // The third algorithm: scans a floor into a graph, then uses it to drive from station to station.
 //
 // The scan is the navigator's (firmware/src/nav/Explorer.h), on the robot on cells. It ends where v1's does:
-// at the start, facing the line. If the start is not the end of a line, the robot then continues to station 1
-// by a shortest path, if there is a station.
+// at the start, facing the line. If the start is not the end of a line, the robot continues to station 1 (if
+// there is one) by a shortest path.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
 // Junctions are numbered from 1 in the order of discovery.

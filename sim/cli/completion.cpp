@@ -267,7 +267,7 @@ std::string fish_text(const std::string& text) {
   return safe;
 }
 
-/// Whether a value is required, and what it may be.
+/// Returns fish's options for values: whether one is required, and the possible ones.
 std::string fish_values(const PossibleValues& values) {
   const std::vector<std::string> words = words_of(values);
   const std::string list = words.empty() ? "" : fmt::format(" -a '{}'", fish_text(joined(words)));

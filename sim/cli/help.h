@@ -1,5 +1,5 @@
-// What commands, arguments and options are called, mean and take: the one source of help texts, manual pages
-// and shell completion.
+// Names, meanings and values of commands, arguments and options: the single source of help texts, manual
+// pages and shell completion.
 #pragma once
 
 #include <string>

@@ -51,7 +51,7 @@ class Options {
   std::vector<Taker> arguments_, options_;  ///< as in help_
 };
 
-// What options mean that many commands have.
+// Meanings of options that many commands have.
 constexpr const char* kProfileHelp =
     "simulate ideal (no noise) or typical hardware (default: typical); typical@1 is typical as it was before "
     "version 2";

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-// What options mean that may also be given for one robot of several.
+// Meanings of options that may also be given for one robot of several.
 constexpr const char* kStartHelp = "start in this cell (column, row) with the heading N, S, E or W";
 constexpr const char* kGoalHelp =
     "pursue this goal: tour, laps:N, station:NAME, still, none, or a competition's "

@@ -12,7 +12,7 @@
 namespace robosim::client {
 namespace {
 
-/// How far runs may be ahead of a slow one: their results wait in memory.
+/// Number of runs that may finish before a slow one; their results wait in memory.
 constexpr std::size_t kMostAhead = 10'000;
 /// Wall time. A signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;

@@ -29,8 +29,8 @@ class Process;
 
 class Runner {
  public:
-  /// Starts the runner of a target. Throws ToolMissing if its program is missing, RunnerError if it does not
-  /// send its first message or has another version of the protocol.
+  /// Starts the runner of a target. Throws ToolMissing if its program is missing. Throws RunnerError if it
+  /// does not send its first message or has another version of the protocol.
   explicit Runner(const std::string& target);
   /// Starts the given program instead (for tests).
   static Runner from_program(const std::string& path);
@@ -43,8 +43,8 @@ class Runner {
   /// Describes a stock robot, by name, or one by path; `full`: with RobotInfo::text. Throws InputError.
   wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
-  /// Runs to the verdict. Throws InputError for invalid input, ToolMissing, and RunnerError if the runner
-  /// dies without an answer, breaks the protocol or has an internal fault. After a RunnerError this runner is
+  /// Runs to the verdict. Throws InputError for invalid input, and ToolMissing. Throws RunnerError if the
+  /// runner dies without an answer, breaks the protocol or has an internal fault; then this runner is
   /// unusable. An exception from `on_event` ends the runner and is passed on.
   wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 

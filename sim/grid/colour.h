@@ -5,8 +5,8 @@
 // infra-red. Makers of reflex sensors state 40 to 80 % of a white card for coloured PVC. For bright metal
 // they state 110 to 160 %, since it reflects like a mirror if emitter and receiver look straight down.
 //
-// So green is much nearer to white than to black here, and infra-red alone cannot tell a single green square
-// from a dirty floor.
+// So green is much nearer to white than to black here. Infra-red alone cannot distinguish a single green
+// square from a dirty floor.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 namespace robosim::grid {
 namespace {
 
-// An interval of pixels as up to three runs of them, each with the share of a pixel that is in the interval.
+// An interval of pixels, as up to three runs with the share of each pixel that is in the interval.
 struct Runs {
   std::array<int, 4> edges;
   std::array<double, 3> shares;

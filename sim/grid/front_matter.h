@@ -46,8 +46,8 @@ struct FrontMatter {
 /// InputError.
 FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw = {});
 
-/// Checks that the picture is as large as the line is wide and at most as large as the floor, and that
-/// nothing else is painted. Throws InputError at `place`.
+/// Checks that the picture is at least as large as the line is wide, and at most as large as the floor.
+/// Nothing else may be painted. Throws InputError at `place`.
 void check_picture(const Map& map, const Place& place);
 
 /// Throws InputError at `place` unless the cell is line: "13, 2 is outside the map", "13, 2 is floor, not

@@ -3,8 +3,8 @@
 // Equal arguments give equal maps on every machine: the only source of randomness is the integer hash of
 // sim/base/noise.h. A change that gives another map for the same arguments must raise kGeneratorVersion.
 //
-// All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart, with a margin of the same
-// width around it. So robots have as much room as on the sample maps. There are no walls and no obstacles.
+// All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart. A margin of that width is
+// around it. So robots have as much room as on the sample maps. There are no walls and no obstacles.
 #pragma once
 
 #include <cstdint>

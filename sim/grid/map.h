@@ -200,8 +200,8 @@ Direction default_facing(const Map& map, CellAt cell);
 /// Parses "13,2,E", or "13,2" with the default facing. On a map with a path, "1.2m" is a place along the
 /// first one; "1.2m,back" faces backward. Throws InputError.
 Start parse_start(const Map& map, std::string_view text);
-/// Returns the default start: [start] or S, else the beginning of the first path, else the first dead end in
-/// row order, else the first line cell. It faces its only line neighbour, or the first in the order E S W N.
+/// Returns the default start: [start] or S; else the beginning of the first path; else the first dead end in
+/// row order; else the first line cell. It faces its only line neighbour, or the first in the order E S W N.
 /// Throws InputError if the map has no line.
 Start default_start(const Map& map);
 /// Returns the position on a path, and the heading of a robot there.

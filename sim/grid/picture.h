@@ -14,8 +14,8 @@ struct PictureOptions {
   bool ascii = false;  ///< no characters beyond ASCII
 };
 
-/// Draws lines as box drawing, with station numbers, an arrow at the start, rulers with column and row
-/// numbers, and a legend below. A cell takes two characters if that fits, else one. A map that is too large
+/// Draws lines as box drawing, with station numbers and an arrow at the start. Adds rulers with column and
+/// row numbers, and a legend. A cell takes two characters if that fits, else one. A map that is too large
 /// is clipped to a part around the start, and a sentence reports that.
 std::string draw(const Map& map, const Network& network, const Start& start, const PictureOptions& options);
 

@@ -16,8 +16,8 @@ namespace robosim::grid {
 /// A piece of centre line, in the world frame (m).
 ///
 /// A segment goes from its smaller to its larger x, or y if x is the same; a and b are equal if a line is a
-/// single cell. Segments of cells are parallel to an axis. An arc is at most a quarter of a circle,
-/// counter-clockwise from a to b, and tangent to the segments that it joins.
+/// single cell. Segments of cells are parallel to an axis. An arc is at most a quarter of a circle, from a
+/// to b counter-clockwise. It is tangent to the segments that it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end

@@ -1,5 +1,5 @@
 // The true graph of a map's line, which an explorer that starts at a given place must find. It is derived
-// from the cells and shares no code with the navigator in firmware/src/nav, so that the two can check each
+// from the cells. It shares no code with the navigator in firmware/src/nav, so that the two can check each
 // other.
 //
 // Nodes are stations (dead ends) and junctions (three or four arms). Line runs between them; its bends are

@@ -14,8 +14,8 @@
 // The last condition excludes sketches that drive blind on purpose: to turn at a crossing, or round an
 // obstacle, they change the commands between two readings.
 //
-// To fix it, compare times (millis()) instead of calling delay(), send shorter messages or use a faster
-// Serial, give pulseIn() a timeout, and read the sensors in each loop that waits.
+// To fix it, compare times (millis()) instead of calling delay(). Send shorter messages or use a faster
+// Serial. Give pulseIn() a timeout, and read the sensors in each loop that waits.
 //
 // Not detected: sketches that read their sensors and ignore them; blind time on straights only; sensors on a
 // shift register, or read by interrupts.

@@ -8,10 +8,10 @@
 // itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. Those on a Nano and on
 // many clones have none.
 //
-// A finding is a pin with a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift
-// register that was an input with its pull-up on and was never an output, in a run that went on for at least
-// a tenth of a second. So a sketch that writes HIGH first and then sets the pin to OUTPUT, which avoids a
-// short LOW, is not reported. To fix it, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
+// A finding is a pin that was an input with its pull-up and never an output, in a run of 0.1 s or more. It
+// has a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift register. A sketch may
+// write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: that is accepted. To fix it, call
+// pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
 //
 // Not detected: pins that were only written LOW, which changes nothing; displays, radios and other parts on a
 // bus; pins without wiring.

@@ -5,8 +5,8 @@
 // A map, a log or a set of numbers is stored, and only its last byte remains. It goes unnoticed until the
 // robot is switched on again and reads.
 //
-// A finding is the first byte that was written 8 times in immediate succession, without other writes in
-// between, each time with another value. No other firmware could have read it so fast.
+// A finding is the first byte that was written 8 times in immediate succession, with different values and
+// without other writes in between. No other firmware could have read it so fast.
 //
 // A sketch that stores one number in each pass of loop() does so for longer. That is wear (eeprom_wear.h), so
 // bursts of more than 5 s are not reported here. Not detected: shorter records, and those whose bytes are

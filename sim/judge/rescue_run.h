@@ -18,17 +18,17 @@
 //                                60 - 5 n >= 0  -
 //
 // If the path ends at the evacuation zone there is no end tile, and no rest. The elements of a tile count
-// when the middle of the robot's axle is on the next tile. A gap is an unpainted stretch of the path, an
-// obstacle a wall on the path, an intersection a place where the path crosses itself or another path.
+// when the middle of the robot's axle is on the next tile. A gap is an unpainted stretch of the path; an
+// obstacle is a wall on the path; an intersection is a place where the path crosses itself or another path.
 //
 // A [[hill]] on the path is a seesaw if it has a pivot. It is a speed bump if it is up to 10 mm high, and
 // higher than the 3 mm that tiles may differ by. If a higher one rises or falls by 10 mm on a tile, that is a
 // ramp.
 //
-// A lack of progress occurs when the robot stands on a tile other than its last one and the neighbours of
-// that on the path, when it would be lost or stuck (verdicts.md), or when a script picks it up. Around an
+// A lack of progress occurs when the robot is neither on its last tile nor on its neighbours on the path.
+// It also occurs when the robot would be lost or stuck (verdicts.md), or when a script picks it up. Around an
 // obstacle it may be anywhere within 1.5 tiles. The captain then puts it on the last checkpoint, or the
-// start. After the third lack in a row it goes to the next checkpoint, and the tiles in between do not count.
+// start. After the third lack in a row it goes to the next checkpoint; the tiles in between do not count.
 //
 // Time is up after 8 min, Entry 6 min, from the beginning of the run. Not modelled: evacuation zone and
 // victims.

@@ -15,7 +15,7 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 
 /// Checks an untrusted launch. Throws InputError for a link in the sketch's folder that leads out of it.
 void check_folder(const SketchChoice& sketch);
-/// Of an untrusted launch. Throws InputError for a robot in the sketch's folder whose base is outside of it.
+/// Checks an untrusted launch. Throws InputError if a robot in the sketch's folder has a base outside of it.
 void check_robot(const SketchChoice& sketch, const Choice& robot);
 
 /// Returns the chip target of a launch without a target: that of a finished image, else of the robot's board.

@@ -153,7 +153,7 @@ export class LivePlayer extends Player {
   constructor(run) {
     super(run);
     this.follows = true;
-    this.ask = () => {};  // a request, by whoever has the connexion
+    this.ask = () => {};  // a request, by the owner of the connection
   }
   /** The run has gone on. */
   grow() { if (this.follows) this.t = this.run.duration; }

@@ -167,7 +167,7 @@ class Session {
   Algorithm algorithm_ = Algorithm::ai;
   std::unique_ptr<CellDriver> driver_;
 
-  // Of the walk that is shown.
+  // State of the displayed walk.
   double pace_;  // moves per second; 0 = as fast as possible
   bool paused_ = false, single_ = false, to_the_end_ = false;
   std::int64_t due_us_ = 0, drawn_us_ = 0;

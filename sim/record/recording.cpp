@@ -14,9 +14,9 @@
 namespace robosim::record {
 namespace {
 
-// What Gatherer writes is far smaller: an hour of one robot has 5 million numbers.
+// Gatherer's recordings are far smaller: an hour of one robot has 5 million numbers.
 constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, a page too
-constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // of which a wrong kind of file is told
+constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // detects the wrong kind of file
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
 constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;

@@ -14,7 +14,7 @@
 //
 // Open-circuit volts of a cell (battery.cpp): li-ion as measured by github.com/little-porter,
 // battery_health_inference_RJ; nimh and alkaline are estimates from makers' discharge curves at 0.2 C. If the
-// file has no resistance of a cell, it is a usual value of its kind, not measured, the same at any charge.
+// file has no resistance of a cell, it is a usual value of its kind: not measured, the same at any charge.
 //
 // Not modelled: recovery after load, temperature, a protection's cut-off; without inductance, current that
 // flows back.

@@ -8,7 +8,7 @@
 namespace robosim::robot {
 namespace {
 
-// Of a uniform plate of that shape, about the origin, for each kilogram (m2).
+// Returns the moment of inertia per kilogram (m2) of a uniform plate of the chassis's shape about the origin.
 double plate_inertia(const Chassis& chassis) {
   if (chassis.polygon.empty())
     return 0.5 * chassis.circle_radius * chassis.circle_radius +
@@ -26,7 +26,8 @@ double plate_inertia(const Chassis& chassis) {
   return moment / (6.0 * area2);
 }
 
-// Three quarters of the way to its rear, or where nothing is behind the axle to its front.
+// Returns the default x of the caster: three quarters of the way from the axle to the rear. Uses the front
+// if the chassis has no rear behind the axle.
 double usual_caster(const Chassis& chassis) {
   double rear = chassis.circle_centre.x - chassis.circle_radius,
          front = chassis.circle_centre.x + chassis.circle_radius;

@@ -110,9 +110,9 @@ const std::vector<DriverChip>& driver_chips() {
   // Sources: the makers' datasheets. L298N (ST DS0218): 2.55 V at 1 A, 3.7 V at 2 A, typical; L293D (TI
   // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
   // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two are bipolar: the drop is there at
-  // any current. A diode that carries on the winding's current: L298N's modules, 1N5822 or FR107 of at
-  // most 1.2 V, as ST's sheet asks for; L293D's own clamp, 1.3 V; TB6612FNG's, 1 V typical; the others a
-  // MOSFET's body diode, 0.8 V, an estimate.
+  // any current. Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's sheet
+  // requires. L293D has an internal clamp, 1.3 V; TB6612FNG 1 V typical. The others use a MOSFET's body
+  // diode, estimated at 0.8 V.
   static const std::vector<DriverChip> chips = {
       // EN low: open. EN high: the two half bridges follow IN1 and IN2.
       {"l298n",
@@ -148,15 +148,15 @@ const std::vector<DriverChip>& driver_chips() {
        0.8,
        true,
        {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
-      // One transistor a motor, with a diode: no reverse, no brake.
+      // One transistor per motor, with a diode: no reverse, no brake.
       {"transistor",
        0.1,
        0.1,
        0.8,
        true,
        {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
-      // What a wheel-servo has inside: the figures of its data sheet are those of the whole. Other motors
-      // have none.
+      // The driver inside a wheel servo, whose data sheet gives values for servo and driver together. Other
+      // motors cannot use it.
       {"servo", 0.0, 0.0, 0.8, true, {{{open, open}, {open, open}}, {{open, open}, {open, open}}}},
   };
   return chips;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostParts = 64;
 constexpr double kTrackAsWheels = 0.57735026918962576;  // 1 / sqrt(3): sim/world/body_skid.cpp
-constexpr double kMostSteered = 30.0 * kDegree;  // what a hobby car's linkage has, some 25 to 35 degrees
+constexpr double kMostSteered = 30.0 * kDegree;         // linkages of hobby cars reach 25 to 35 degrees
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
 std::vector<std::string> board_names() {
@@ -40,7 +40,7 @@ const BoardSpec& read_board(TableReader& reader) {
   throw InputError(value.place, fmt::format("board: {}", expected_one_of(value.string, board_names())));
 }
 
-// Whether every corner lies to the left of every side; a star that turns left all the way does not.
+// Returns whether every corner lies to the left of every side. A star that only turns left is not convex.
 bool convex(const std::vector<Vec2>& corners) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -127,7 +127,7 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.downforce = read_figure(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   if (const ConfigValue* const steering = reader.find("steering")) {
     chassis.steering = read_steering(*steering, reader);
-    read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // the rest is what steers
+    read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // steered: the rest
   }
   read_outline(reader, chassis);
   reader.finish();
@@ -189,7 +189,7 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   return driver;
 }
 
-// The names that outputs are wired by, before any part is read: parts may name registers further down.
+// Returns the names of registers before any part is read, since a part may name a register further down.
 std::vector<Register> registers_of(const ConfigValue* parts) {
   std::vector<Register> registers;
   if (!parts) return registers;
@@ -218,7 +218,7 @@ std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Termin
   throw InputError(table.find("type")->place, fmt::format("type: {}", expected_one_of(reader.type(), names)));
 }
 
-// Two parts on one pin, two names alike, two motors on one wheel.
+// Rejects two parts on one pin, two parts of the same name, and two motors on one wheel.
 void check_together(const Description& robot, const std::vector<Wire>& driver_wires,
                     const RobotSource& source) {
   struct User {
@@ -279,7 +279,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   }
 }
 
-// What sits on a servo names one, and so does the steering.
+// Rejects mounts and a steering that name a servo which the robot does not have.
 void check_mounts(const Description& robot) {
   std::vector<std::string> servos;
   for (const auto& part : robot.parts)

@@ -55,7 +55,7 @@ class Netlist {
   }
   /// As RobotPort::watch.
   void watch(Pin pin, PinWatcher& watcher);
-  /// For shift registers and PWM drivers: drives an output. Watchers are told if it has changed.
+  /// For shift registers and PWM drivers: drives an output. Notifies watchers if it has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);
 
  private:

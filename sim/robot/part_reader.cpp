@@ -10,7 +10,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kFarthest = 0.5;  // m: no part is farther from the axle than this
+constexpr double kFarthest = 0.5;  // m: greatest distance of a part from the axle
 
 std::string analog_pins(const BoardSpec& board) {
   std::vector<std::string> names;
@@ -23,7 +23,7 @@ std::string written(const ConfigValue& value) {
   return value.kind == ConfigValue::Kind::string ? '"' + value.string + '"' : std::to_string(value.integer);
 }
 
-// "NAME.Qn", "NAME.n": an output of a shift register, of a PWM driver.
+// Reads "NAME.Qn", an output of a shift register, or "NAME.n", an output of a PWM driver.
 Pin as_output(const ConfigValue& value, const char* key, const Terminals& terminals, PinUse use) {
   const auto& registers = terminals.registers;
   const std::size_t dot = value.string.rfind('.');

@@ -52,7 +52,7 @@ struct Robot::Inside {
     kept.add(state);
   }
 
-  // Null where there is nothing between the pins and the ADC.
+  // Returns null if nothing lies between the pins and the ADC.
   std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
     const double steps = individual.ideal()
                              ? 0.0
@@ -74,7 +74,7 @@ struct Robot::Inside {
     state.charge = own(battery.charge, "charge");
     feed();
   }
-  // What the battery gives in the tick that begins.
+  // Computes the battery's voltage for the tick that begins.
   void feed() {
     const Cells::Load load = cells.under(body, state.charge);
     state.charge -= load.taken;
@@ -82,7 +82,7 @@ struct Robot::Inside {
     body.supply(load.volts);
     find_supply();
   }
-  // A servo that turns wheels has something to do in each tick.
+  // Collects the servos that steer wheels; they act in each tick.
   void find_steering() {
     const Chassis& chassis = description.chassis;
     const Steering& steering = chassis.steering;
@@ -119,17 +119,17 @@ struct Robot::Inside {
 
   struct State {
     std::vector<ButtonPart*> bouncing;
-    bool edges = false;  // the board wanted some in the last tick
+    bool edges = false;  // the board requested edges in the last tick
     world::WheelCommand command[2];
     std::size_t last_seen = 0;  // the sensor that saw the line last
     double charge = 0.0;        // of a battery, 0..1
-    bool is_forced = false;     // a script says its volts
+    bool is_forced = false;     // a script sets its voltage
   };
 
   const Description& description;
   world::Body& body;
   const Individual individual;
-  Cells cells;  // none without [battery]; as it was drawn
+  Cells cells;  // empty without [battery]; values drawn for this robot
   Kept kept;
   View view;
   Netlist netlist;

@@ -71,8 +71,8 @@ class Robot {
   /// Takes step (3): motor commands become the time average of their pins over the tick that ends at `t`.
   /// Returns whether one has changed.
   bool end_tick(SimTime t);
-  /// Returns whether both steps would do nothing in further ticks, while nothing touches the body, firmware
-  /// does not access the board, and no script acts. Then only begin_idle_tick() is needed.
+  /// Returns whether both steps would do nothing in further ticks. Nothing may touch the body, firmware must
+  /// not access the board, and no script may act. Then only begin_idle_tick() is needed.
   bool idles() const;
   void begin_idle_tick(SimTime t);
 

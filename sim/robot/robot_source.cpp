@@ -50,7 +50,7 @@ std::vector<ConfigValue>& parts_of(ConfigValue& tree) {
   return parts->items;
 }
 
-// The part of that name; end() if there is none.
+// Returns the part of that name, or end().
 std::vector<ConfigValue>::iterator find_part(std::vector<ConfigValue>& parts, const std::string& name) {
   return std::find_if(parts.begin(), parts.end(),
                       [&](const ConfigValue& p) { return text_of(p, "name") == name; });
@@ -96,18 +96,18 @@ void override_parts(std::vector<ConfigValue>& parts, std::vector<ConfigValue>& o
   }
 }
 
-// Whether `key` is a table of the robot file of which a derived file may give single keys.
+// Returns whether `key` is a table whose keys a derived robot file may override one by one.
 bool merged(const std::string& key) {
   return key == "chassis" || key == "motors" || key == "driver" || key == "budget" || key == "electronics";
 }
 
-// `own` on top of `base`: tables key by key, parts by name.
+// Overrides `base` with `own`: tables key by key, parts by name.
 ConfigValue derive(ConfigValue base, ConfigValue own) {
   std::vector<ConfigValue> own_parts = parts_of(own);
   if (const ConfigValue* list = own.find("remove")) {
     remove_parts(parts_of(base), *list);
     ConfigValue* driver = member(base, "driver");
-    if (driver && list->kind == ConfigValue::Kind::string)  // "all": no wire of the base is left
+    if (driver && list->kind == ConfigValue::Kind::string)  // "all": removes every wire of the base
       driver->members.remove_if([](const auto& item) { return item.first == "standby"; });
   }
   override_parts(parts_of(base), own_parts);
@@ -125,7 +125,7 @@ ConfigValue derive(ConfigValue base, ConfigValue own) {
   return base;
 }
 
-// A stock robot by name, else a file beside the one that names it.
+// Returns the path of a stock robot by name, or of a file relative to the file that names it.
 fs::path find_base(const ConfigValue& base, const fs::path& from) {
   const std::string& name = as_string(base, "base");
   if (name.find_first_of("/.") != std::string::npos) {

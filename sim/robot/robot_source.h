@@ -1,5 +1,5 @@
-// A robot file merged with those that it is based on, as one tree. The derived file takes precedence over its
-// base, key by key in [chassis], [motors], [driver] and [budget], and part by part by their names.
+// A robot file merged with those that it is based on, as one tree. The derived file takes precedence over
+// its base. It does so key by key in [chassis], [motors], [driver] and [budget], and part by part by names.
 #pragma once
 
 #include <filesystem>
@@ -26,8 +26,8 @@ std::string bytes_of(const RobotSource& source);
 /// Returns "uno5.toml:12"; for a place in a base "uno5.toml:12, which my.toml:1 extends".
 std::string place_text(const RobotSource& source, const Place& place);
 
-/// Reads a robot with its bases. Throws InputError if it is not TOML, a base is missing, there are more than
-/// 8 bases, or a part to remove does not exist.
+/// Reads a robot with its bases. Throws InputError if it is not TOML, a base or a part to remove is missing,
+/// or there are more than 8 bases.
 RobotSource read_source(std::string_view text, const std::filesystem::path& file);
 
 /// Returns the text of a key in a table; empty if it has none.

@@ -104,7 +104,7 @@ class ScenarioPlayer {
     Due<Undo> undo;
     /// Keys in `undo` that a later action on the same subject cancels.
     std::map<std::string, Moment> lasting;
-    /// What fingers touch, and when each leaves it, as in `undo`; kNever: it stays.
+    /// The subjects that fingers touch, and when each finger leaves, as in `undo`; kNever: it stays.
     std::map<std::string, std::set<Moment>> fingers;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kEventsTold = 6;
 
-/// The end of the last leg that ended by then, or null.
+/// Returns the last leg that ended by `t_ns`, or null.
 const RunLog::Leg* leg_until(const RunLog& log, std::int64_t t_ns) {
   const RunLog::Leg* found = nullptr;
   for (const RunLog::Leg& leg : log.legs)
@@ -66,7 +66,7 @@ Moment Drive::worst() const {
     if (!worst || leg.worst_mm > worst->worst_mm) worst = &leg;
   }
   if (!worst) return moments().empty() ? Moment{} : moments().front();
-  // The sample before it knows the rest.
+  // Take the other values from the sample before it.
   wire::Sample sample;
   for (const wire::Sample& s : log_->samples)
     if (s.t_us * 1000 <= worst->worst_ns) sample = s;

@@ -25,7 +25,7 @@ struct Fleet::Inside {
   std::vector<std::shared_ptr<RunLog>> logs;
   std::string artifacts, replay;
 
-  /// Keeps what is needed to understand a failure.
+  /// Saves the artifacts that explain a failure.
   void keep() const;
 };
 

@@ -15,8 +15,8 @@ std::string sizes(const Graph& graph) {
          counted(static_cast<std::size_t>(graph.junctions()), "junction");
 }
 
-/// Whether the graphs agree if arm 0 of `found`'s node 0 is arm `arm` of `truth`'s node `node`: both are
-/// walked alike, from known nodes to new ones.
+/// Returns whether the graphs agree if arm 0 of `found`'s node 0 is arm `arm` of `truth`'s node `node`. Walks
+/// both graphs in the same order, from known nodes to new ones.
 bool agree(const Graph& truth, const Graph& found, int node, int arm) {
   struct Place {
     int node = Graph::kBlocked;

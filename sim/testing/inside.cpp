@@ -97,7 +97,7 @@ void Simulation::Inside::note_leg(std::int64_t begin_ns, Spot spot) {
   RunLog::Leg leg;
   leg.begin_ns = begin_ns;
   if (shared->over()) {
-    log->result = shared->result(number);  // in full, where its verdict was known before
+    log->result = shared->result(number);  // replaces the early verdict by the full result
     if (had_verdict) return;
     ended = spot;
     leg.end_ns = std::max<std::int64_t>(leg.begin_ns, std::llround(log->result->time_s * 1e3) * 1'000'000);
@@ -162,7 +162,7 @@ wire::Stop Simulation::Inside::stop_for(const Event::One& event) const {
   return stop;
 }
 
-// What comes next is looked for behind the text that was just found.
+// Moves the search position past the text that was just found.
 void Simulation::Inside::read_on(const Event::One& event) {
   const std::string& text = log->serial;
   const std::size_t all = state().serial_bytes;

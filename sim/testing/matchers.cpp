@@ -12,7 +12,7 @@
 namespace robosim::testing {
 namespace {
 
-constexpr double kMoved_mm = 10.0;  // less is no drive
+constexpr double kMoved_mm = 10.0;  // a shorter way does not count as driving
 constexpr double kBackwards_mm_s = 5.0;
 
 using Finding = Requirement::Finding;
@@ -31,7 +31,7 @@ std::vector<std::string> as_names(std::initializer_list<int> numbers) {
   return names;
 }
 
-/// Stations may be asked for by number where the map names them.
+/// Returns the map's name of a station that is given by name or by number.
 std::string name_of(const RunLog& log, const std::string& station) {
   for (const auto& known : log.started.stations)
     if (known.name == station || std::to_string(known.id) == station) return known.name;
@@ -47,7 +47,7 @@ std::string shortened(const std::string& text) {
   return text.size() > kMost ? "… " + in_quotes(text.substr(text.size() - kMost)) : in_quotes(text);
 }
 
-/// When it stopped for good in this drive; its end if it moves still.
+/// Returns the moment when the robot stopped for good; the end of the drive if it still moves.
 Moment last_movement(const std::vector<Moment>& moments) {
   Moment last = moments.front();
   for (std::size_t i = 1; i < moments.size(); ++i)
@@ -210,7 +210,7 @@ Requirement SerialSays(std::string text) {
   });
 }
 
-// std::regex takes stack for each character. Of a line that a test waits for, no more counts either.
+// std::regex uses stack for each character. Waiting for a line has the same limit.
 constexpr std::size_t kLongestLine = 1000;
 
 Requirement SerialMatches(std::string regex) {

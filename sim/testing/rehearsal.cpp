@@ -58,7 +58,7 @@ void run_for_all_to_see(const Trial& trial, const std::function<void(Simulation&
         kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");
     try {
       body(robot);
-    } catch (const std::exception& problem) {  // while there is a robot whose run can be told and kept
+    } catch (const std::exception& problem) {  // the robot still exists for the report
       ADD_FAILURE_AT(file, line) << problem.what();
     }
   } catch (const std::exception& problem) {

@@ -16,7 +16,7 @@
 namespace robosim::testing {
 namespace {
 
-/// As GitHub wants the text of a workflow command.
+/// Escapes the text of a GitHub workflow command.
 std::string annotation(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -34,7 +34,7 @@ std::string annotation(const std::string& text) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// What a failure found, in one line: of a matcher, what it says of the drive and how the run ended.
+/// Summarises a failure in one line. Of a matcher's message, it is the finding and how the run ended.
 std::string essence(const std::string& message) {
   const std::string mark = "  Actual: ";
   const std::size_t at = message.find(mark);
@@ -63,7 +63,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestPartResult(const ::testing::TestPartResult& part) override {
     if (!part.failed()) return;
-    // Google Test holds a lock here: it must not be asked which test this is.
+    // Google Test holds a lock here, so its functions for the current test would deadlock.
     const std::string then = robots_then(part);
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
                part.line_number() > 0 ? part.line_number() : 1, test_,
@@ -74,7 +74,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
     if (summary_.empty()) return;
-    const bool alone = tests.test_to_run_count() == 1;  // as ctest starts them: one table for all that failed
+    const bool alone = tests.test_to_run_count() == 1;  // by ctest: all failures share a table
     if (alone && rows_.empty()) return;
     const bool continued = alone && ends_in_table();
     std::ofstream out(summary_, std::ios::app | std::ios::binary);

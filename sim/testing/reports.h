@@ -17,8 +17,8 @@ void record_trace(const std::string& trace_hash);
 /// Records the folder of a run of the current test; the property names all of them.
 void record_kept(const std::string& folder);
 
-/// If GITHUB_ACTIONS is set: from now on each failure is also an annotation of its line, and at the end a
-/// table is appended to the file GITHUB_STEP_SUMMARY. Call it once.
+/// If GITHUB_ACTIONS is set: from now on each failure is also an annotation of its line. At the end a table
+/// is appended to the file GITHUB_STEP_SUMMARY. Call it once.
 void report_to_github();
 
 }  // namespace robosim::testing

@@ -14,7 +14,7 @@ struct RunLog {
   struct Entry {
     std::int64_t t_ns = 0;
     std::string text;
-    bool collision = false;  ///< it tells of one
+    bool collision = false;  ///< the entry is a collision
   };
   /// Between two stands.
   struct Leg {
@@ -41,11 +41,11 @@ struct RunLog {
   std::vector<bool> is_line_sensor;
   std::optional<wire::Resources> resources;
   std::optional<wire::RunResult> result;
-  std::string replay;                  ///< the command, but for how long
+  std::string replay;                  ///< the command without its duration
   std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
   mutable bool verdict_asked = false;  ///< the test knows that the run may end
 
-  /// Notes of a tick are told at its end, behind what the sketch has said in it: it goes where it belongs.
+  /// Inserts an entry by its time. Notes of a tick arrive at its end, after the sketch's output in it.
   void add(Entry entry);
 };
 

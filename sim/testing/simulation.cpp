@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
-/// Up to the next whole tick.
+/// Rounds up to whole ticks.
 std::int64_t in_ticks(Duration time) {
   return (time.count() + kMillisecond_ns - 1) / kMillisecond_ns * kMillisecond_ns;
 }
@@ -98,7 +98,7 @@ void Simulation::act(const std::string& line, const char* file, int at) {
   try {
     in_->shared->run->act(line, in_->number);
   } catch (const InputError& error) {
-    // The place in the script, whose only line this is: "script:1: ".
+    // Remove the place "script:1: ", since the script has only this line.
     constexpr std::string_view kOnlyLine = "1: ";
     std::string message = error.message();
     const std::size_t place = message.find(kOnlyLine);

@@ -30,7 +30,7 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-/// A name as it is; the text itself as a file in the folder `scratch`, which is made for it.
+/// Returns a name unchanged. Writes a text to a file in the folder `scratch`, which it creates if necessary.
 std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {
@@ -44,15 +44,15 @@ std::string name_of(const std::string& name_or_text, const std::string& file, fs
 
 constexpr std::int64_t kSamplesEvery_ns = 10'000'000;
 
-/// "." has a name, too.
+/// Returns the sketch's name; "." has the folder's name.
 std::string title_of(const std::string& sketch, const fs::path& path) {
   const fs::path whole = fs::absolute(path).lexically_normal();
   return launch::is_path(sketch) ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()
                                  : sketch;
 }
 
-/// ROBOSIM_MUTANT="/sketch=/copy", which robosim mutate sets: what lies in the first folder is taken from the
-/// second.
+/// Applies ROBOSIM_MUTANT="/sketch=/copy", which robosim mutate sets: files of the first folder are read from
+/// the second.
 std::string in_place_of(const std::string& sketch) {
   const char* words = std::getenv("ROBOSIM_MUTANT");
   const std::string_view mutant = words ? words : "";
@@ -69,12 +69,12 @@ launch::SketchChoice choose_sketch(const Trial& trial) {
   return launch::choose_sketch(in_place_of(trial.sketch));
 }
 
-/// What the robosim command calls what was chosen.
+/// Returns the argument of the robosim command that selects the same choice.
 std::string word_for(const launch::Choice& choice) {
   return launch::is_path(choice.name) ? choice.path.string() : choice.name;
 }
 
-/// Sketches are compiled once a process; after that even the cache on the disk is not asked.
+/// Returns the process's launcher, which compiles each sketch once and then skips even the cache on disk.
 launch::Launcher& launcher() {
   static launch::Launcher launcher;
   return launcher;
@@ -97,7 +97,7 @@ Borrowed::~Borrowed() {
 }
 
 std::string target_of(const Trial& trial) {
-  // "host" is what a Trial says that names no target.
+  // "host" is the default of a Trial without a target.
   return launch::choose_target(trial.target == "host" ? "" : trial.target, choose_sketch(trial));
 }
 
@@ -159,7 +159,7 @@ FleetStage choose_stage(const FleetTrial& trial) {
     launch::Launch& launch = member.launch;
     launch.sketch = in_place_of(robot.sketch);
     launch.robot = name_of(robot.robot, robot.name + ".toml", all.scratch);
-    launch.target = robot.target == "host" ? "" : robot.target;  // "host" is what one says that names none
+    launch.target = robot.target == "host" ? "" : robot.target;  // "host" is the default
     launch.libraries = robot.libraries;
     launch.request.start = robot.start;
     launch.request.goal = robot.goal;
@@ -199,7 +199,7 @@ std::vector<Stage> set_stages(const FleetTrial& trial, FleetStage& all, client::
     stage.robot_name = one.request.robot;
     stage.robot = std::move(one.robot_info);
     stage.request = run.request;
-    stage.request.start = named.request.start;  // of this robot: for its true_graph()
+    stage.request.start = named.request.start;  // this robot's start, for true_graph()
     Trial& alone = all.trials.emplace_back();
     alone.sketch = named.sketch;
     alone.map = fs::path(run.request.map).string();

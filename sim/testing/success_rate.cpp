@@ -26,7 +26,7 @@ std::size_t workers() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Removes what was made of texts.
+/// Removes the files that were written for texts.
 struct Cleaner {
   const Stage& stage;
   ~Cleaner() {
@@ -61,7 +61,7 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
   }();
   const Cleaner cleaner{stage};
   stage.request.samples_every_ns = 0;
-  stage.request.counters.clear();  // so many runs are not counted
+  stage.request.counters.clear();  // these runs do not count for coverage
   stage.request.serial = stage.request.notes = false;
 
   analysis::Tally tally(static_cast<std::int64_t>(seeds.size()), demand);

@@ -1,5 +1,5 @@
-// Many events in one binary batch. As one JSON line each, events that occur hundreds of times per simulated
-// second would take several times as long as the run.
+// Many events in one binary batch. Some events occur hundreds of times per simulated second. As one JSON line
+// each, they would take several times as long as the run.
 //
 // Events follow each other. Each begins with eight bytes: kind, robot's number, pin's number, a byte `other`,
 // and a signed number of four bytes. Unless noted below, that number is the nanoseconds since the previous

@@ -27,7 +27,7 @@ namespace robosim::wire {
 template <class V, class T>
 using Same = std::conditional_t<V::kReads, T, const T>;
 
-/// Whether a key is present.
+/// The presence of a key.
 struct Presence {
   bool required = true;  ///< a reader requires it; else a missing key keeps its default
   bool written = true;

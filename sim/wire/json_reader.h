@@ -51,7 +51,7 @@ class JsonReader {
   static constexpr bool kReads = true;
   static constexpr bool kDescribes = false;
 
-  /// Whether keys without a description are an error.
+  /// Selects whether keys without a description are an error.
   enum class Unknown { allowed, refused };
 
   /// Reads a message. Throws BadValue. `besides`: keys of the same object that others have read.

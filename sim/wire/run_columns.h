@@ -36,7 +36,7 @@ const std::vector<ColumnSpec>& volts_columns();
 /// Numbers the lines that drive pins, from 1 in the order of appearance.
 class SourceNumbers {
  public:
-  /// Returns the line's number; 0 = it is none.
+  /// Returns the line's number; 0 = not a line.
   int of(const SourceLine& line);
   /// Returns the new ones since the last call.
   std::vector<SourceLine> take_new();

@@ -21,7 +21,7 @@ bool is_named(const Clue& clue) {
 
 bool is_sensor_like(const Clues& clues, const Clue& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
-  // Of an encoder, a button, a remote control's receiver: edges and pulses of a line sensor are useless.
+  // Encoders, buttons and remote controls' receivers use these. Edges of a line sensor are useless.
   if (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
   if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",

@@ -21,13 +21,13 @@ class Air {
 
   /// A new radio; its number.
   std::size_t join(int channel);
-  /// It reaches the others at `at`. To be seen alike whoever is asked first in a tick, that must be in a
-  /// later one.
+  /// Sends a byte, which reaches the other radios at `at`. That must be in a later tick, so that the order of
+  /// calls within a tick has no effect.
   void send(std::size_t from, std::uint8_t byte, SimTime at);
   /// The next byte that has reached this radio before `t`, once.
   std::optional<Arrival> take(std::size_t radio, SimTime t);
 
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time; at once, by byte, not by number
   };

@@ -12,8 +12,8 @@ namespace robosim::world {
 
 class Apart {
  public:
-  /// Of each body, whether nobody meets it or notices it, nor it them, within so many seconds, as
-  /// World::apart has it. Valid until the next call.
+  /// Returns for each body whether it can neither meet nor notice another one within `seconds`, nor be
+  /// noticed, as World::apart defines it. Valid until the next call.
   const std::vector<bool>& find(const std::vector<std::unique_ptr<Body>>& bodies,
                                 const std::vector<double>& sights, double seconds);
 

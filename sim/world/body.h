@@ -56,7 +56,7 @@ struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
-  // What a winding with inductance minds.
+  // Used by windings with inductance.
   double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; twice that is part of `brake`
   double period_s = 0.0;  ///< of PWM; 0 = none, or not known
 
@@ -101,7 +101,7 @@ struct BodyParams {
   std::vector<Vec2> outline;
   double radius_m = 0.0;  ///< m, of the circle; not used with a polygon
   Vec2 centre;            ///< m, of the circle; not used with a polygon
-  // What hills need, and loads that shift.
+  // Used by hills and by loads that shift.
   double caster_m = -0.05;         ///< m, where the caster stands, ahead of the axle; not 0
   double caster_radius_m = 0.008;  ///< m, of the caster, a ball
   double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
@@ -118,7 +118,7 @@ BodyParams default_body_params();
 /// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
 double effective_track(double track, double wheelbase);
 
-/// Returns the steering angle at the body's middle, rad, for an angle `inner` of the inner one of two steered
+/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner one of two steered
 /// wheels, which are `track` apart: body_steer.cpp.
 double steered_middle(double inner, double track, double steer_base);
 
@@ -231,7 +231,7 @@ class Body {
   friend class World;
   friend class batch::Bodies;  // the same tick of many at once
 
-  // What a wheel's parameters amount to: forces at the tyre's tread, speeds of the tread, impulses of one
+  // Constants from a wheel's parameters: forces at the tyre's tread, speeds of the tread, impulses of one
   // tick.
   struct Unit {
     double per_radius;
@@ -247,7 +247,7 @@ class Body {
   struct Motor {
     double push, drag;
   };
-  // Of a motor whose winding has inductance.
+  // State of a motor whose winding has inductance.
   struct Winding {
     double seconds = 0.0;  // L / R
     double tau = 0.0;      // the same as a multiple of the command's period
@@ -335,7 +335,7 @@ class Body {
   double surface_[2] = {0.0, 0.0};  // speed of the treads, m/s: w r
   double angle_[2] = {0.0, 0.0};
   Unit unit_[2] = {};
-  Roller<Pair> roller_ = {};  // what follows from them, and from what is told
+  Roller<Pair> roller_ = {};  // constants from these and from the commands
   bool is_ordinary_ = false;  // may roll as rolling.h has it
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other

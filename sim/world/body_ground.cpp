@@ -19,21 +19,21 @@
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
 // Beyond 45 degrees the body has toppled. So, at rest, it tips where tan(slope) > d / h.
 //
-// With the caster behind, what is steeper than the chassis stands, a step or the foot of a slope, pushes at a
-// wheel's hub and not at its tread: of the speed that is lost there, by the impact and to the wheel's own
-// slope, the arm is not h but h - r, at least 0. So a robot whose mass is no higher than its hubs does not
-// trip over a step.
+// With the caster behind, a step or the foot of a slope may be steeper than the chassis. Then it pushes at a
+// wheel's hub and not at its tread. The speed lost there, by impact and slope, acts with the arm h - r, at
+// least 0, instead of h. So a robot does not trip over a step if its mass is no higher than
+// its hubs.
 //
-// A wheel that meets a slope, from the slope k_0 to a steeper one k_1, keeps of its speed the cosine of the
-// angle between them: v falls by (1 - cos) of its share of the mass. Where it lands, coming from k_0 < 0, its
-// share of v^2 falls by no more than 2 g r (1 - 1 / sqrt(1 + k_0^2)), what it fell by.
+// A wheel that goes from the slope k_0 to a steeper one, k_1, keeps its speed times the cosine of the angle
+// between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
+// falls by at most 2 g r (1 - 1 / sqrt(1 + k_0^2)), the gain of its fall.
 //
-// Gaps between boards take what joints.h says of each wheel's and the caster's share, at once, and pull it
-// into them while it is there.
+// Gaps between boards take the energy of each wheel's and the caster's share at once (joints.h). They pull
+// the wheel down while it is in them.
 //
-// It has also toppled where the ground under one of its wheels falls off by more than the wheel's radius at
-// once; and what rises in front of a wheel by more than three times its way is a face: it stops there, as at
-// a wall.
+// It has also toppled if the ground under one of its wheels drops by more than the wheel's radius at once.
+// Ground that rises in front of a wheel by more than three times its way is a face: the body stops there, as
+// at a wall.
 //
 // Not modelled: that a step also pushes the axle up, which holds the caster down; that motors at a step lift
 // a caster in front; a tip about the caster (its wheels lose their grip instead); a chassis that sits on a

@@ -1,8 +1,8 @@
 // Bodies that turn by skidding: four wheels, two driven together on each side, or tracks.
 //
 // Wheels wheelbase L apart on each side, track B between the sides, the load even on all four, grip mu. While
-// it turns at omega each wheel slides sideways at omega L / 2, and, its tread being s faster or slower than
-// the ground, along at s; the tyre's force is mu N against the way it slides. Balance of the moments about
+// it turns at omega, each wheel slides sideways at omega L / 2. It slides along at s, by which its tread is
+// faster or slower than the ground. The tyre's force is mu N against its slide. Balance of the moments about
 // its middle gives
 //   s = omega L^2 / (2 B)      so that treads at r w to each side turn it as if they were farther apart:
 //   B_eff = 2 r w / omega = B + L^2 / B

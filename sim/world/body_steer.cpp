@@ -1,8 +1,8 @@
 // Bodies with steered wheels: a tricycle's one in front, or the two of a car (Ackermann), behind which both
 // driven wheels roll on one axle.
 //
-// With the steered wheels L ahead of the driven axle, at the angle delta, to the left positive, nothing
-// slides sideways where every wheel's axle points to one centre, on the driven axle's line (the bicycle
+// The steered wheels are L ahead of the driven axle, at the angle delta, to the left positive. Nothing slides
+// sideways if every wheel's axle points to one centre, on the driven axle's line (the bicycle
 // model):
 //   R = L / tan delta                 from there to the middle of the driven axle, to the left of it
 //   omega = k v,  k = tan delta / L   the heading's rate, v forward at the driven axle

@@ -12,11 +12,11 @@
 // V_d is what a diode takes (driver_diode_volts). The parts come in the order of the table's, with what is
 // driven against the rest in third place. Here "forward" is the command's direction.
 //
-// A motor that is turned by its wheel gives no more than that loses: against its current it has k_e for each
-// ampere where that is more than k_t, which carries the gear's losses while it drives.
+// A motor that is turned by its wheel gives no more than the wheel loses. Against its current it has k_e per
+// ampere if that is more than k_t, which includes the gear's losses while it drives.
 //
-// Torque and the supply's current in a tick follow the straight line about the speed at its beginning, with
-// which the step is implicit, as with the motors in body.h.
+// Torque and the supply's current in a tick are linear about the speed at its beginning. So the step is
+// implicit, as with the motors in body.h.
 #include <algorithm>
 
 #include "sim/base/exponential.h"

@@ -144,7 +144,7 @@ class Floor {
       return std::min(dx * dx + y * y, x * x + dy * dy);
     }
   };
-  // What a value of a cell's byte stands for.
+  // The meaning of a value of a cell's byte.
   struct Kind {
     Arms line;     // the centre lines in the cell, painted or not
     Arms painted;  // those that are painted: shorter towards a gap
@@ -179,8 +179,8 @@ class Floor {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
-  // Where there is more than lines. Not for each sensor anew: that costs where there are lines only. A Vec2
-  // here would be put together in memory, and waited for, before each reading.
+  // Returns the darkness of a floor with more than lines. It is not inlined for each sensor, which would slow
+  // down floors with lines only. A Vec2 parameter would be built in memory before each reading.
   double painted_darkness(double x, double y, double footprint_m) const;
   double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;

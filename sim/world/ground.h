@@ -37,16 +37,16 @@ class Ground {
  public:
   explicit Ground(const grid::Map& map);
 
-  /// Whether it is all one plane of one kind.
+  /// Returns whether all of it is one plane of one kind.
   bool plain() const {
     return hills_.empty() && surfaces_.empty() && surface_of_cell_.empty() && joints_.empty();
   }
 
-  /// Of a wheel of that radius (m) whose contact point is p; `rolls`: which way, a unit vector.
+  /// Returns the footing of a wheel of `radius` (m) at contact point p; it rolls along `rolls`.
   Footing under_wheel(Vec2 p, Vec2 rolls, double radius) const;
-  /// Of a ball.
+  /// Returns the footing of a ball.
   Footing under_ball(Vec2 p, double radius) const;
-  /// m, of the floor itself.
+  /// Returns the height of the floor itself in m.
   double height(Vec2 p) const;
   /// The surface there: grip, times the robot's, and rolling resistance, which comes to its own.
   using Kind = grid::SurfaceFigures;
@@ -58,16 +58,16 @@ class Ground {
   void press(Vec2 p, double mass, double force);
   /// Seesaws move by what has pressed on them. At the end of a tick.
   void settle();
-  /// m by which a seesaw lifts what is on it in this tick, at most.
+  /// Returns the greatest distance, m, by which a seesaw lifts a body in this tick.
   double heave() const;
 
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct Seesaw {
     double sine = 0.0, rate = 0.0;       ///< of the plank; positive: its end is up
     double torque = 0.0, inertia = 0.0;  ///< of what presses, in this tick
   };
   struct State {
-    std::vector<Seesaw> seesaws;  ///< one for each hill, at rest where that is none
+    std::vector<Seesaw> seesaws;  ///< one for each hill; at rest if the hill is not a seesaw
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
@@ -78,7 +78,7 @@ class Ground {
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
   const Joints joints_;
-  // Of the legend, as grid::Map has them.
+  // From the legend, as in grid::Map.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;
   const int columns_, rows_;

@@ -1,6 +1,6 @@
 // Gaps between boards: [[joint]] of a map.
 //
-// A wheel of radius r that rolls slowly over a gap of width g turns about its first edge, and then about the
+// A wheel of radius r rolls slowly over a gap of width g. It turns about its first edge, and then about the
 // second. In the middle it has sunk by
 //   h = r - sqrt(r^2 - (g/2)^2)                           for example 0.20 mm: r = 16 mm, g = 5 mm
 // Its slope changes at once from -tan(alpha) to tan(alpha), with sin(alpha) = g / 2r. It meets the second
@@ -12,8 +12,8 @@
 // carries a mass m, loses of its kinetic energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              in all 4 m G h at most, at any speed
 //
-// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width, and its tread of width
-// w bridges w |sin theta| of it. Robot files do not have w, so 6 mm are assumed, as narrow wheels have. A
+// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width. Its tread of width w
+// bridges w |sin theta| of it. Robot files do not have w, so 6 mm are assumed, as narrow wheels have. A
 // ball has no tread; one that is hardly wider than the gap is caught in it.
 //
 // Not modelled: soft tyres, which sink less and lose less; boards of different heights (a [[hill]] is a
@@ -32,7 +32,7 @@ class Joints {
   explicit Joints(const grid::Course& course) : joints_(course.joints) {}
   bool empty() const { return joints_.empty(); }
 
-  /// What rolls: a wheel, or a ball.
+  /// A rolling body: a wheel or a ball.
   struct Roller {
     double radius = 0.0;  ///< m
     Vec2 rolls;           ///< which way, a unit vector; of a ball 0

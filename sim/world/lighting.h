@@ -36,12 +36,12 @@ class Lighting {
   std::size_t count() const { return lights_.size(); }
   /// Switches one off, or on again.
   void switch_light(std::size_t number, bool on) { lights_[number].on = on; }
-  /// What changes during a run: which are on.
+  /// Returns the state that changes during a run: which lights are on.
   std::vector<bool> save() const;
   void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }
-  /// L of all lights together: the share of white to black by which what is at p looks whiter at `t` to a
-  /// sensor that is 3 mm high.
+  /// Returns L of all lights together. The floor at p looks whiter at `t` by this share of the range from
+  /// white to black, to a sensor 3 mm high.
   double at(Vec2 p, SimTime t) const;
 
  private:

@@ -18,8 +18,8 @@ class NearBodies {
 
   NearBodies(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {}
 
-  /// Those that meet are among them, the western one first, from west to east: in the same order whoever has
-  /// which number. Valid until the next call.
+  /// Returns all pairs that may meet, the western body first, from west to east. The order does not depend on
+  /// the bodies' numbers. Valid until the next call.
   const std::vector<Pair>& pairs(const std::vector<std::unique_ptr<Body>>& bodies);
 
  private:
@@ -29,7 +29,7 @@ class NearBodies {
   void look_in_squares(const std::vector<std::unique_ptr<Body>>& bodies, const Take& take);
 
   double width_m_, height_m_;
-  // Made for so many bodies.
+  // Number of bodies for which the squares were made.
   std::size_t count_ = 0;
   double per_side_ = 0.0;
   int columns_ = 0, rows_ = 0;

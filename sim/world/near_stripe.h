@@ -15,7 +15,7 @@ namespace robosim::world {
 struct FloorBox {
   Vec2 low, high;
 
-  /// Whether it is inside, not on a side. Nothing is where it is empty.
+  /// Returns whether p is inside, not on a side. An empty box holds nothing.
   bool holds(Vec2 p) const { return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y; }
   /// Keeps what is at most `way` away from p.
   void keep(Vec2 p, double way);
@@ -24,7 +24,7 @@ struct FloorBox {
 /// The nearest stripe of one place, and the box around that place in which it stays the nearest.
 class NearStripe {
  public:
-  /// Whether it is known there. Nowhere, before anything was sought.
+  /// Returns whether the result at p is known. Before the first search it is not.
   bool holds(Vec2 p) const { return box_.holds(p); }
   /// Where it holds: whether no stripe comes near the footprint for which it was sought.
   bool is_clear() const { return kind_ == Kind::clear; }
@@ -36,13 +36,13 @@ class NearStripe {
     return distance_of_two(all, p);
   }
 
-  /// What counts in a part of the floor.
+  /// The relevant stripes of a part of the floor.
   struct Around {
     std::span<const grid::Stripe> all;
     std::span<const std::uint32_t> near;  ///< those of them that can be nearest inside the box
     FloorBox box;
     bool painted_only;
-    double reach;  ///< m: nobody minds a stripe that is farther away
+    double reach;  ///< m: stripes that are farther away do not matter
   };
   /// The distance from p, which is in the box, to the nearest stripe, m; kNoStripe if there is none.
   double seek(const Around&, Vec2 p);

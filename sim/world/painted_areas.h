@@ -23,10 +23,10 @@ class PaintedAreas {
 
   bool empty() const { return areas_.empty(); }
 
-  /// What comes back of a band, as a share of what white gives, from a square of side `footprint` about p,
-  /// where `below` comes back from what these areas are painted over: those with or without `over_lines`,
-  /// each over those before it. An area's share of the square is exact where it is a rectangle and parallel;
-  /// of a disc it is taken as if its edge were straight.
+  /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
+  /// `below` is the reflectance under these areas: those with or without `over_lines`, each over the previous
+  /// ones. An area's share of the square is exact for a parallel rectangle; a disc's edge is taken as
+  /// straight.
   double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
     return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);
   }

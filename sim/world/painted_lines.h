@@ -27,8 +27,8 @@ class PaintedLines {
   /// Where paint is gone is drawn from `noise`.
   void wear(const NoiseStream& noise) { noise_ = noise; }
 
-  /// What comes back of a band, as a share of what white gives, from a square of side `footprint` about p,
-  /// where `below` comes back from the floor under the lines. Paint by paint, in the order of their numbers,
+  /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
+  /// `below` is the reflectance under the lines. For each paint, in the order of their numbers,
   ///   r <- r + c t (r_paint - r)
   /// c: the largest share of the footprint that one stripe or mark of that paint takes, as
   /// Floor::coverage has it; t: what is left of the paint there.
@@ -41,9 +41,9 @@ class PaintedLines {
     return over_these(near, below, band, p, footprint, marks);
   }
 
-  /// What is left at p of paint of which the share `worn` is gone, 0..1. At each point of a lattice of 10 mm
-  /// it is whole or gone; in between it is the smooth mean of the four points around. So its mean over a
-  /// long line is 1 - worn, and what is gone with a smaller share is gone with a larger one.
+  /// Returns the remaining share of paint at p, 0..1, if the share `worn` is gone. At each point of a lattice
+  /// of 10 mm it is whole or gone; in between it is the smooth mean of four points. So its mean over
+  /// a long line is 1 - worn. Paint that is gone at a smaller `worn` is gone at a larger one.
   double left(Vec2 p, double worn) const;
 
  private:

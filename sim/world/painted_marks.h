@@ -27,9 +27,9 @@ class PaintedMarks {
   }
   /// Stripes, and after them the marks' middle lines: what is looked up together.
   std::vector<grid::Stripe> after(std::span<const grid::Stripe> lines) const;
-  /// How far from their middle lines a footprint that is looked up can see any of them, m.
+  /// Returns the greatest distance, m, from their middle lines at which a footprint can see any of them.
   double reach() const { return reach_; }
-  /// Whether a square of side `footprint` about p may see one.
+  /// Returns whether a square of side `footprint` about p may see one.
   bool any_near(Vec2 p, double footprint) const {
     return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
   }

@@ -15,7 +15,7 @@ class Patches {
     Vec2 least, most;  ///< corners, m
     bool line = false;
   };
-  /// What changes during a run.
+  /// The state that changes during a run.
   struct State {
     std::vector<Patch> patches;
     int next_id = 1;
@@ -29,8 +29,8 @@ class Patches {
   /// Does nothing if there is no such patch.
   void remove(int id);
 
-  /// What a square of side `footprint` about p shows, where it shows `below` without these, and `line` and
-  /// `bare` where all of it is so.
+  /// Returns the value of a square of side `footprint` about p. Its value is `below` without these patches,
+  /// and `line` or `bare` if all of it is line or bare floor.
   double over(double below, double line, double bare, Vec2 p, double footprint) const;
 
   const State& save() const { return state_; }

@@ -35,7 +35,7 @@ class Tiles {
         numbers_[static_cast<std::size_t>(row * columns_ + column)].push_back(number);
   }
 
-  /// What may be seen from p; beyond the floor's edge, from the edge.
+  /// Returns the numbers of objects that may be visible from p; beyond the floor's edge, from the edge.
   std::span<const std::uint32_t> at(Vec2 p) const {
     if (numbers_.empty()) return {};
     return numbers_[static_cast<std::size_t>(place(p.y, last_row_) * columns_ + place(p.x, last_column_))];

@@ -106,7 +106,7 @@ class Walls {
 
   const grid::Map* map_;
   const double per_cell_, columns_, rows_;
-  std::vector<std::uint8_t> rings_;  // row by row from the bottom; 255 = that many or more
+  std::vector<std::uint8_t> rings_;  // row by row from the bottom; 255 = 255 or more
   State state_;
 };
 

@@ -3,12 +3,12 @@
 //   L di/dt = v - R i - E        tau = L / R; E = k_e w, constant during a period
 //
 // In each phase of a period a driver applies a voltage v to the winding. As with diodes, v may depend on the
-// current's direction: v+ while it flows forward, v- >= v+ while it flows backward, and none while it does
+// current's direction: v+ while it flows forward, v- >= v+ while it flows backward; none while it does
 // not flow and neither voltage would start it. For a phase of t with one v,
 //   i(t) = a + (i(0) - a) e^(-t / tau),  integral of i = a t - tau (i(t) - i(0)),  a = (v - E) / R
 // If a has the other sign, the current is 0 after tau ln(1 - i(0) / a). In the steady state a period ends
-// with the current with which it begins. Newton's method finds it in 1 to 3 periods, since the end is a
-// linear function of the beginning while the current keeps its sign. No pulse is simulated.
+// with the current with which it begins. Newton's method finds it in 1 to 3 periods: the end is a linear
+// function of the beginning while the current keeps its sign. No pulse is simulated.
 //
 // With the motor driven for D T at V, and without drops (Erickson and Maksimovic, Fundamentals of Power
 // Electronics, chapters 2 and 5, whose converters have R = 0):
@@ -24,7 +24,7 @@
 // driven: so a motor recovers energy. If it is shorted throughout, the energy turns to heat in the winding.
 //
 // Not modelled: transients of some tau after a change of duty cycle or speed (each tick is in its steady
-// state), saturation, iron losses, and a battery that does not accept current.
+// state); saturation, iron losses, and a battery that does not accept current.
 #pragma once
 
 #include <span>

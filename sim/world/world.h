@@ -57,7 +57,7 @@ class World {
   /// Returns the radio channels.
   Air& air() { return air_; }
 
-  // How far body number `from_body` sees from a point of the floor, as in walls.h: to anything that would
+  // Returns how far body `from_body` sees from a point of the floor, as in walls.h: up to anything that would
   // stop it. Other bodies count as the circles about their outlines, unless they are lifted.
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;

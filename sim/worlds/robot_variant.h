@@ -18,8 +18,8 @@ struct Figure {
   std::string unit;     ///< "mm"; "" = none
 };
 
-/// Returns the parameters of a robot file with a spread, in its order, and the places of its floor sensors,
-/// plus or minus `mounting_mm`. Values or spreads that are not numbers with the same unit are skipped.
+/// Returns the parameters of a robot file with a spread, in its order. Adds the places of its floor sensors,
+/// plus or minus `mounting_mm`. Skips values or spreads that are not numbers with the same unit.
 std::vector<Figure> figures_of(std::string_view robot_file, const std::string& name, double mounting_mm);
 
 struct RobotVariant {

@@ -1,4 +1,4 @@
-// How many times faster than real time the emulated chip runs, on one core.
+// Measures the emulated chip's speed as a multiple of real time, on one core.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>

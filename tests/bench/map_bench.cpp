@@ -1,6 +1,6 @@
-// Reading a map of 8000 x 8000 cells (64 MB, the largest map), against the least that any reader must do:
-// read() of the cached file and a copy into fresh pages. The promise: at most twice its time, and one byte a
-// cell. Then what is made of maps, and large maps made by chance.
+// Measures reading a map of 8000 x 8000 cells (64 MB, the largest map), against the minimum of any reader:
+// read() of the cached file and a copy into fresh pages. Required: at most twice that time, and one byte per
+// cell. Then measures structures derived from maps, and the generation of large maps.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-// A tick of a whole robot: its parts, its body and its walls, with the noise of the profile `typical`.
+// Measures a tick of a whole robot: parts, body and walls, with the noise of the profile `typical`.
 
 #include <benchmark/benchmark.h>
 
@@ -52,7 +52,7 @@ BENCHMARK(robot_tick)
     ->Arg(5)
     ->Arg(1000000000);
 
-// The same of 64 robots in a batch; the time is that of one of them.
+// Measures a tick of 64 robots in a batch; the time is that of one robot.
 void batch_tick(benchmark::State& state) {
   constexpr std::size_t kRobots = 64;
   const grid::Map map = grid::read_map(grid::find_map("oval"));

@@ -1,4 +1,4 @@
-// How many times faster than real time whole simulations run, on one core, with noise.
+// Measures the speed of whole simulations as a multiple of real time, on one core, with noise.
 
 #include <benchmark/benchmark.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr SimTime kSimulated = 20 * kSecond;
 
-// Runs for kSimulated, whatever happens, and reports simulated over wall time.
+// Runs for kSimulated, with any verdict, and reports the ratio of simulated to wall time.
 void simulate(benchmark::State& state, exec::Executor& executor) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");

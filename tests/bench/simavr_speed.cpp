@@ -1,7 +1,7 @@
-// How many times faster than libsimavr: a whole run, robot and world included, against a plain loop of
-// avr_run() over the same ELF, one after the other. Times differ from machine to machine and from hour to
-// hour, by a factor of two; their ratio less. `robosim_bench_avr --benchmark_filter=libsimavr` prints its
-// median.
+// Measures the speed relative to libsimavr: a whole run with robot and world, against a plain loop of
+// avr_run() over the same ELF file, alternately. Times vary by a factor of two between machines and hours,
+// their ratio varies less. `robosim_bench_avr --benchmark_filter=libsimavr` prints the median of the
+// ratio.
 extern "C" {
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
@@ -24,7 +24,7 @@ namespace {
 
 const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
 
-/// Of this process, in seconds.
+/// Returns this process's processor time in seconds.
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Why it has not come to its end; "" = it has.
@@ -39,7 +39,7 @@ std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
   return outcome.verdict == judge::Verdict::reached ? "" : outcome.why;
 }
 
-/// As a user would who has only libsimavr; but it does not sleep when the chip does. Its own callback for
+/// Runs libsimavr as its users do, except that it does not sleep when the chip does. Its own callback for
 /// that waits in real time, and takes six times as much processor time for SleepsIdle.
 std::string run_libsimavr(const std::filesystem::path& image, const BoardSpec& board, SimTime length) {
   elf_firmware_t firmware{};

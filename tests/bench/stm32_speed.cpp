@@ -1,5 +1,5 @@
-// How many times faster than real time the emulated Blue Pill runs, on one core, at 8 and at 72 MHz. An
-// executable of its own: what links libunicorn (GPL-2) shall link no other emulator.
+// Measures the emulated Blue Pill's speed as a multiple of real time, on one core, at 8 and at 72 MHz. It is
+// a separate executable, since a program with libunicorn (GPL-2) must not link another emulator.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>

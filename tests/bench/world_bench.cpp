@@ -1,4 +1,4 @@
-// The world alone: a tick of one body, and what a sensor pays for the floor.
+// Measures the world alone: a tick of one body, and the cost of a sensor's view of the floor.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -83,8 +83,8 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// The same loop, 3.2 by 2.2 m, as a path; `paint` are keys of one of its long sides, and of two bends; and so
-// many marks beside it.
+// Reads the loop, 3.2 by 2.2 m, as a path. `paint` are keys of one of its long sides and of two bends;
+// `marks` lie next to it.
 void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   std::string beside;

@@ -32,7 +32,7 @@
 
 namespace robosim::test {
 
-/// A program that says where it is when it is ready: the word behind `before` on its standard output.
+/// A program that prints its address when it is ready: the word after `before` on its standard output.
 class Started {
  public:
   Started(std::vector<std::string> words, const std::string& before) {
@@ -89,8 +89,8 @@ class Driver {
     call(session_ + "/goog/cdp/execute", {{"cmd", "Emulation.setDeviceMetricsOverride"}, {"params", screen}});
     call(session_ + "/url", {{"url", url}});
   }
-  /// What an async function's body returns. It may use `$`, `key(name)`, `until(is)` and `drawn()`, which
-  /// waits until the page has been laid out and drawn again.
+  /// Runs the body of an async function, and returns its result. It may use `$`, `key(name)`, `until(is)` and
+  /// `drawn()`, which waits until the page has been laid out and drawn again.
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"
@@ -130,7 +130,7 @@ class Driver {
   std::string session_;
 };
 
-/// The browser of this program; started when it is asked for.
+/// Returns the browser of this program; starts it at the first call.
 inline Driver& browser() {
   static Driver driver;
   return driver;

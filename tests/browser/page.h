@@ -1,4 +1,4 @@
-// The recording that the tests of the page look at, in a browser.
+// Opens the recording for the tests of the page in a browser.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the page says of files that are broken.
+// Tests the page's messages for broken files.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the page draws on its floor.
+// Tests the drawing of the page's floor.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(Page, DrawsTheFloorWhereTheSimulationHasIt) {
   EXPECT_EQ(wrong["wrong"].size(), 0u) << wrong["wrong"].dump();
 }
 
-// What sticks out of it is cut off: beyond its edge there is nothing but wall.
+// Paint beyond the floor's edge is clipped: only wall is there.
 TEST_F(Page, EndsTheFloorAtItsEdge) {
   std::string map = read_file(std::filesystem::path(ROBOSIM_MAPS) / "oval.map");
   map.insert(map.rfind("+++"),
@@ -132,7 +132,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
                                        "--script", "scan.script", "--record", "scan.html"},
                                       folder->path());
   ASSERT_EQ(ended.status, 0) << ended.err;
-  // Around a node there is the colour of the graph once it is told, and not before.
+  // A node has the graph's colour around it only after it was reported.
   const Json shown = in_page(*folder / "scan.html", R"(
     const { nodes, edges } = page.run.told, { height, cell } = page.run.floor;
     const stations = page.run.started.stations.map((s) => [s.name, (s.x + 0.5) * cell, height - (s.y + 0.5) * cell]);
@@ -153,7 +153,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
   EXPECT_EQ(shown["after"], Json::parse("[true,true,true,true,true,true]"));
 }
 
-// An hour's laps over each other would take a browser many seconds to paint, at each moment anew.
+// Painting an hour's laps again at each moment would take a browser many seconds.
 TEST_F(Page, PaintsALongRunWithFewStrokes) {
   const Ended ended = robosim_command(
       {"run", "PidFollower", "--map", "oval", "--goal", "none", "--for", "400s", "--record", "long.html"},

@@ -1,4 +1,4 @@
-// Pictures of the page.
+// Tests the page's pictures.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Several runs on one page: another over its own, and several robots.
+// Tests several runs on one page: a second run over the first, and several robots.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The page of `robosim run --record run.html`, as a browser shows it: moments, and every number against the
+// Tests the page of `robosim run --record run.html` in a browser: moments, and every number against the
 // recording.
 
 #include <gmock/gmock.h>

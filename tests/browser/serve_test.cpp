@@ -1,4 +1,4 @@
-// The page of `robosim serve` in a browser: a folder of a user's, built, run, and acted on.
+// Tests the page of `robosim serve` in a browser: a user's folder is built, run and acted on.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The bench in a tab (docs/howto/tab.md), served by a plain file server and without one.
+// Tests the bench in a tab (docs/howto/tab.md), served by a plain file server and without one.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// Helpers of the page's tests: a file given to the page, and a run until something is said or shown.
+// Helpers of the page's tests: pass a file to the page, and run until it prints or shows something.
 constexpr const char* kTab = R"(
   const shown = () => $('replay').contentWindow?.robosim;
   const give = async (name, content) => {

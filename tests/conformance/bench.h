@@ -1,5 +1,5 @@
-// A chip on a bench, with nothing around it but what a test sets: pins at levels, voltages, a list of what it
-// did.
+// A chip on a bench: the test sets levels and voltages at its pins, and gets a list of the chip's
+// actions.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@ class Bench final : public avr::Surroundings {
     arrives_ = chip.core().events.add<&Bench::arrive>(this);
   }
 
-  /// Runs until the program ends, something stops it, or so many cycles have passed.
+  /// Runs until the program ends, something stops it, or `cycles` have passed.
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
-  /// What this USART sends it receives, a frame later.
+  /// Connects this USART's output to its input, so that it receives its frames one frame later.
   void wire_to_itself(int usart) { loop_ = usart; }
   /// A pin's level changes; the chip hears of it if it listens.
   void set_level(int pin, bool level) {
@@ -36,10 +36,10 @@ class Bench final : public avr::Surroundings {
 
   std::map<int, bool> levels;          ///< of pins, by number; others have their pull-up's
   std::map<int, double> voltages;      ///< of channels
-  std::map<int, double> pin_voltages;  ///< of pins that are none; others have those of their level
+  std::map<int, double> pin_voltages;  ///< of pins with an analog voltage; others have their level's
   std::map<int, PinDrive> drives;      ///< how the chip drives its pins
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
-  std::vector<std::pair<avr::Cycle, int>> samples;        ///< channels whose voltage was asked for, and when
+  std::vector<std::pair<avr::Cycle, int>> samples;        ///< converted channels, with times
   std::map<int, bool> listens_to;                         ///< pins whose edges the chip wants
   std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< what a received frame takes, and since when
   std::vector<std::uint8_t> reported;

@@ -1,4 +1,4 @@
-// The programs of tests/conformance/avr, each on the core: what it reports is what the data sheet says.
+// Runs each program of tests/conformance/avr on the core, and compares its report with the data sheet.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Programs for a chip that are judged by what they report (avr/report.h): read, compiled, and run on the
-// core.
+// Reads, compiles and runs programs for a chip. Their reports (avr/report.h) decide whether the core conforms
+// to the data sheet.
 #pragma once
 
 #include <cstdint>

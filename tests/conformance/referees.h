@@ -1,4 +1,4 @@
-// Other emulators that the same programs run on. They are referees: nothing that is shipped links one.
+// Other emulators, which run the same programs for comparison. Nothing that is shipped links them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robosim::conformance {
 
-/// What a program has reported, and whether it came to its end.
+/// A program's report, and whether it reached its end.
 struct Report {
   std::vector<std::uint8_t> bytes;
   bool ended = false;

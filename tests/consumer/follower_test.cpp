@@ -1,4 +1,4 @@
-// What the sketch is for, as tests on every target there is.
+// Tests the sketch's purpose on every target.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;  // NOLINT

@@ -1,4 +1,4 @@
-// The image that the build has made for the chip.
+// Tests the image that the build has made for the chip.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;  // NOLINT

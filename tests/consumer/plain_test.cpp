@@ -1,4 +1,4 @@
-// A plain function of the sketch, without a robot.
+// Tests a plain function of the sketch, without a robot.
 #include <gtest/gtest.h>
 
 #include "Follower/steering.h"

@@ -1,4 +1,4 @@
-// AiNavigator on a floor of the test's own, told to scan and to drive.
+// Runs AiNavigator on a test's floor: commands a scan, and drives to stations.
 #pragma once
 
 #include <robosim/testing.h>

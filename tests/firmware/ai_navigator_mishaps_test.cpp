@@ -1,4 +1,4 @@
-// AiNavigator where something is not as it was: it is carried away, an obstacle stays, the power fails.
+// Tests AiNavigator in changed situations: it is carried away, an obstacle stays, the power fails.
 #include <chrono>
 
 #include "tests/firmware/ai_navigator.h"

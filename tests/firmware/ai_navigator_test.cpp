@@ -1,4 +1,4 @@
-// AiNavigator: it explores a floor by itself, and then drives to any station that it is told.
+// Tests AiNavigator: it explores a floor by itself, and then drives to any given station.
 #include <robosim/testing.h>
 
 #include "tests/firmware/explored.h"

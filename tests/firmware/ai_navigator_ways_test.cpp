@@ -1,4 +1,4 @@
-// Which way AiNavigator takes where there are several, and what it knows of them.
+// Tests which of several ways AiNavigator takes, and what its map has of them.
 #include "firmware/src/nav/Plan.h"
 #include "tests/firmware/ai_navigator.h"
 #include "tests/firmware/explored.h"
@@ -9,7 +9,7 @@ namespace {
 using namespace robosim::testing;
 using testing::HasSubstr;
 
-/// A ring that is long enough for wheels that are not alike to lead astray who reckons by them alone.
+/// A ring that is long enough for unequal wheels to mislead dead reckoning.
 constexpr const char* kLongRing = R"(+++
 name = "long ring"
 corner = "250 mm"

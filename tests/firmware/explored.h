@@ -1,4 +1,4 @@
-// What AiNavigator has found out.
+// Reads the graph that AiNavigator has explored.
 #pragma once
 
 #include <robosim/testing.h>

@@ -1,4 +1,4 @@
-// Two robots on one map, the second one's firmware on the host or on its chip.
+// Tests two robots on one map, with the second one's firmware on the host or on its chip.
 #include <robosim/testing.h>
 
 namespace {

@@ -53,7 +53,7 @@ _________________
 _________________
 )";
 
-/// The same with a third junction on the way round, of 20 cells, and a station there: straight on it is 12.
+/// Adds a third junction, with a station, to the way round of 20 cells; the straight way has 12.
 inline constexpr const char* kWideRing = R"(+++
 name = "wide ring"
 +++

@@ -1,4 +1,4 @@
-// Sketches that use the parts of robots on plain pins, on every target.
+// Tests sketches that use robots' parts on plain pins, on every target.
 #include <robosim/testing.h>
 
 #include "tests/firmware/sketches.h"

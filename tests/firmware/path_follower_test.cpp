@@ -1,5 +1,5 @@
-// LeftPath and RightPath: on a floor without circles they visit every station and come home, each by its own
-// hand.
+// Tests LeftPath and RightPath: on a floor without loops they visit every station and return home, one by
+// the left hand and one by the right.
 #include <robosim/testing.h>
 
 #include "tests/firmware/maps.h"

@@ -1,4 +1,4 @@
-// PidFollower: it follows a line fast, through bends and gaps, and never loses it.
+// Tests PidFollower: it follows a line fast, through bends and gaps, and never loses it.
 #include <robosim/testing.h>
 
 #include <algorithm>

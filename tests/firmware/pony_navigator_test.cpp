@@ -1,4 +1,4 @@
-// PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and is sent about by radio.
+// Tests PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and obeys the radio.
 #include <robosim/testing.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What our sketches promise for every floor, robot and mild fault, in some by chance.
-// ROBOSIM_TEST_SEEDS=1000 takes more.
+// Tests the stock sketches' guarantees on random floors and robots, with mild faults.
+// ROBOSIM_TEST_SEEDS=1000 tries more.
 #include <robosim/random_worlds.h>
 
 #include "tests/firmware/explored.h"

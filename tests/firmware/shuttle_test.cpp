@@ -1,4 +1,4 @@
-// Shuttle: measures its way with an interrupt.
+// Tests Shuttle, which measures its way by an interrupt.
 #include <robosim/testing.h>
 
 #include <regex>

@@ -1,4 +1,4 @@
-// Sketches that are here to be tested only: small ones with parts that Robosim's examples do without.
+// Finds sketches that exist only for tests: small ones, with parts that Robosim's examples do not have.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// TunableFollower: a line follower with a button, a serial port, settings in EEPROM, and a mind for its
-// safety.
+// Tests TunableFollower: a line follower with a button, a serial port, settings in EEPROM, and safety
+// stops.
 #include <robosim/testing.h>
 
 #include <regex>
@@ -32,7 +32,7 @@ class TunableFollower : public RobotTest, public testing::WithParamInterface<std
     robot().send(command + "\n");
     ASSERT_TRUE(robot().run_until(serial_says(answer), within(500_ms))) << "to " << command;
   }
-  /// What `status` says behind a word: "speed", "odometer", "battery".
+  /// Returns the number after a word of `status`: "speed", "odometer", "battery".
   long long status(const std::string& word) {
     robot().send("status\n");
     const Drive answer = robot().run_until(serial_says(" mV\r\n"), within(500_ms));

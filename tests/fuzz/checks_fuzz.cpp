@@ -1,5 +1,5 @@
-// Whatever bytes a checks.toml holds: it is refused with the file's name, or each check has a name of its
-// own, runs, and verdicts to expect.
+// Reads arbitrary bytes as a checks.toml. It is rejected with the file's name, or each check has a unique
+// name, runs, and expected verdicts.
 #include <cstddef>
 #include <cstdint>
 #include <set>

@@ -1,5 +1,5 @@
-// Whatever bytes a course of another tool holds: it is refused with the file's name, or the map that it
-// becomes can be written and read again, and be driven on.
+// Imports arbitrary bytes as a course of another tool. It is rejected with the file's name, or becomes a map
+// that can be written, read again and driven on.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// Whatever bytes a program for a chip holds, as an ELF file and as Intel HEX: it is refused in a sentence
-// that names the file, or it has content of its own length.
+// Reads arbitrary bytes as a program for a chip, in ELF and in Intel HEX. It is rejected with a message that
+// names the file, or its content is not longer than the file.
 #include <cstddef>
 #include <cstdint>
 #include <string>

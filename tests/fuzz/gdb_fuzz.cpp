@@ -1,5 +1,5 @@
-// Whatever a debugger sends: the processor is never asked for what a packet does not hold, and when the
-// debugger goes the run goes on.
+// Sends arbitrary bytes as a debugger. The processor gets only requests that packets contain, and the run
+// continues when the debugger disconnects.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -69,7 +69,7 @@ Server& listen(std::optional<Server>& server, std::uint16_t& port, std::atomic<b
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static std::uint16_t port = kFirstPort;
-  if (size > 1 << 15) return 0;  // what the socket takes while nobody reads
+  if (size > 1 << 15) return 0;  // capacity of the socket without a reader
   std::atomic<bool> interrupted{false};
   std::optional<Server> server;
   listen(server, port, interrupted);

@@ -1,5 +1,5 @@
-// Whatever bytes a map file holds: it is refused with a place, or it is a map that can be written, read back,
-// walked, made a graph and given geometry.
+// Reads arbitrary bytes as a map file. It is rejected with a place, or is a valid map: it can be written,
+// read again, walked, and converted to a graph and to geometry.
 #include <algorithm>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// Whatever bytes the files of other tools hold, platformio.ini, sketch.yaml and arduino-cli's
-// build.options.json: each is refused, or a project is read from it whose board is known, refused or not
+// Reads arbitrary bytes as files of other tools: platformio.ini, sketch.yaml and arduino-cli's
+// build.options.json. Each is rejected, or gives a project whose board is known, rejected or not
 // named. The first byte chooses the file.
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Whatever a runner says in its events, a recording of them is a table, and a file of signals in the order of
-// time. Whatever bytes a table of a sweep holds: it is refused with file and line, or each row is of the
+// Records arbitrary events of a runner: the recording is a table, and a file of signals in the order of time.
+// Reads arbitrary bytes as a sweep's table: it is rejected with file and line, or each row belongs to the
 // plan.
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// What must hold of any input. Not assert(): it must hold in every kind of build.
+// Checks conditions that must hold for every input, in every kind of build (unlike assert()).
 #pragma once
 
 #include <cstdio>

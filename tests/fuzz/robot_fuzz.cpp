@@ -1,4 +1,4 @@
-// Whatever bytes a robot file holds: it is refused with a message, or it makes a robot with a body.
+// Reads arbitrary bytes as a robot file. It is rejected with a message, or makes a robot with a body.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Whatever bytes a script holds: it is refused with its line, or each of its steps is one line of it.
+// Reads arbitrary bytes as a script. It is rejected with a line, or each of its steps is one line.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

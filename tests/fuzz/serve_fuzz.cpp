@@ -1,5 +1,5 @@
-// Whatever bytes a client sends to `robosim serve`, headers and body: it answers in HTTP or not at all, and
-// writes nothing outside of the served folder, nor through a link in it.
+// Sends arbitrary headers and bodies to `robosim serve`. It answers in HTTP or not at all. It writes nothing
+// outside of the served folder, nor through a link in it.
 #include <netinet/in.h>
 #include <stdlib.h>
 #include <sys/socket.h>

@@ -1,4 +1,4 @@
-// Whatever bytes stand in files of values: TOML (checks.toml, front matter), rows of tables, bundles of
+// Reads arbitrary bytes as files of values: TOML (checks.toml, front matter), rows of tables, bundles of
 // coverage data.
 #include <cstddef>
 #include <cstdint>

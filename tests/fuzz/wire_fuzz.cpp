@@ -1,5 +1,5 @@
-// Whatever a line of the runner protocol holds, at either end: it is refused in a sentence, or it is a
-// message that can be written and read again.
+// Reads arbitrary bytes as a line of the runner protocol, at either end. It is rejected with a message, or is
+// valid: it can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <string>

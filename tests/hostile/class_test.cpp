@@ -1,5 +1,5 @@
-// A class of thirty on one machine, five of them hostile: the others get their verdicts, and no process of
-// the command reads or writes anything outside, as strace sees it.
+// Tests a class of thirty sketches on one machine, five of them hostile. The others get their verdicts, and
+// by strace no process of the command reads or writes anything outside.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Hostile sketches, folders and requests, each against the whole command: docs/explanation/security.md says
-// what has to hold. It takes an hour: cmake --workflow --preset hostile.
+// Tests hostile sketches, folders and requests, each against the whole command. docs/explanation/security.md
+// lists the guarantees. It takes an hour: cmake --workflow --preset hostile.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is endless
 constexpr double kLate_s = 10.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
-/// What names one of the limits that docs/explanation/security.md has, which may last longer than kLate_s.
+/// Phrases of messages about limits of docs/explanation/security.md, which may last longer than kLate_s.
 constexpr const char* kLimits[] = {"loops without end",
                                    "slept",
                                    "sleeps",
@@ -49,7 +49,7 @@ std::string command() {
   return other ? other : ROBOSIM_COMMAND;
 }
 
-/// What one input led to.
+/// The outcome of one input.
 struct Record {
   std::string suite, mechanism, variant, mode, outcome;
   double wall_s = 0.0, processor_s = 0.0;
@@ -79,7 +79,7 @@ class Place {
     canaries_.take();
     return made;
   }
-  /// What a command has touched that is not its own.
+  /// Returns files that a command has changed and must not change.
   std::vector<std::string> touched() {
     std::vector<std::string> all = canaries_.take();
     for (std::string& one : all) one = "touched: " + one;
@@ -458,7 +458,7 @@ TEST_P(Requests, DoNoHarm) {
   if (!next.text.starts_with("HTTP/1.1 200"))
     found("the next request is not answered: " + next.text.substr(0, 12));
   for (const std::string& one : end_processes_left(pid)) found("process left: " + one);
-  // What docs/howto/serving.md allows to be written, and the folder of the server's runs.
+  // Files that docs/howto/serving.md allows the server to write, and the folder of its runs.
   static const std::regex plain(
       "(written|changed|removed): "
       "(served(/[A-Za-z0-9][A-Za-z0-9_-]*(\\.(hex|elf|toml|map))?(/[A-Za-z0-9_-]+\\.ino)?)?"

@@ -1,5 +1,5 @@
-// Hostile inputs as data: a mechanism and a variant of it, and what is written into a sketch's folder or sent
-// to a server. No two inputs share both names.
+// Hostile inputs as data: names of a mechanism and a variant, and the files or requests to write or send. No
+// two inputs share both names.
 #pragma once
 
 #include <ostream>
@@ -8,11 +8,11 @@
 
 namespace robosim::hostile {
 
-/// In texts, stands for the absolute path of a file that no input may read, and for a port that none may
-/// reach.
+/// Placeholder in texts for the absolute path of a file that no input may read. The next one stands for a
+/// port that no input may reach.
 constexpr const char* kSecretHere = "@SECRET@";
 constexpr const char* kPortHere = "@PORT@";
-/// What the file holds, and the environment. Its appearance in any output is a finding.
+/// Content of the secret file and environment variable. Its appearance in any output is a finding.
 constexpr const char* kSecret = "hunter2hunter2";
 /// A line that begins with this is one that an input has forged.
 constexpr const char* kForged = "FORGED";
@@ -42,7 +42,7 @@ inline std::ostream& operator<<(std::ostream& out, const Input& input) {
 
 /// Sketches that compile, and attack while they are loaded or run.
 std::vector<Input> sketches();
-/// Folders that attack whatever reads or compiles them.
+/// Folders that attack every program that reads or compiles them.
 std::vector<Input> folders();
 
 struct HostileRequest {

@@ -149,7 +149,7 @@ constexpr Row kRows[] = {
     {"appetite", "serial_flood", "", "Serial.begin(2000000); for (;;) Serial.println(F(\"0123456789012345678901234567890123456789\"));", Target::both},
     {"appetite", "serial_zeros", "", "Serial.begin(2000000); for (;;) Serial.write((uint8_t)0);", Target::both},
     {"appetite", "pin_flood", "", "pinMode(13, OUTPUT); for (;;) { digitalWrite(13, HIGH); digitalWrite(13, LOW); }", Target::both},
-    // What the loader does before the sketch begins, and after its end.
+    // Code that the loader runs before the sketch begins, and after its end.
     {"loading", "init_opens", "extern \"C\" " LOOPS_UNSEEN "void _init() { c_open(P, 0); }", ""},
     {"loading", "init_loops", "extern \"C\" " LOOPS_UNSEEN "void _init() { for (;;) asm volatile(\"\"); }", ""},
     {"loading", "fini_exits", "extern \"C\" void _fini() { c_exit(0); }", ""},

@@ -1,5 +1,5 @@
-// A command that is watched from outside: how long it takes, how much memory all of its processes have, what
-// it leaves running, and which files it touches.
+// Observes a command from outside: its duration, the memory of all its processes, the processes that it
+// leaves running, and the files that it touches.
 #pragma once
 
 #include <sys/types.h>
@@ -57,7 +57,7 @@ class Canaries {
   std::map<int, std::filesystem::path> folders_;
 };
 
-/// A port of this machine that nobody has a reason to connect to.
+/// A port of this machine that no program should connect to.
 class QuietPort {
  public:
   QuietPort();
@@ -69,7 +69,7 @@ class QuietPort {
   int number_ = 0;
 };
 
-/// What all files below a folder are: names, kinds, sizes and times of change.
+/// Describes all files below a folder: names, kinds, sizes and times of change.
 std::map<std::string, std::string> state_of(const std::filesystem::path& folder,
                                             const std::vector<std::string>& except = {});
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What follows `word` at the beginning of a line; false if the line does not begin with it.
+/// Sets `rest` to the text after `word` at the beginning of a line. Returns false for other lines.
 bool take(const std::string& line, const std::string& word, std::string& rest) {
   if (!line.starts_with(word)) return false;
   rest = line.substr(word.size());

@@ -1,4 +1,4 @@
-// A bug of the museum: a patch for our own firmware, and what is said about it.
+// A bug of the museum: a patch for Robosim's firmware, and its description.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct Bug {
   bool in_one_sketch() const;
 };
 
-/// All of a folder, by kind and name. Throws InputError for a file that does not say what it must.
+/// Returns all bugs of a folder, by kind and name. Throws InputError for a file that lacks a required line.
 std::vector<Bug> read_bugs(const std::filesystem::path& folder);
 
 }  // namespace robosim::museum

@@ -70,7 +70,7 @@ std::string sanitizers_word(const std::string& output) {
   return "";
 }
 
-/// What fails first, or how it ended; empty = nothing.
+/// Returns the first failure, or how the program ended; "" = success.
 std::string failure_of(const fs::path& program) {
   const std::string name = program.filename().string();
   try {

@@ -1,5 +1,5 @@
-// The unit tests of our Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy of
-// it: what its engineer would run beside the suite of sketches, with sanitizers that look at each access.
+// Runs the unit tests of the Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy
+// of it, with sanitizers. An engineer of the library would run them in addition to the suite of sketches.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@ class LibraryTests {
   /// Compiles them into this folder, against the library as it is. Throws InputError if one fails.
   explicit LibraryTests(std::filesystem::path folder);
 
-  /// Compiles those anew, against the stage's copy, that include the file that was changed there (named
-  /// relative to the source tree). What fails first: "nav_test: Planners.AgreeOnThousandsOfTrees", or how the
-  /// program ended. Empty if nothing does, or they do not compile with the change.
+  /// Recompiles tests that include the changed file (relative to the source tree) against the stage's copy.
+  /// Returns the first failure, "nav_test: Planners.AgreeOnThousandsOfTrees", or how the program ended.
+  /// Returns "" if nothing fails, or if the tests do not compile with the change.
   std::string failure(const Stage& stage, const std::string& changed) const;
 
  private:

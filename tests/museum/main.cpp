@@ -1,17 +1,17 @@
-// robosim_museum: which bugs does the suite of tests/firmware find? docs/explanation/museum.md has what it
-// says.
+// robosim_museum: which bugs does the suite of tests/firmware find? docs/explanation/museum.md has its
+// output.
 //
 //   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
 //                                    firmware, and runs the suite against it. First the suite must pass.
 //   --docs FILE                      writes the table into this page, too
-//   --jobs N                         so many bugs at a time; default: one for each core
-//   --check BUG...                   what CI does, in seconds: all patches apply, the page
-// docs/explanation/museum.md has
-//                                    them all, and these bugs are caught
+//   --jobs N                         tries N bugs at a time; default: one for each core
+//   --check BUG...                   runs the quick check of CI: all patches apply, the page
+//                                    docs/explanation/museum.md has them all, and these bugs are
+//                                    caught
 //
-// Where the host does not find a bug, the chips are asked, and where they do not, the library's unit tests.
-// Status 1: a bug was not caught though its patch does not say “Survives:”, or was caught though it does, or
-// could not be tried.
+// If the host does not find a bug, the suite runs on the chips, and then the library's unit tests run.
+// Status 1: a bug was not caught though its patch has no line “Survives:”, or was caught though it has one,
+// or could not be tried.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -99,7 +99,7 @@ void for_each(std::size_t count, std::vector<Stage>& stages, Task task) {
   for (std::future<void>& worker : workers) worker.get();
 }
 
-/// The suite on the firmware as it is. Gives the targets that can be asked.
+/// Runs the suite on the unchanged firmware, and returns the usable targets.
 std::vector<std::string> run_baseline(std::vector<Stage>& stages) {
   std::vector<TestRun> runs(kTargets.size());
   for_each(runs.size(), stages, [&](Stage& stage, std::size_t i) {
@@ -124,7 +124,7 @@ std::string first_failure(const Stage& stage, const Bug& bug, const std::string&
   return failed;
 }
 
-/// What the library's unit tests say; empty = nothing.
+/// Returns the first failure of the library's unit tests; "" = none.
 std::string unit_test_failure(const LibraryTests& library, const Stage& stage, const Bug& bug) {
   for (const std::string& file : bug.files)
     if (const std::string failed = library.failure(stage, file); !failed.empty()) return failed;

@@ -1,5 +1,5 @@
-// Small bugs drawn at random over the firmware, and what the suite of tests/firmware makes of them; then, of
-// those that it does not find, what the library's unit tests make of them.
+// Draws small bugs at random over the firmware, and runs the suite of tests/firmware against each. If that
+// does not find a bug, runs the library's unit tests.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Attempt {
 
 const char* word(Attempt::Ending ending);
 
-/// Puts one bug in, and asks the targets, and then the library's tests, until one finds it. `unchanged`: what
+/// Inserts one bug, and runs the targets, and then the library's tests, until one finds it. `unchanged`: what
 /// the suite did without it, on the host.
 Attempt attempt(Stage& stage, const LibraryTests& library, const mutate::Mutation& bug,
                 const std::vector<std::string>& targets, const TestRun& unchanged);

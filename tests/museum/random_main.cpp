@@ -1,12 +1,12 @@
 // robosim_random_bugs: what share of small bugs, drawn at random over firmware/, does the suite of
-// tests/firmware find? docs/explanation/museum.md has what it says.
+// tests/firmware find? docs/explanation/museum.md has its output.
 //
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //
-// N bugs that compile and change a run are tried (20): each is put into a copy of the firmware, and the suite
-// runs against it on the host, and where it finds nothing on each of the chips; where that finds nothing
-// either, the library's unit tests. One line for each as it comes, to standard error; the sums to standard
-// output. The same seed draws the same bugs.
+// Tries N bugs (20) that compile and change a run. The suite runs on the host against a copy of the firmware
+// with the bug. If it finds nothing, it runs on each chip, and then the library's unit tests run. Prints one
+// line per bug to standard error, and the sums to standard output. The same seed draws the same
+// bugs.
 #include <fmt/format.h>
 #include <stdlib.h>
 

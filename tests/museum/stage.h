@@ -1,4 +1,4 @@
-// A copy of our firmware that can be spoiled, and the suite of tests/firmware against it.
+// A copy of the firmware for inserting bugs, and the suite of tests/firmware against it.
 #pragma once
 
 #include <filesystem>
@@ -36,13 +36,13 @@ class Stage {
   std::string complaint(const Bug& bug) const;
   /// Changes the firmware. Throws InputError if the patch does not apply.
   void spoil(const Bug& bug);
-  /// Likewise, by edits of files that are named relative to the source tree.
+  /// Applies edits of files, which are named relative to the source tree.
   void spoil(const std::vector<mutate::Edit>& edits);
 
   /// Runs tests until one fails. Throws as mutate::run_tests does.
   TestRun test(const Choice& choice) const;
 
-  /// What stands for the source tree: the copies and links.
+  /// Returns the stand-in for the source tree: copies and links.
   std::filesystem::path data() const { return folder_ / "share/robosim"; }
   /// For files of one's own.
   const std::filesystem::path& scratch() const { return folder_; }

@@ -1,4 +1,4 @@
-// What came of each bug, as the table of docs/explanation/museum.md.
+// Writes the result of each bug as the table of docs/explanation/museum.md.
 #pragma once
 
 #include <string>

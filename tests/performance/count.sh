@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work in valgrind's callgrind,
-# and compares them with the table of docs/explanation/performance.md, or writes them into it.
+# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work by valgrind's callgrind.
+# Compares them with the table of docs/explanation/performance.md, or writes them into it.
 # Status 1: something takes more than 2 % more than the table says.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -63,7 +63,7 @@ swept() {  # SEEDS
     awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
 
-# Command, runner and run of so many robots, each on a line of its own, on a map of 24,000 cells.
+# Prints command, runner and run of ROBOTS robots, each on its own line, on a map of 24,000 cells.
 fleet_of() {  # ROBOTS
   { printf '+++\n+++\n'; for _ in {1..40}; do printf '%.0s_' {1..200}; echo; printf '%.0s.' {1..200}; echo; printf '%.0s_' {1..200}; echo; done; } >"$work/lines.map"
   { echo 'map = "lines.map"'; for ((i = 0; i < $1; ++i)); do printf '[[agent]]\nname = "R%d"\nsketch = "PidFollower"\nstart = "9,%d,E"\n' $i $((3 * i + 1)); done; } >"$work/fleet.toml"

@@ -1,5 +1,5 @@
-// robosim_workload NAME COUNT: does a piece of Robosim's work so many times, for count.sh to count. What is
-// done before the first time is the same for every COUNT, so that the difference of two says what one takes.
+// robosim_workload NAME COUNT: repeats a piece of Robosim's work COUNT times, for count.sh to count. The work
+// before the first time is equal for every COUNT. So the difference of two counts is the cost of the work.
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,6 +1,6 @@
-// The sketches of samples/, run as their users run them. A folder there is two tests here: its checks.toml
-// holds on each target that it names, and for its first check `robosim compare` finds no difference between
-// host and AVR, or what the lines of differs.txt say.
+// Runs the sketches of samples/ like their users. Each folder has two tests. Its checks.toml holds on each
+// target that it names. For its first check `robosim compare` finds no difference between host and AVR, or
+// the differences in differs.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// How often a test repeats with other random numbers.
+// Sets the number of repetitions of tests with random numbers.
 #pragma once
 
 #if defined(ROBOSIM_EMULATED)  // cross-built: its programs run under qemu-user

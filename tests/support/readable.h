@@ -1,4 +1,4 @@
-// Makes names of a test's parameters.
+// Names a test's parameters.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -28,7 +28,7 @@ inline bool is_required(const std::string& target) {
     if (!missing.empty()) GTEST_SKIP() << missing;                                   \
   } while (false)
 
-/// Likewise if clang++ is missing, which only `robosim mutate` needs.
+/// Skips the test if clang++ is missing, which only `robosim mutate` needs.
 #define ROBOSIM_NEEDS_CLANG()                                                             \
   do {                                                                                    \
     const bool missing = ::robosim::build::find_program("clang++").empty();               \

@@ -8,7 +8,7 @@
 //
 //   struct Target {
 //     using Executor = …;
-//     static constexpr const char *kName, *kFive, *kThree (robots with so many sensors, on the same chip);
+//     static constexpr const char *kName, *kFive, *kThree (robots with 5 and 3 sensors on the same chip);
 //   };
 #pragma once
 

@@ -1,4 +1,4 @@
-// The hash by which runs are compared.
+// Hashes runs, for comparing them.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// The sketch AiNavigator on the robot uno5: it scans a map, and then drives to every station it is told.
+// Tests the sketch AiNavigator on the robot uno5: it scans a map, and then drives to every given station.
 //
-// What it says is compared with what is: where the robot stands when it says that it has arrived.
-// ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map, on the chip too.
+// Compares its output with the world: where the robot stands when it prints that it has arrived.
+// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the chip, too.
 
 #include <cmath>
 
@@ -23,9 +23,9 @@ grid::TrueGraph graph_of(const std::string& map_name, const std::string& start =
   return grid::true_graph(map, start.empty() ? grid::default_start(map) : grid::parse_start(map, start));
 }
 
-// What a run has shown.
+// Observations of a run.
 struct Seen {
-  std::string text;           // what the sketch said, without CR
+  std::string text;           // the sketch's output, without CR
   std::vector<int> arrivals;  // "arrived at"
   int collisions = 0;
   double time_s = 0.0;
@@ -35,7 +35,7 @@ struct Seen {
 
 const std::string kScan = "at 300ms press start 100ms\n";
 
-// Interrupts the run when it has said the line `until`.
+// Interrupts the run when it has printed the line `until`.
 Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));

@@ -1,4 +1,4 @@
-// `robosim build`, as a user starts it.
+// Tests `robosim build`, as a user starts it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
 }
 
-// What the compiler leaves out unless it is asked, and beginners write.
+// Mistakes of beginners that the compiler reports only with extra flags.
 TEST(CliBuild, AnAssignmentForAComparisonAndAnEmptyIfAreWarnedOf) {
   const Folder folder;
   folder.write(

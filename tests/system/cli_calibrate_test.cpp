@@ -1,5 +1,5 @@
-// `robosim calibrate`, the whole circle: a robot whose figures nobody has told is simulated, the sketch that
-// comes with Robosim logs it, and the figures are found again.
+// Tests `robosim calibrate` end to end: a robot with unknown parameters is simulated, the stock sketch writes
+// the log, and the parameters are recovered from it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -109,7 +109,7 @@ black_volts = [{}]
                 AllOf(HasSubstr("footprint"), HasSubstr("drive with 255 and 255")));
 
     if (seed > 1) continue;
-    // What there is stays, unless it is asked for.
+    // Existing values stay unless the user requests them.
     const std::string before = read_file(robot);
     const auto calibrate = [&](std::vector<std::string> more) {
       more.insert(more.begin(), {"calibrate", robot, log, "--tape", "19 mm"});

@@ -1,4 +1,4 @@
-// `robosim classic` as a user types it.
+// Tests `robosim classic`, as a user types it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// `robosim compare`: it finds each planted difference, and none where targets only take their time.
+// Tests `robosim compare`: it finds each planted difference, and none if targets only differ in timing.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -152,8 +152,8 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
-// An Uno's millis() may be a tick behind, so that it says "even" where a Blue Pill says "odd". So does the
-// host, half a millisecond later; which must not hide what differs behind that.
+// An Uno's millis() may be a tick behind, so it prints "even" when a Blue Pill prints "odd". The host prints
+// it half a millisecond later. That must not hide later differences.
 TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

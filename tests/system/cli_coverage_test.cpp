@@ -1,4 +1,4 @@
-// `robosim run --coverage`, as a user gives it.
+// Tests `robosim run --coverage`, as a user starts it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `robosim flash`, as a user starts it; avrdude is a script that writes down its words.
+// Tests `robosim flash`, as a user starts it. avrdude is a script that records its arguments.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `robosim run` with several robots: docs/howto/fleets.md.
+// Tests `robosim run` with several robots: docs/howto/fleets.md.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -148,7 +148,7 @@ TEST(CliFleet, ASketchBesideAnStm32IsConfinedAndTheOthersDriveOn) {
   ROBOSIM_NEEDS_TARGET("stm32");
   if (const std::string why = exec::why_not_confined(); !why.empty()) GTEST_SKIP() << why;
   const Folder folder;
-  // Instructions that libunicorn executes, before and behind a power cycle.
+  // Instructions that libunicorn executes, before and after a power cycle.
   write_file(folder / "Left.ino",
              "volatile unsigned shared;\n"
              "void setup() { Serial.begin(9600); }\n"

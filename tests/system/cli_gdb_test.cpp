@@ -1,4 +1,4 @@
-// `robosim run --gdb PORT`, driven by avr-gdb and gdb-multiarch: debuggers that are not ours.
+// Tests `robosim run --gdb PORT` by real debuggers: avr-gdb and gdb-multiarch.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

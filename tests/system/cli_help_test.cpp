@@ -1,4 +1,4 @@
-// What the shells and man make of `robosim completion` and `robosim man`.
+// Tests the output of `robosim completion` and `robosim man` in the shells and in man.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// What bash offers behind these words, the last of which is not complete.
+/// Returns bash's completions of these words, the last of which is incomplete.
 std::string offered(const std::vector<std::string>& words) {
   const Folder folder;
   folder.write("bash", robosim_command({"completion", "bash"}).out);

@@ -1,4 +1,4 @@
-// `robosim mutate` as users run it, with a sketch that has few places for bugs and runs of 50 ms.
+// Tests `robosim mutate`, as users start it, with a sketch that has few places for bugs and runs of 50 ms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST_F(CliMutate, FindsWhatIsLeftOut) {
 }
 
 TEST_F(CliMutate, HasAStatusForTooFewThatAreFound) {
-  checks("");  // nothing is asked of it
+  checks("");  // no requirements
   EXPECT_EQ(mutate({"--count", "3", "--min-score", "0"}).status, 0);
   EXPECT_EQ(mutate({"--count", "8", "--min-score", "0.9"}).status, 1);
 }

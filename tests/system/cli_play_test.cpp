@@ -1,4 +1,4 @@
-// `robosim play`, scripted from a pipe and on a terminal.
+// Tests `robosim play`, scripted from a pipe and on a terminal.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// What the session prints when these lines are typed blindly.
+/// Returns the output of a session in which these lines are typed in advance.
 Ended play(const std::vector<std::string>& words, const std::string& typed,
            const std::filesystem::path& folder = ".") {
   std::vector<std::string> all{"play"};
@@ -98,7 +98,7 @@ TEST(CliPlay, TheDrivenRobotScansAndGoesWhereItIsSent) {
 
 TEST(CliPlay, TheDrivenRobotGoesOnFromWhereItAskedInOneRun) {
   namespace fs = std::filesystem;
-  // An installation whose runner writes down what it is asked.
+  // An installation whose runner records its requests.
   const Folder folder;
   const fs::path asked = folder / "asked";
   const fs::path runner =

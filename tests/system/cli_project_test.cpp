@@ -1,4 +1,4 @@
-// `robosim` in the folders of other tools: PlatformIO's, arduino-cli's.
+// Tests `robosim` in the folders of other tools: PlatformIO's, arduino-cli's.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -144,7 +144,7 @@ TEST(CliProject, AProgramForABoardOfAnotherCoreRunsOnOneWithItsChip) {
   }
 }
 
-/// What tasks.json's problem matcher finds in a line: file, line, column, severity, message.
+/// Returns the fields that tasks.json's problem matcher finds: file, line, column, severity, message.
 std::vector<std::string> matched(const Folder& folder, const std::string& line) {
   const auto tasks =
       nlohmann::json::parse(read_file(folder / "Mine/.vscode/tasks.json"), nullptr, true, true)["tasks"];

@@ -1,4 +1,4 @@
-// `robosim run --record` and `--plot`, and `robosim replay`.
+// Tests `robosim run --record` and `--plot`, and `robosim replay`.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

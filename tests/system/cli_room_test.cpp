@@ -1,4 +1,4 @@
-// What the end of a run on the chip says of memory that is left, held against sketches that take it.
+// Tests the reported free memory at the end of a run on the chip, by sketches that use it up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ class CliRoom : public ::testing::Test {
     folder_.write("press", "at 300ms press start 100ms\n");
   }
 
-  /// AiNavigator with room for so many nodes, and with so many bytes that are of no use.
+  /// Runs AiNavigator with memory for `nodes`, and with `ballast` unused bytes.
   Ended scan_with(int nodes, int ballast) {
     const std::filesystem::path own = sketch_folder("AiNavigator");
     for (const char* header : {"Memory.h", "Walker.h"})
@@ -33,7 +33,7 @@ class CliRoom : public ::testing::Test {
                            folder_.path());
   }
 
-  /// How many nodes are said to fit.
+  /// Returns the reported number of nodes that fit.
   static int said(const Ended& run) {
     const std::size_t at = run.out.find("with this stack ");
     int nodes = 0;

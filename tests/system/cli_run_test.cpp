@@ -1,4 +1,4 @@
-// `robosim run` from the command line to the verdict.
+// Tests `robosim run` from the command line to the verdict.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// `--sanitize`, as a user gives it.
+// Tests `--sanitize`, as a user gives it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
 }
 
-// Without being asked: a failure on the chip is looked into.
+// A failure on the chip is examined automatically.
 TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const std::string sum = sketch_folder("ChipSum").string() + "/";
@@ -171,7 +171,7 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// In the second run memory is larger, so what filled it goes on, to a fault that the first run never came to.
+// In the second run memory is larger, so the code that filled it continues to a fault after the first's end.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -198,7 +198,7 @@ TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {
 
 // --- detectors
 
-/// Drives to and fro, 700 ms each way; `waits` is its line 5.
+/// Drives forwards and backwards, 700 ms each; `waits` is its line 5.
 nlohmann::json detected_in(const std::string& waits) {
   const Folder folder;
   folder.write(
@@ -239,7 +239,7 @@ TEST(CliSanitize, BlamesNoSketchForAWrapThatAnyOtherMicrosecondTurnsAside) {
   const nlohmann::json seconds = detected_in(
       "  while (millis() - begin < 700) {}\n  for (int i = 0; i < 40; i++) Serial.println(millis() / 1000);");
   EXPECT_TRUE(seconds.empty()) << seconds;
-  // How long it takes to make a float of it depends on how large it is.
+  // The duration of its conversion to float depends on its value.
   const nlohmann::json by_count = detected_in(
       "  unsigned n = 0;\n  while (millis() - begin < 700) { volatile float f = millis(); n++; }\n"
       "  if (n % 2) delay(300);");

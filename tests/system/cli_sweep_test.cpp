@@ -1,4 +1,4 @@
-// `robosim sweep` as a user runs it, with very short runs.
+// Tests `robosim sweep`, as a user starts it, with very short runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -181,7 +181,7 @@ TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
   const Ended all = merge({"part3.csv", "part1.csv", "part2.csv"}, "all.csv");
   EXPECT_EQ(all.out, one.out) << all.err;
   EXPECT_EQ(read_file(folder / "all.csv"), read_file(folder / "one.csv"));
-  // What a machine has not done is made here.
+  // Runs that no machine has done are done here.
   merge({"part3.csv", "part1.csv"}, "more.csv");
   EXPECT_EQ(read_file(folder / "more.csv"), read_file(folder / "one.csv"));
 
@@ -230,7 +230,7 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
 TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   const Folder folder;
   const std::string file = (folder / "a.csv").string();
-  // Seed 1 crashes at once, seed 2 drives for ever.
+  // Seed 1 crashes at once, seed 2 drives without end.
   const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
                     "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
   Words json = words;
@@ -291,7 +291,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   EXPECT_THAT(read_file(folder / "other.html"),
               HasSubstr("3 of the runs had another result when they were repeated"));
 
-  // What stands beside a sketch, and was not named.
+  // A file next to a sketch that was not named.
   folder.write("Own/Own.ino", "void setup() {}\nvoid loop() {}\n");
   folder.write("Own/robot.toml", "base = \"uno5\"\n");
   folder.write("Own/own.map", "S....\n");

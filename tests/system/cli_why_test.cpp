@@ -1,4 +1,4 @@
-// `robosim why`: from a verdict back to the lines of the sketch.
+// Tests `robosim why`: from a verdict back to the lines of the sketch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-// It looks at the line once, and drives on with that for ever.
+// It reads the line sensor once, and drives on with that value.
 constexpr const char* kLooksOnce = R"(const int MIDDLE = A2;
 const int FAST = 200;
 int left, right;
@@ -37,7 +37,7 @@ void loop() {
 }
 )";
 
-// Neither sensor is ever as dark as it asks for: that it leaves things as they were is why it drives so.
+// Neither sensor is ever as dark as required, so the motors stay unchanged.
 constexpr const char* kLeavesAsItWas = R"(const byte PINS[] = {A0, A1, A2};
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
@@ -87,7 +87,7 @@ void loop() {
 }
 )";
 
-// Nobody presses its button.
+// Its button is not pressed.
 constexpr const char* kWaitsForAButton = R"(bool started = false;
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);

@@ -1,4 +1,4 @@
-// `robosim wire`: from a sketch to a robot file that drives it.
+// Tests `robosim wire`: from a sketch to a robot file that it drives.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Two digital sensors beside the line, which give LOW over black, and an L298N whose EN pins are jumpered.
+// Two digital sensors next to the line, LOW over black, and an L298N whose EN pins are jumpered.
 constexpr const char* kTwoEyes = R"(#define LS 2
 #define RS 3
 #define LM1 5

@@ -1,4 +1,4 @@
-// The built robosim command, started as a user starts it.
+// Starts the built robosim command as a user does.
 #pragma once
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-// Every command of README.md and docs runs as it is written there, in a clone, and prints what the page
-// shows.
+// Tests that every command of README.md and docs runs as written, in a clone, and prints the output on the
+// page.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ std::vector<std::string> pages() {
   return found;
 }
 
-/// What a newcomer has: a clone to work in, and `robosim` on the PATH.
+/// Creates a newcomer's environment: a clone to work in, and `robosim` on the PATH.
 void make_clone(const Folder& clone, const Folder& programs) {
   for (const auto& entry : fs::directory_iterator(ROBOSIM_CHECKOUT))
     if (const std::string name = entry.path().filename();

@@ -1,6 +1,6 @@
-// What light, height, slow sensors, a noisy ADC, a weak battery and a shut door do to a sketch: for each a
-// pair of runs without and with it, in which a figure changes as docs/explanation/models.md says, and of two
-// ways to read sensors the one that gets through and the one that does not.
+// Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. For
+// each, a pair of runs without and with it changes a value as docs/explanation/models.md describes. Of two
+// ways to read sensors, one succeeds and the other fails.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -47,7 +47,7 @@ class Effects : public testing::Test {
     return runner_of("host").run(request, {});
   }
 
-  /// What the sketch prints last in `ideal`, standing on the line: the middle sensor, and the battery.
+  /// Returns the sketch's last values in `ideal`, standing on the line: the middle sensor and the battery.
   std::pair<int, int> prints(const std::string& robot, const std::string& floor, double seconds,
                              const std::string& script = "", const std::string& profile = "ideal") {
     const std::string serial = run(robot, floor, profile, 'p', 1, seconds, script).serial;
@@ -150,7 +150,7 @@ TEST_F(Effects, OfAGyroscopeThatTellsATurnAtRest) {
   EXPECT_FALSE(reaches("15 deg/s", 'n'));
 }
 
-// Who measures a divider against a reference that sinks with the battery does not see it sink.
+// Measuring a divider against a reference that drops with the battery hides the drop.
 TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   const auto notices = [&](const std::string& robot) {
     return run(robot, "", "ideal", 'v', 1, 4.0, "at 2s fault power sag 5.8V\n").serial.find("low") !=

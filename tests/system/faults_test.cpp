@@ -1,4 +1,4 @@
-// Faults between board and world, as a sketch meets them, on each target.
+// Tests faults between board and world, as a sketch meets them, on each target.
 #include "tests/support/require_target.h"
 #include "tests/system/system_test.h"
 
@@ -15,7 +15,7 @@ class Faults : public testing::TestWithParam<const char*> {
   void SetUp() override {
     if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
   }
-  /// What the sketch Diary prints, without CR.
+  /// Returns the output of the sketch Diary, without CR.
   std::string diary(const std::string& script, double seconds = 0.5) {
     wire::RunRequest request = request_of({.sketch = "Diary",
                                            .robot = "uno2",
@@ -93,10 +93,10 @@ TEST_P(Faults, AreTheSameInEveryRun) {
   EXPECT_THAT(text, testing::Not(HasSubstr("<a><b><c><d><e><f><g><h>")));
 }
 
-/// The one way in which a drifting clock reaches firmware and what it does, whatever executes it.
+/// The common effect of a drifting clock on firmware and its actions, for every executor.
 class ClockFaults : public Faults {
  protected:
-  /// What millis() says 1.1 s after power-on, where for 1 s the clock has run so much too fast.
+  /// Returns millis() 1.1 s after power-on; for 1 s the clock has run too fast by `drift`.
   int millis_after(const char* drift) {
     const std::string text =
         diary(std::string("at 100ms fault clock drift ") + drift + "\nat 1.1s send \"t\"\n", 1.2);

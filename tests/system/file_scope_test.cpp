@@ -1,5 +1,5 @@
-// A run for a client of `robosim serve`: what its files name stays in the served folder. Also what strangers
-// write, on a terminal, and files that unpack to more than they are.
+// Tests that a run for a client of `robosim serve` reads only files of the served folder. Also tests
+// untrusted text on a terminal, and files that unpack to many times their size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

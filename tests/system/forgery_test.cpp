@@ -19,7 +19,7 @@
 namespace robosim::test {
 namespace {
 
-/// What a runner's last line would be, for each request that it may be the answer to.
+/// Returns the last line of a runner for each request that it may answer.
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {
@@ -57,7 +57,7 @@ struct Attempt {
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
 std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
-/// Declared for all of them; LINES is what they say.
+/// Declarations for all of them; LINES is their output.
 constexpr const char* kOfTheSystem = R"(
 extern "C" {
 typedef void (*Handler)(int);
@@ -176,7 +176,7 @@ void setup() {
 void loop() {})"},
 };
 
-/// What a command says of a run of the sketch F.
+/// Returns a command's verdict of a run of the sketch F.
 nlohmann::json verdict_of(const Folder& folder, const char* target, Ended& ended) {
   ended = robosim_command({"run", "./F", "--map", "oval", "--robot", "uno5", "--goal", "laps:1", "--for",
                            "2s", "--target", target, "--json"},
@@ -209,7 +209,7 @@ TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
 INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of_attempt);
 
 TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
-  // What these do harms nobody; the others would.
+  // These are harmless; the others are not.
   for (const char* name :
        {"WritesToEveryDescriptorAndExits", "PrintsAndExits", "ClosesAllDescriptorsAndExits",
         "PutsThePipeInThePlaceOfItsStandardOutput", "GuessesTheToken"}) {

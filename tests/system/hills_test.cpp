@@ -1,5 +1,5 @@
-// What hills and wet floors do to a sketch: pairs of runs without and with them, in which a figure changes as
-// docs/explanation/models.md says, and a sketch that gets through beside one that does not.
+// Tests effects of hills and wet floors on a sketch. In pairs of runs without and with them, a value changes
+// as docs/explanation/models.md describes. One sketch succeeds, another fails.
 #include <fstream>
 
 #include "sim/base/file.h"

@@ -1,4 +1,4 @@
-// What a command printed with --json, as values.
+// Parses a command's output with --json.
 #pragma once
 
 #include <nlohmann/json.hpp>

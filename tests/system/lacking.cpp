@@ -1,5 +1,5 @@
-// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that: its
-// calls fail as a kernel answers what it does not know. "walls" are Landlock and namespaces, "sandbox" is
+// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that feature.
+// Its system calls fail like unknown ones. "walls" are Landlock and namespaces, "sandbox" is
 // everything.
 #include <seccomp.h>
 #include <sys/prctl.h>

@@ -1,4 +1,4 @@
-// Whose fault it is: machines that lack something, streams that are closed, and files that are none.
+// Tests who is blamed: machines that lack something, closed streams, and paths that are not files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// The built robosim command on a terminal of its own.
+// Runs the built robosim command on a separate terminal.
 #pragma once
 
 #include <poll.h>

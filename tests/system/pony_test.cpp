@@ -1,7 +1,7 @@
-// The sketch PonyNavigator on the robot pony: it scans maps a to f, and then visits every station.
+// Tests the sketch PonyNavigator on the robot pony: it scans maps a to f, and then visits every station.
 //
-// Where it says it is, is compared with where it is. ROBOSIM_TEST_SEEDS=50 tries so many seeds on each map,
-// on the chip too.
+// Compares the reported position with the real one. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the
+// chip, too.
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ std::string tour_script(std::size_t stations) {
   return script;
 }
 
-// What a run's events tell.
+// Observations from a run's events.
 struct Watch {
   wire::Started started;
   wire::Sample last;
@@ -48,7 +48,7 @@ struct Watch {
   }
 };
 
-// Looks at all that the robot says; a tour ends when it is home.
+// Observes all of the robot's output; a tour ends when it is home.
 Watch watch(const Run& of) {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));

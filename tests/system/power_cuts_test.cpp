@@ -1,5 +1,5 @@
-// AiNavigator keeps its map in EEPROM. Wherever the power fails while it writes, it must come to with the
-// right map or with none: a wrong one must never be used.
+// Tests that AiNavigator, which stores its map in EEPROM, survives a power cut at every place of a write. It
+// must start with the right map or without one, and never with a wrong one.
 #include "sim/client/power_cuts.h"
 
 #include <cmath>

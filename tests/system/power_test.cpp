@@ -1,5 +1,5 @@
-// What a battery does to a sketch: pairs of runs with a full one and a weak one, and a sketch that gets
-// through beside one that does not.
+// Tests effects of a battery on a sketch: pairs of runs with a full and a weak one, and two sketches, of
+// which one succeeds.
 #include <fstream>
 
 #include "tests/support/temporary_folder.h"

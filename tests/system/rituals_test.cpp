@@ -1,4 +1,4 @@
-// What people do to a robot before a run, by a script: on every target.
+// Tests usual actions before a run (power on, place, press), by a script, on every target.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

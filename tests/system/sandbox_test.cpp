@@ -1,5 +1,5 @@
-// What a sketch for the host may not do: it is code of this machine, and whoever runs it need not know who
-// wrote it. docs/explanation/security.md says what is held off.
+// Tests the sandbox of sketches on the host, which are native code of unknown authors.
+// docs/explanation/security.md lists the confined actions.
 #include <fmt/format.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -354,7 +354,7 @@ TEST_F(Sandbox, ShowsASketchNothingOfTheProgramThatRanBefore) {
   }
 }
 
-// What a sketch shares with its runner: how far it has come, and events on their way.
+// A sketch shares memory with its runner: its progress, and pending events.
 TEST_F(Sandbox, BelievesNothingOfWhatASketchWritesIntoSharedMemory) {
   for (const char* fill : {"255", "0", "page[i] + 1"}) {
     SCOPED_TRACE(fill);

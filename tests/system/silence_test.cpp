@@ -1,4 +1,4 @@
-// Sketches that call nothing for a long time: those that wait are left alone, those that hang are told.
+// Tests sketches that call nothing for a long time: waiting ones continue, hanging ones are reported.
 
 #include "tests/system/system_test.h"
 

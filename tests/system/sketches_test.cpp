@@ -1,4 +1,4 @@
-// What our own sketches promise: the figures of the README, for many seeds.
+// Tests the stock sketches' guarantees, with many seeds.
 
 #include "sim/base/file.h"
 #include "tests/support/effort.h"
@@ -69,7 +69,7 @@ TEST_P(TouringSketch, VisitsAllStationsOfMapDAndComesHomeForEverySeed) {
     const wire::RunResult r =
         run({.sketch = GetParam(), .map = "d", .robot = "uno3", .goal = "tour", .seed = seed});
     EXPECT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
-    // Numbered by the right-hand walk: who keeps to the left meets them the other way round.
+    // Numbered by the right-hand walk: a left-hand walk meets them in reverse order.
     if (std::string(GetParam()) == "RightPath") {
       EXPECT_THAT(r.metrics.stations, ElementsAre("1", "2", "3", "4", "5", "6", "7")) << "seed " << seed;
     } else {

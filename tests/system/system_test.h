@@ -1,4 +1,4 @@
-// A sketch, a robot and a map in; a verdict out.
+// Runs a sketch with a robot on a map, and returns the verdict.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -21,13 +21,13 @@
 
 namespace robosim::test {
 
-/// The folder of a test's own sketch, or the path of one of ours.
+/// Returns the folder of a test's own sketch, or the path of a stock sketch.
 inline std::filesystem::path sketch_folder(const std::string& name) {
   const std::filesystem::path own = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name;
   return std::filesystem::exists(own) ? own : build::find_sketch(name);
 }
 
-/// What a run needs; everything but the sketch has a default.
+/// Parameters of a run; all except the sketch have defaults.
 struct Run {
   std::string sketch;
   std::string map = "oval";
@@ -66,7 +66,7 @@ inline wire::RunRequest request_of(const Run& run) {
 
 inline wire::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
 
-/// The sentence that says what this target lacks; empty if it runs.
+/// Returns a message about the tools that this target lacks; "" if it runs.
 inline std::string what_is_missing(const std::string& target) {
   const std::string tool = build::missing_tool(target);
   if (!tool.empty()) return tool;
@@ -86,7 +86,7 @@ inline void needs_target(const std::string& target) {
   if (!missing.empty()) GTEST_SKIP() << missing;
 }
 
-/// How many seeds ROBOSIM_TEST_SEEDS asks for; 0 = it is not set.
+/// Returns the number of seeds that ROBOSIM_TEST_SEEDS requests; 0 = not set.
 inline std::uint64_t seeds_asked_for() {
   const char* text = ::getenv("ROBOSIM_TEST_SEEDS");
   return text ? std::strtoull(text, nullptr, 10) : 0;
@@ -115,7 +115,7 @@ inline std::vector<Trial> trials(const std::vector<const char*>& maps, const cha
   return all;
 }
 
-/// How many seeds a trial takes.
+/// Returns the number of seeds for a trial.
 inline std::uint64_t seeds_of(const Trial& trial) {
   if (seeds_asked_for() > 0) return seeds_asked_for();
   return trial.target == std::string("host") ? rounds(2u) : 1;

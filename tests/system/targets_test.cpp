@@ -1,4 +1,4 @@
-// The same sketch, map, robot and seed on every target; and what only a chip finds.
+// Tests equal sketch, map, robot and seed on every target, and faults that only a chip shows.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The two-wire bus from a sketch's Wire to the robot's parts.
+// Tests the two-wire bus from a sketch's Wire to the robot's parts.
 #include "tests/system/system_test.h"
 
 namespace robosim::test {

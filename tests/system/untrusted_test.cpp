@@ -1,5 +1,5 @@
-// --untrusted: sketches of somebody else are run where this machine can confine them, and are graded on a
-// chip. docs/explanation/security.md says what that holds off.
+// Tests --untrusted: sketches of other people run where this machine can confine them, and are graded on a
+// chip. docs/explanation/security.md lists the confined actions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ constexpr const char* kLap =
 
 std::string empty_sketch(const std::string& begin) { return begin + "\nvoid setup() {}\nvoid loop() {}\n"; }
 
-/// Follows the line with a controller of ours, faster or slower.
+/// Returns a sketch that follows the line with LineKit's controller, faster or slower.
 std::string follower(int speed) {
   return "#include <LineKit.h>\nconst uint8_t PINS[] = {A0, A1, A2, A3, A4};\nAnalogLineSensors "
          "sensors(PINS);\n"
@@ -343,7 +343,7 @@ TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
   }
 }
 
-/// What `path` of a call that strace has noted is, if the call succeeded and names one.
+/// Returns the path of a system call in strace's output; "" if the call failed or has no path.
 std::string opened(const std::string& line) {
   if (line.find(" = -1 ") != line.npos || line.find("resumed>") != line.npos) return "";
   const std::size_t begin = line.find('"');

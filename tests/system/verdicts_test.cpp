@@ -1,4 +1,4 @@
-// Every way in which a sketch can fail ends in a verdict that tells what went wrong and where.
+// Tests that every failure of a sketch ends in a verdict with its cause and place.
 
 #include "tests/system/system_test.h"
 

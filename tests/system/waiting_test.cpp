@@ -1,4 +1,4 @@
-// On the host, a sketch that only waits is left asleep (hal/host/polling.h): no run can tell.
+// Tests that skipping a sketch that only waits on the host (hal/host/polling.h) is not observable.
 #include "tests/system/system_test.h"
 
 namespace robosim::test {

@@ -1,6 +1,6 @@
-# What makes the first build shorter, and changes nothing else.
+# Makes the first build shorter, without other effects.
 
-# What waits for disks, compilers and people is compiled in two thirds of the time, and nobody sees the difference.
+# Code that waits for disks, compilers and users is compiled with less optimisation, in two thirds of the time.
 set(quick $<$<CONFIG:Release>:-O1>)
 foreach(library project build course print calibrate launch play wiring mutate tui client record analysis cli serve)
   if(TARGET robosim_${library})

@@ -102,7 +102,7 @@ endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 
-# What a sketch is compiled with. The libraries are linked in (ROBOSIM_PORTABLE), so that one package serves Debian 12
+# Packages that compile sketches. The libraries are linked in (ROBOSIM_PORTABLE), so that one package serves Debian 12
 # and 13 alike.
 set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots

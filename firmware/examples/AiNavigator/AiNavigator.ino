@@ -1,15 +1,15 @@
 // Explores a network of lines, keeps a map of it, and drives to any station by the best way. Robot: uno5.
 //
-//   button          scans, put on any line. Where a line ends is a station; they are numbered as it
-//                   finds them
-//   Serial, 115200  a destination: a station's number, or its name as below, and a newline. Anything
-//                   else is refused
+//   button          starts a scan from any line. The end of a line is a station; stations are numbered
+//                   in the order of discovery
+//   Serial, 115200  accepts a destination: a station's number or its name (below), and a newline.
+//                   Rejects anything else
 //   LEDs            pin 13: on a junction, A5: at a station
-//   buzzer          a short beep: done; a long one: something is wrong
-//   bumper          it stops; if the obstacle stays, it goes back and takes another way
+//   buzzer          a short beep: done; a long one: an error
+//   bumper          stops the robot; if the obstacle stays, it goes back and takes another way
 //
-// The map is kept in EEPROM, with the station at which the robot stands. So after a power cycle it need not
-// scan again; unless it was switched off under way, for then it does not know where it is.
+// The EEPROM stores the map and the station at which the robot stands. So it need not scan again after a
+// power cycle, unless it was switched off between stations: then its position is unknown.
 
 #include <EEPROM.h>
 #include <LineKit.h>
@@ -21,12 +21,12 @@
 #include "Memory.h"
 #include "Walker.h"
 
-// What the stations are called, from station 1 on. Yours may have other names, or none.
+// Names of the stations, from station 1 on. Change them for your floor, or leave them out.
 const char NAMES[] PROGMEM = "home\0dock\0shelf\0";
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};  // left to right
 const uint8_t BUTTON_PIN = 4, BUMPER_PIN = 12;
-const uint8_t LONGEST = 15;  // characters of a destination
+const uint8_t LONGEST = 15;  // characters of a destination, at most
 
 typedef nav::FixedNetwork<60> Network;  // junctions less than 60 mm apart are one
 static_assert(Network::kRecordBytes <= STAND_AT, "the EEPROM is too small for so many nodes");
@@ -40,7 +40,7 @@ Walker walker(sensors, motors, encoders, BUMPER_PIN);
 Network network;
 Driver driver(walker, network);
 
-// unknown: of no node; stored: told by the EEPROM, and not looked whether it is so.
+// UNKNOWN: at no node; STORED: read from the EEPROM, and not verified; KNOWN: verified.
 enum Placed : uint8_t { UNKNOWN, STORED, KNOWN } placed = UNKNOWN;
 Stand stand;
 char line[LONGEST + 2];
@@ -64,7 +64,7 @@ void sayNode(uint8_t node) {
   }
 }
 
-// The name of station `number`, or nothing.
+// Returns the name of station `number`, or "".
 const char* nameOf(uint8_t number) {
   const char* name = NAMES;
   while (--number > 0 && pgm_read_byte(name) != 0) name += strlen_P(name) + 1;
@@ -92,7 +92,7 @@ void sayWhere(const __FlashStringHelper* what, uint8_t node) {
   }
 }
 
-// It stands at a node: remembers that.
+// Stores the node at which the robot has stopped.
 void settle() {
   placed = KNOWN;
   storeStand(driver.here(), driver.heading());
@@ -158,7 +158,7 @@ void sayTurn(nav::Turn turn) {
   }
 }
 
-// The junctions on the way, and what to do there.
+// Prints the junctions on the way, and the turn at each.
 void sayWay() {
   const uint8_t to = driver.destination();
   uint8_t at = driver.here();
@@ -187,7 +187,7 @@ void sayWay() {
   Serial.println();
 }
 
-// After a power cycle: is this where I was?
+// Verifies the stored position after a power cycle.
 bool lookRound() {
   if (driver.restore(stand.node, stand.heading)) {
     placed = KNOWN;
@@ -246,7 +246,7 @@ void refuse() {
   Serial.println();
 }
 
-// What the line says: the number of a station, or 0.
+// Returns the number of the station that the line names, or 0.
 uint8_t readDestination() {
   if (length > LONGEST) return 0;
   line[length] = 0;

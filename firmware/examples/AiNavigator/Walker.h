@@ -1,4 +1,4 @@
-// LineKit's walker, with this robot's lights and its voice.
+// Extends LineKit's walker with this robot's LEDs, buzzer and serial messages.
 #ifndef WALKER_H
 #define WALKER_H
 
@@ -27,7 +27,7 @@ class Walker : public LineWalker {
     return show(LineWalker::follow());
   }
 
-  /// Whether an obstacle has stayed in the way since forgetObstacle().
+  /// Returns whether an obstacle has blocked the way since forgetObstacle().
   bool metObstacle() const { return met_obstacle_; }
   void forgetObstacle() { met_obstacle_ = false; }
 

@@ -1,7 +1,7 @@
 // Follows a line with five analog sensors and a PID controller.
 //
-// It starts at once, with the sensor range given below. Hold the button while switching on to measure the range first: the
-// robot turns to and fro over the line for two seconds.
+// It starts immediately, with the sensor range given below. To measure the range first, hold the button
+// while switching on: the robot then turns left and right over the line for two seconds.
 
 #include <LineKit.h>
 
@@ -9,10 +9,10 @@ const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};  // left to right
 const uint8_t BUTTON_PIN = 4;                        // to ground
 
 const uint8_t STEP_MS = 5;
-const float CRUISE = 140;   // PWM of 255 while the line is under the middle sensor ...
-const float SLOWER = 40;    // ... less this much for each sensor that the line is off: slower in bends ...
-const float SLOWEST = 60;   // ... but never slower than this
-const float STEERING = 200; // at most
+const float CRUISE = 140;   // PWM, of 255, with the line under the middle sensor
+const float SLOWER = 40;    // reduction per sensor of offset, so that it drives slower in bends
+const float SLOWEST = 60;   // lower limit of the speed
+const float STEERING = 200; // upper limit of the steering
 
 AnalogLineSensors sensors(SENSOR_PINS);
 DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));

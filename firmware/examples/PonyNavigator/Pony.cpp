@@ -5,13 +5,13 @@ namespace {
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};  // left, middle, right; HIGH on the line
 const uint8_t BUMPER_PIN = 7;                // LOW when pressed
 
-// Register 0: the buzzer, the motors (left forward, left backward, right forward, right backward), the LEDs.
+// Bits of register 0: buzzer, motors (left forward, left backward, right forward, right backward), LEDs.
 const uint8_t BUZZER = 0x80;
 const uint8_t LEFT_FORWARD = 0x40, LEFT_BACKWARD = 0x20, RIGHT_FORWARD = 0x10, RIGHT_BACKWARD = 0x08;
 const uint8_t MOTORS = 0x78;
 const uint8_t LIGHTS = 0x07;
 
-// Registers 1 and 2: the ones and the tens. A low bit lights a segment: e g f a b c d.
+// Values of registers 1 (ones) and 2 (tens). A low bit lights a segment: e g f a b c d.
 const uint8_t DIGITS[] = {0x02, 0x4F, 0x24, 0x05, 0x49, 0x11, 0x10, 0x47, 0x00, 0x41};
 const uint8_t DARK = 0x7F, DASH = 0x7D;
 
@@ -61,7 +61,7 @@ void Pony::step(int8_t left, int8_t right) {
   if (wait <= 1000UL * kStepMs) {
     delayMicroseconds(static_cast<uint16_t>(wait));
   } else {
-    next_us_ = micros();  // somebody else took longer than a step
+    next_us_ = micros();  // the caller took longer than a step
   }
   const uint8_t seen = look();
   seen_ = static_cast<uint8_t>((seen & seen_before_) | (seen_ & (seen | seen_before_)));

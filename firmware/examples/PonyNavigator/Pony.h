@@ -1,11 +1,11 @@
-// The robot: three sensors that see the line, a collision sensor, and behind a chain of three shift registers
+// The robot's hardware: three line sensors and a collision sensor. A chain of three shift registers drives
 // two motors, two digits, three LEDs and a buzzer.
 //
-// Motors are driven in pulses: on for some milliseconds of every period, and in between the driver brakes. A
-// duty is milliseconds of kPeriod; negative is backward. At 14 of 30 the robot runs at about 12 cm/s.
+// Motors are driven by slow PWM: on for some milliseconds of every period, then braked by the driver. A duty
+// is given in milliseconds of kPeriod; negative is backward. At 14 of 30 the robot drives at about 12 cm/s.
 //
-// Everything happens in step(): it switches the motors, waits for the next step's time, and looks at the
-// sensors. While the collision sensor is pressed it pauses, for up to kPatienceMs; then it is blocked.
+// All work is done in step(): it switches the motors, waits until the next step is due, and reads the
+// sensors. While the collision sensor is pressed, it pauses for up to kPatienceMs; then the robot is blocked.
 #ifndef PONY_H
 #define PONY_H
 
@@ -21,23 +21,23 @@ class Pony {
 
   void begin();
 
-  /// One step with these duties, -kPeriod..kPeriod.
+  /// Performs one step with these duties, -kPeriod..kPeriod.
   void step(int8_t left, int8_t right);
-  /// Steps at rest.
+  /// Performs steps at rest.
   void rest(uint16_t ms);
 
-  /// Whether a sensor is over the line: two looks in a row have said so.
+  /// Returns whether a sensor is over the line, debounced by two equal readings.
   bool left() const { return seen_ & 1; }
   bool middle() const { return seen_ & 2; }
   bool right() const { return seen_ & 4; }
-  /// Steps since the robot was switched on: the clock of all that moves.
+  /// Returns the steps since power-on, which serve as the clock of all motion.
   uint16_t now() const { return steps_; }
-  /// Whether something has stood in the way for kPatienceMs. True until forgiven.
+  /// Returns whether an obstacle has been in the way for kPatienceMs. True until forgive().
   bool blocked() const { return blocked_; }
   void forgive() { blocked_ = false; }
 
   void light(uint8_t lights);
-  /// Shows 0..99; anything more is two dashes.
+  /// Shows 0..99, or two dashes for a greater number.
   void show(uint8_t number);
   void beep(uint16_t ms);
 

@@ -1,14 +1,14 @@
-// Explores a tree of lines, and then drives to any station of it. The robot of the m-graph paper: pony.
+// Explores a tree of lines, and then drives to any of its stations. Robot: pony, of the m-graph paper.
 //
-//   button 1            scans; where the robot stands, if a line ends there, is station 1
-//   button 2            "this is station 1": put there by hand, with the map from an earlier scan (EEPROM)
-//   radio               a destination: 8 bits, most significant first. A long beep refuses any other number of
-//                       bits, and a station that does not exist
-//   digits              while scanning the station found last; then the one where it is, or is going to
-//   LEDs                junction, end of a line, on the way
-//   collision sensor    the robot waits until the way is free, and after five seconds turns back
+//   button 1            starts a scan; if a line ends at the robot, that end is station 1
+//   button 2            loads the map of an earlier scan (EEPROM), after a manual move to station 1
+//   radio               accepts a destination: 8 bits, most significant first. A long beep rejects any other
+//                       number of bits, and a station that does not exist
+//   digits              show the last discovered station during a scan, then the present one or destination
+//   LEDs                show a junction, the end of a line, and driving
+//   collision sensor    makes the robot wait until the way is free; after five seconds it turns back
 //
-// It has no encoders and so does not know a junction again: the lines must not close a circle.
+// Without encoders it cannot recognise a junction that it has visited, so the lines must not form a loop.
 
 #include <EEPROM.h>
 #include <LineKit.h>
@@ -32,9 +32,9 @@ ClockedReceiver radio(5, 2, 3);  // data, clock, enable
 PonyWalker walker(pony);
 Tree tree;
 Driver driver(walker, tree);
-bool placed = false;  // it knows where it is
+bool placed = false;  // whether its position is known
 
-// The EEPROM as a record's bytes.
+// Stores a record's bytes in the EEPROM.
 struct Memory {
   int at = 0;
   void put(uint8_t byte) { EEPROM.update(at++, byte); }

@@ -6,19 +6,19 @@ using nav::Landmark;
 using nav::LandmarkKind;
 using nav::Turn;
 
-const int8_t CRUISE = 14;        // duty straight on
-const int8_t STEER = 7;          // more on one side, less on the other
-const int8_t TURN = 12;          // on the spot
-const int8_t COUNTER = 30;       // against the motion, to stop
-const uint8_t STOP_STEPS = 9;    // so long, before a rest ...
-const uint8_t SETTLE_STEPS = 5;  // ... and at the end of a turn
+const int8_t CRUISE = 14;        // duty when driving straight on
+const int8_t STEER = 7;          // added on one side, subtracted on the other
+const int8_t TURN = 12;          // duty of turns on the spot
+const int8_t COUNTER = 30;       // reverse duty to brake
+const uint8_t STOP_STEPS = 9;    // duration of braking before a rest
+const uint8_t SETTLE_STEPS = 5;  // duration of braking at the end of a turn
 const uint8_t REST_MS = 60;
-const uint16_t WHITE_STEPS = 75;  // so long without a line, and it may have ended
-// From an arm's far edge and a third of a width more until the axle is over the arm, in widths of 20 mm: the
-// sensors are 60 mm ahead of it, less half a width and that third, less the way to stop.
+const uint16_t WHITE_STEPS = 75;  // time without a line after which it may have ended
+// Distance to roll, in tenths of a line's width (20 mm), until the axle is over the arm: the sensors are
+// 60 mm ahead of it, less half a width, the third of a width already driven, and the stopping distance.
 const uint16_t ROLL_TENTHS = 20;
-const uint16_t ROUND_TENTHS = 35;  // a line after so many quarters at least is the one it began at
-const uint8_t SIDE_STEPS = 4;      // so long a side sensor dark, and it is believed
+const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn, after which a line is the first one again
+const uint8_t SIDE_STEPS = 4;      // debounce time of a dark side sensor
 const uint8_t LEFT = 1, RIGHT = 2;
 
 }  // namespace
@@ -42,7 +42,7 @@ Landmark PonyWalker::begin() {
   lost_ = false;
   left_at_ = millis();
   if (!pony_.middle() && !turnToLine(1, 6 * quarter_)) return landmark(LandmarkKind::lost);
-  // A full turn: which quarters have a line?
+  // Turn fully and record the quarters that have a line.
   const uint16_t start = pony_.now();
   arms_ = 1;
   bool was_dark = true;
@@ -96,7 +96,7 @@ Landmark PonyWalker::follow() {
   }
   stop();
   if (lost_) return landmark(LandmarkKind::lost);
-  backOff();  // far enough to turn
+  backOff();  // makes space to turn
   pony_.forgive();
   arms_ = 0;
   return landmark(LandmarkKind::blocked);
@@ -124,7 +124,7 @@ uint8_t PonyWalker::cross() {
     if (pony_.right()) ++right;
     white = pony_.left() || pony_.right() ? 0 : white + 1;
     if (left <= 3 * width_ && right <= 3 * width_) continue;
-    // Not an arm: the line itself has slipped away to that side.
+    // This is not an arm: the robot has drifted off the line.
     stop();
     turnToLine(left > right ? -1 : 1, quarter_);
     return 0;

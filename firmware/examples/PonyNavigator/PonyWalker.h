@@ -1,26 +1,26 @@
-// Runs along lines with three digital sensors and no encoders: a Walker (nav/Landmark.h).
+// Follows lines with three digital sensors and no encoders, and detects junctions: a Walker (nav/Landmark.h).
 //
-//        L       M       R      The middle sensor runs along the left edge of the line; the other two are so
-//        .       |####|  .      far apart that they see the floor, but for arms:
+//        L       M       R      The middle sensor follows the left edge of the line. The side sensors are
+//        .       |####|  .      wide apart, so that they see the floor except at arms:
 //        .       |####|  .
 //
-//   what passes under the sensors      what it is
-//   L or R dark for about one width    an arm; the time it takes is the ruler for what follows
-//   all white for a while              look a little to both sides: the line goes on, or has ended
+//   under the sensors                  meaning
+//   L or R dark for about one width    an arm; its duration calibrates the following distances
+//   all white for a while              look a little to both sides: the line continues, or has ended
 //
-// (The paper's robot steers by the side sensors, 110 and 011, so that it cannot tell an arm on one side from
-// a line that slips away. Its junctions are those where it sees 111.)
+// (The paper's robot steers by the side sensors, 110 and 011, so it cannot distinguish an arm on one side
+// from drifting off the line. Only 111 is a junction for it.)
 //
-// After an arm the robot rolls on until its axle is over it, and looks for the line ahead. Two arms with the
-// one it came by, and it goes round the bend; more, and it is a junction; no line at all is an end.
+// After an arm the robot rolls on until its axle is over the arm, and looks for the line ahead. Two arms,
+// including the one of arrival, are a bend; more are a junction; none is an end.
 //
-// Times are in steps of Pony::kStepMs. The ruler: a line is 20 mm wide, so the time for which an arm was dark
-// is the time for 20 mm, and a pulsed motor keeps its speed for so long. A full turn on the spot at the
-// beginning tells what is around, and how long a quarter turn takes.
+// Times are in steps of Pony::kStepMs. A line is 20 mm wide, so the duration of an arm is the time for 20 mm.
+// The motors' speed is stable enough to use it for the next distances. The first full turn on the spot
+// detects the lines around, and measures the duration of a quarter turn.
 //
-// What stands in the way for longer than the collision sensor's patience is reported as `blocked`.
+// An obstacle that stays longer than Pony::kPatienceMs is reported as `blocked`.
 //
-// Without encoders it does not know places (kKnowsPlaces): trees only.
+// Without encoders it does not recognise places (kKnowsPlaces), so maps must be trees.
 #ifndef PONY_WALKER_H
 #define PONY_WALKER_H
 
@@ -40,19 +40,19 @@ class PonyWalker {
   void relocate(const nav::Place&) {}
 
  private:
-  /// Follows the line's edge until an arm begins (true), or there has been no line for a while, or it is
+  /// Follows the line's edge. Returns true when an arm begins; false if the line ends or the robot is
   /// blocked.
   bool followEdge();
-  /// The arms that pass while the robot goes straight on: 1 left, 2 right; 0 if it was none.
+  /// Returns the arms that it crosses while driving straight on: 1 left, 2 right; 0 if there was no arm.
   uint8_t cross();
   void roll();
   void backOff();
   void stop();
   /// Turns a little to both sides to find the line.
   bool lookAhead();
-  /// Turns on the spot, `dir` 1 to the right and -1 to the left, for at most so many steps; true at the line.
+  /// Turns on the spot for at most `steps`; `dir` is 1 to the right, -1 to the left. Returns true at a line.
   bool turnToLine(int8_t dir, uint16_t steps);
-  /// Turns on the spot to the `count`-th line, which is so many quarters away. False if it is not there.
+  /// Turns on the spot to the `count`-th line, `quarters` away. Returns false if it is missing.
   bool turn(int8_t dir, uint8_t quarters, uint8_t count);
   void spin(int8_t dir, uint8_t duty) {
     pony_.step(static_cast<int8_t>(dir * duty), static_cast<int8_t>(-dir * duty));
@@ -63,11 +63,11 @@ class PonyWalker {
 
   Pony& pony_;
   nav::Heading heading_ = 0;
-  uint8_t arms_ = 0;  ///< of the last landmark
+  uint8_t arms_ = 0;  ///< arms of the last landmark
   bool lost_ = false;
   uint16_t width_ = 85;     ///< steps for 20 mm
   uint16_t quarter_ = 346;  ///< steps for a quarter turn
-  uint32_t left_at_ = 0;    ///< ms, when the last landmark was left
+  uint32_t left_at_ = 0;    ///< time in ms when it left the last landmark
 };
 
 #endif

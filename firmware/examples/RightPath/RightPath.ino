@@ -1,5 +1,5 @@
-// Tours a floor of lines with three digital sensors: takes the right branch wherever there is one, and turns round at the end of a
-// line. Without closed loops it so visits every station and comes home. PathFollower.h says how and why.
+// Tours a floor of lines with three digital sensors: takes every right branch, and turns at a line's end.
+// If the lines form no loop, it visits every station and returns home. PathFollower.h explains how and why.
 
 #include <LineKit.h>
 

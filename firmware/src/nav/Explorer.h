@@ -1,9 +1,9 @@
 // Scans a network of lines into a graph: every station, every junction, every obstacle.
 //
-// It makes a depth-first walk, the right-hand arm first. At a new junction it adds a node, takes the first
-// arm to the right, explores everything beyond it, comes back, and takes the next arm. After the last one it
-// returns the way it first came. On a tree this is the right-hand walk round all of it. A line that leads to
-// a known junction closes a cycle: it records the line and goes back. So it runs along every line once in
+// It makes a depth-first walk, the right-hand arm first. At a new junction it adds a node and takes the first
+// arm to the right. It explores everything beyond it, comes back, and takes the next arm. After the last one
+// it returns the way it first came. On a tree this is the right-hand walk round all of it. A line that leads
+// to a known junction closes a cycle: it records the line and goes back. So it runs along every line once in
 // each direction.
 //
 // It recognises a junction by its place, so it needs a Walker with odometry (kKnowsPlaces). Without one it
@@ -13,8 +13,8 @@
 // It can begin anywhere. At the end of a line, that end is station 1 and the root of the graph. Elsewhere the
 // first node that it meets is the root, and the arm by which it came there is explored last.
 //
-// An obstacle is beyond an arm. If the robot meets it from its other side, too, it is also beyond another arm
-// of another node, and what is in between is unknown. If the line is open when the robot comes along it from
+// An obstacle is beyond an arm. If the robot meets it from its other side, too, it is also beyond an arm of
+// another node. The part in between is unknown. If the line is open when the robot comes along it from
 // the other end, the arm is open.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);

@@ -1,4 +1,4 @@
-// The seam between navigation and robots: what a robot meets on a network of lines, and what it can do there.
+// The interface between navigation and robots: landmarks on a network of lines, and the turns at them.
 //
 // A network of lines has nodes of two kinds: junctions, where three or four lines meet at right angles, and
 // stations, where a line ends. Between them a line may have any bends, which navigation need not know.
@@ -12,13 +12,13 @@
 //   void leave(nav::Turn turn);           // turns there; follow() then runs that way
 //   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
 //
-// begin() returns `junction` or `line` if the robot stands on one, and `end` if the line goes one way only,
-// which it then faces. An `end` with no arms is a single spot without any line to follow; `lost` is no line
-// at all.
+// begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line goes one way
+// only, which the robot then faces. An `end` with no arms is a single spot without any line to follow; `lost`
+// means that there is no line.
 //
-// follow() returns `junction` with the robot standing on it, `end` with the robot at the line's end, still
-// facing outward, and `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back
-// where it began to follow without having met anything, and `lost` if it does not know where it is.
+// follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
+// outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
+// without having met anything, and `lost` if its position is unknown.
 //
 // After `end` and `blocked` the only turn is Turn::back. At a junction Turn::back goes back the way it came.
 #ifndef LINEKIT_NAV_LANDMARK_H
@@ -69,9 +69,9 @@ inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
 
 inline bool hasArm(uint8_t arms, Heading h) { return (arms >> h & 1) != 0; }
 
-// Slots. The arms of a junction are numbered: 0 is the one by which it was first entered, then as they follow
-// to the right hand of somebody who comes in by it (right, straight, left), counting only arms that exist. So
-// a junction with three arms has slots 0, 1, 2.
+// Slots. The arms of a junction are numbered: 0 is the arm of first entry. The others follow from right to
+// left for a robot that enters by it (right, straight, left); only existing arms count. So a junction with
+// three arms has slots 0, 1, 2.
 
 /// Returns the number of arms.
 inline uint8_t slotCount(uint8_t arms) {

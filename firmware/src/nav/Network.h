@@ -1,5 +1,5 @@
-// What a robot knows of a network of lines: an m-graph whose nodes are numbered in the order in which a
-// depth-first walk, the right-hand arm first, meets them (preorder).
+// A robot's map of a network of lines: an m-graph whose nodes are numbered in preorder of a depth-first
+// walk, the right-hand arm first.
 //
 // A Network is any type with these members; explorer and planners are templates over it. FixedNetwork.h
 // stores one in fixed arrays with 8-bit ids, for a chip; on a host it may grow.

@@ -94,8 +94,8 @@ uint8_t slotTowards(const Network& network, typename Network::Id node, typename 
   return best;
 }
 
-/// Returns whether ids are those of a depth-first walk: every node's parent is the node before it or one of
-/// that one's ancestors, and every line connects a node and its parent.
+/// Returns whether ids are those of a depth-first walk. Then every line connects a node and its parent, which
+/// is the node before it or an ancestor of that.
 template <class Network>
 bool isPreorder(const Network& network) {
   typedef typename Network::Id Id;

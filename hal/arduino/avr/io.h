@@ -1,8 +1,8 @@
 // Registers of the chip by the names that sketches use: PORTB, TCCR1A, ADC, ...
 //
-// Names, addresses and bits come from avr-libc's own header, staged as iom328p.h next to this one. Only
-// accesses are ours: each calls the simulated chip (hal/host). So a register is an object that can be read,
-// assigned and changed by every operator.
+// Names, addresses and bits come from avr-libc's header, staged as iom328p.h next to this one. Each access
+// calls the simulated chip (hal/host). So a register is an object that can be read, assigned and changed by
+// every operator.
 //
 // Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. They
 // are compiled a second time with ROBOSIM_REGISTER_MEMORY, where registers are memory and accesses to memory
@@ -210,7 +210,7 @@ class Register16 {
 #define _SFR_MEM8(address) (robosim_hal::Register8(address))
 #define _SFR_MEM16(address) (robosim_hal::Register16(address))
 
-#else  // C has no operators of our own: its registers are memory.
+#else  // C cannot overload operators, so its registers are memory.
 
 #define ROBOSIM_REGISTER(type, address) (*(volatile type*)(robosim_register_memory + (address)))
 #define _SFR_MEM8(address) ROBOSIM_REGISTER(uint8_t, address)

@@ -108,7 +108,7 @@ inline uint16_t program_word(uintptr_t address) { return program_memory<uint16_t
 #define vsnprintf_P vsnprintf
 #define vsprintf_P vsprintf
 
-// The same for far addresses, which are numbers.
+// Functions of far addresses, which are numbers.
 #define memcmp_PF(a, far_b, size) memcmp(a, (const void*)(far_b), size)
 #define memcpy_PF(to, far_from, size) memcpy(to, (const void*)(far_from), size)
 #define strlen_PF(far_text) strlen((const char*)(far_text))

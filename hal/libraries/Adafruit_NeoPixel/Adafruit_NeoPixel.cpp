@@ -38,9 +38,9 @@ const uint8_t kSine[256] = {
     79,  82,  85,  88,  90,  93,  97,  100, 103, 106, 109, 112, 115, 118, 121, 124,
 };
 
-const uint32_t kTurn = 1530;  // six times from 0 to 255
+const uint32_t kTurn = 1530;  // six ramps from 0 to 255
 
-/// How much red there is at this place on the colour wheel; green and blue are a third of a turn off.
+/// Returns the red component of a place on the colour wheel. Green and blue are offset by a third of a turn.
 uint8_t red_at(uint32_t place) {
   if (place <= 255) return 255;
   if (place <= 510) return static_cast<uint8_t>(510 - place);
@@ -96,7 +96,7 @@ bool Adafruit_NeoPixel::canShow() {
   return now - shown_ >= kQuiet_us;
 }
 
-// Bits of 20 cycles at 16 MHz: 5 of them high are a 0, 13 a 1.
+// A bit takes 20 cycles at 16 MHz: 5 of them high for a 0, 13 for a 1.
 void Adafruit_NeoPixel::show() {
   if (!bytes_ || pin_ < 0) return;
   while (!canShow()) {
@@ -150,7 +150,7 @@ void Adafruit_NeoPixel::rainbow(uint16_t first_hue, int8_t times, uint8_t satura
   }
 }
 
-// What is there is scaled, too: some of it is lost.
+// Rescales the stored colours, too, which loses precision.
 void Adafruit_NeoPixel::setBrightness(uint8_t brightness) {
   const auto scale = static_cast<uint8_t>(brightness + 1);
   if (scale == scale_) return;

@@ -4,8 +4,8 @@
 
 #include <Arduino.h>
 
-// Where the colours are among a LED's bytes: two bits each for white, red, green, blue, from the top. With
-// white where red is there are three bytes.
+// Encodes the order of a LED's bytes: two bits each for white, red, green, blue, from the top. If white is
+// at red's place, a LED has three bytes.
 #define NEO_ORDER(w, r, g, b) ((w) << 6 | (r) << 4 | (g) << 2 | (b))
 #define NEO_RGB NEO_ORDER(0, 0, 1, 2)
 #define NEO_RBG NEO_ORDER(0, 0, 2, 1)
@@ -34,7 +34,7 @@ class Adafruit_NeoPixel {
 
   bool begin();
   void show();
-  /// Whether the strip has been quiet long enough.
+  /// Returns whether the line has been quiet long enough to latch the previous colours.
   bool canShow();
   void setPin(int16_t pin);
   void updateLength(uint16_t count);
@@ -42,7 +42,7 @@ class Adafruit_NeoPixel {
 
   void setPixelColor(uint16_t n, uint8_t r, uint8_t g, uint8_t b, uint8_t w = 0);
   void setPixelColor(uint16_t n, uint32_t color);
-  /// `count` 0: to the end.
+  /// Sets `count` LEDs from `first` on; 0 = up to the end.
   void fill(uint32_t color = 0, uint16_t first = 0, uint16_t count = 0);
   void clear();
   void rainbow(uint16_t first_hue = 0, int8_t times = 1, uint8_t saturation = 255, uint8_t brightness = 255,

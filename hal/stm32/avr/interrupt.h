@@ -1,4 +1,4 @@
-// Switches all interrupts on and off, by PRIMASK. Handlers have other names here: void TIM3_IRQHandler().
+// Enables and disables all interrupts by PRIMASK. Handlers have other names here: void TIM3_IRQHandler().
 #pragma once
 
 #include <avr/io.h>

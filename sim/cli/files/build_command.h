@@ -28,7 +28,7 @@ struct Built {
   wire::RobotInfo robot;
 };
 
-/// Whether another board may replace the robot's own, if that has no chip of the target.
+/// Selects whether another board may replace the robot's own if that has no chip of the target.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard

@@ -268,7 +268,7 @@ bool Hunt::go() {
   return true;
 }
 
-/// Takes a row of another machine, whose finding has its files in `files`: it equals one of ours, or is new.
+/// Adds a row of another machine, whose finding has its files in `files`. It may equal a known finding.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();

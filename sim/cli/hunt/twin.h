@@ -1,7 +1,7 @@
-// Compares runs of the same world that should be alike. One is on the host and one on the board's chip, or
-// both on the chip, one with its clock near a wrap. If they always part at the same place, the sketch depends
-// on something that it should not. Examples are the width of an int, the content of flash, the time since
-// power-on.
+// Compares runs of the same world that should be alike. One is on the host and one on the board's chip. Or
+// both are on the chip, one with its clock near a wrap. If they always part at the same place, the sketch
+// depends on something that it should not. Examples are the width of an int, the content of flash, the time
+// since power-on.
 #pragma once
 
 #include <optional>

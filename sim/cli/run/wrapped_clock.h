@@ -9,8 +9,8 @@
 // So the run is repeated with a clock that wraps to 0 during it. Another run has a clock that is nearly as
 // high and does not wrap. If these two differ from there on, the sketch cannot handle a wrap. A difference is
 // another verdict, another path in the next 2 s, or a pin that stops changing. Line counts show which line
-// ran far more often, or stopped running. If a microsecond more or less changes a robot's path, it differs
-// also with clocks that pass no wrap, or that gain a digit or a bit. Nothing is reported for such a sketch.
+// ran far more often, or stopped running. If a microsecond changes a robot's path, it also differs with
+// clocks that pass no wrap or gain a digit. Nothing is reported for such a sketch.
 //
 // The tested moments are the middle of the run, and moments after which the sketch drives no pin for long.
 // Not detected: deadlines that are pending at none of them; variables of 16 bits. Nor sketches that use the

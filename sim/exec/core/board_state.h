@@ -124,7 +124,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
  private:
   void forget_all_edges(SimTime t);
-  /// What is connected to a pin.
+  /// The connections of a pin.
   struct Wire {
     PinSource* source = nullptr;
     double ohms = 0.0;  ///< of the source

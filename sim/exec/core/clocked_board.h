@@ -14,7 +14,7 @@ class ClockedBoard final : public FirmwarePort {
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
   // --- for executors; all times except the world's are the firmware's
-  /// Lets the firmware run to `end`, a time of the world, and returns it by the firmware's clock. If an
+  /// Lets the firmware run to `end`, a time of the world. Returns that time by the firmware's clock. If an
   /// instruction begins before `end` and ends after it, the world sees its effects at `end`.
   SimTime begin_tick(SimTime end) {
     state_.limit = end;

@@ -172,8 +172,8 @@ void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses, int d
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Whether a part of the debug information is in other files: libdw would open whatever names the program has
-/// for them (DW_AT_dwo_name, .gnu_debugaltlink), also a pipe or another user's file.
+/// Returns whether a part of the debug information is in other files. libdw would open any name that the
+/// program has for them (DW_AT_dwo_name, .gnu_debugaltlink), even of a pipe or another user's file.
 bool names_other_files(Elf* elf, Dwarf* dwarf) {
   std::size_t names = 0;
   if (::elf_getshdrstrndx(elf, &names) != 0) return true;

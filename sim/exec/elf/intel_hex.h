@@ -1,6 +1,6 @@
-// Reads Intel HEX, the text format for flash content. A line is `:` and bytes of two digits each. They are
-// the number of data bytes, 16 bits of their address, the kind, the data, and a byte that makes the sum of
-// all 0.
+// Reads Intel HEX, the text format for flash content. A line is `:` and bytes of two digits each: the number
+// of data bytes, 16 bits of their address, the kind, the data, and a checksum. The sum of all bytes
+// is 0.
 #pragma once
 
 #include <cstdint>

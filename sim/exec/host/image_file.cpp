@@ -127,7 +127,7 @@ bool is_own_file(const std::string& file) {
          file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
 }
 
-/// What addr2line may print: a sketch chooses how long the names of its functions and files are.
+/// Limit of addr2line's output, since a sketch chooses the length of its functions' and files' names.
 constexpr std::size_t kMostLines_bytes = std::size_t{1} << 20;
 
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets) {

@@ -1,4 +1,4 @@
-// Whether Robosim itself is compiled with AddressSanitizer.
+// Detects whether Robosim itself is compiled with AddressSanitizer.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)

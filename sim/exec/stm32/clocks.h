@@ -11,8 +11,8 @@ namespace robosim::exec::stm32 {
 /// From this address on peripherals are on the AHB, below on the APBs (RM0008 3.3).
 constexpr robosim::stm32::Address kAhb = 0x40018000;
 
-/// Whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in reset (7.3.3,
-/// 7.3.4).
+/// State of a peripheral: whether it has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in reset
+/// (7.3.3, 7.3.4).
 struct Gate {
   const std::uint32_t* enabled = nullptr;  ///< null = it always has one
   const std::uint32_t* reset = nullptr;

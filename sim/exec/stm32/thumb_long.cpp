@@ -1,5 +1,5 @@
-// Decodes the instructions of 32 bits (ARMv7-M ARM, A5.3). libunicorn gets those that use the stack pointer
-// or the program counter in an unusual place, exclusive accesses, and saturation of right-shifted values.
+// Decodes the instructions of 32 bits (ARMv7-M ARM, A5.3). libunicorn gets exclusive accesses, saturation of
+// right-shifted values, and uses of the stack pointer or the program counter in an unusual place.
 #include <bit>
 
 #include "sim/exec/stm32/thumb.h"

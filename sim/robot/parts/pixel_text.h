@@ -1,5 +1,5 @@
-// Reads text on a display of pixels: letters of 5 columns and 7 or 8 rows, each followed by an empty column,
-// as in Adafruit's GFX and most small fonts, at one to four times the size. Other fonts, and dark letters on
+// Reads text on a display of pixels, at one to four times its size. Letters have 5 columns, 7 or 8 rows and
+// an empty column after them, as in Adafruit's GFX and most small fonts. Other fonts, and dark letters on
 // a lit ground, are not read.
 #pragma once
 

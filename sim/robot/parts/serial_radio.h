@@ -1,6 +1,6 @@
 // type = "serial-radio": a wireless serial line (HC-12, APC220 and similar). Each byte that the sketch sends
-// reaches all other serial-radios on its channel after `delay`, or is lost on its way to one of them with the
-// probability `loss`. A script's `send` is another sender. Its line to the board: serial_line.h.
+// reaches all other serial-radios on its channel after `delay`. It is lost on its way to each of them with
+// the probability `loss`. A script's `send` is another sender. Its line to the board: serial_line.h.
 //
 // HC-12's manual has delays of 4 to 80 ms, by mode and baud rate; 20 ms is between them. Not modelled: range,
 // collisions of bytes, packets and AT commands.

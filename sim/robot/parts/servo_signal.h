@@ -2,8 +2,8 @@
 //
 // A hobby servo uses the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so; the repetition rate is
 // irrelevant. Pulses shorter than 0.3 ms or longer than 3 ms are ignored. They are derived from changes of
-// the pin's level. If a timer or a PWM driver makes them, they are derived from duty cycle and period, and a
-// change applies at once, without waiting for the end of the period. PWM of unknown period makes no pulses.
+// the pin's level. If a timer or a PWM driver makes them, they are derived from duty cycle and period. A
+// change then applies at once, and not at the end of the period. PWM of unknown period makes no pulses.
 #pragma once
 
 #include <optional>

@@ -44,7 +44,7 @@ export class Watch {
           this.take(message, begins);
         }
       };
-      source.onerror = () => {  // it would ask again by itself, but the run has ended with the connexion
+      source.onerror = () => {  // it would reconnect by itself, but the run has ended with the connection
         source.close();
         this.tell.gone();
         done(null);

@@ -22,7 +22,7 @@ namespace {
 
 using namespace worlds;
 
-/// A generator of things that know by themselves what is smaller; `draw(die, size)` draws one.
+/// Returns a generator of things that can shrink by themselves; `draw(die, size)` draws one.
 template <typename Thing, typename Draw>
 rc::Gen<Thing> drawn(Draw draw) {
   return [draw](const rc::Random& seed, int size) {
@@ -33,7 +33,7 @@ rc::Gen<Thing> drawn(Draw draw) {
   };
 }
 
-/// As much of `most` as the size allows, 1 at least.
+/// Scales `most` by the generator's size; at least 1.
 int share(int most, int size) {
   return std::max(1, most * std::min(size, rc::kNominalSize) / rc::kNominalSize);
 }

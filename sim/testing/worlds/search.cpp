@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/Random.h>
 #include <rapidcheck/detail/Configuration.h>
-#include <rapidcheck/seq/Transform.h>  // for the next, which forgets it
+#include <rapidcheck/seq/Transform.h>  // the next header needs it and does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 
 #include <cstdlib>
@@ -14,9 +14,9 @@
 namespace robosim::testing {
 namespace {
 
-constexpr int kMostTries = 1'000;  // of smaller worlds, each of which is a run
+constexpr int kMostTries = 1'000;  // smaller worlds to try, each of which takes a run
 
-/// What tells the worlds of a search apart.
+/// Returns a text that identifies a world within a search.
 std::string contents(const Trial& trial) {
   return fmt::format("{}\n+{}\n+{}\n+{}", trial.map, trial.robot, trial.script, trial.seed);
 }
@@ -46,7 +46,7 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// What is random in it.
+/// Describes the random parts of a trial.
 std::string description(const Trial& trial, const Worlds& worlds) {
   std::string text;
   const auto say = [&](const char* what, const std::string& value, const std::string& given) {

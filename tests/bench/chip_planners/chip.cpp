@@ -1,10 +1,10 @@
-// The program on the chip: one planner of firmware/src/nav, over all pairs of stations of one tree. Compiled
-// once for each planner, with PLANNER naming it; PLANNER_none is the same program without a planner, on
-// either table (TABLE_parents), so that the difference in flash is the planner's.
+// Runs one planner of firmware/src/nav on the chip, over all pairs of stations of one tree. It is compiled
+// once per planner, which PLANNER names. PLANNER_none is the program without a planner, for either table
+// (TABLE_parents), so that the difference in flash is the planner's.
 //
-// It talks to planners.cpp by general-purpose registers: each read of GPIOR1 gives the next byte of the tree
-// (size, then the parents of nodes 1, 2, …), each write to GPIOR2 is a byte of the result; GPIOR0 = 1 and 2
-// stand around what is measured.
+// It exchanges data with planners.cpp by general-purpose registers. Each read of GPIOR1 returns the next byte
+// of the tree (size, then the parents of nodes 1, 2, …). Each write to GPIOR2 is a byte of the result.
+// GPIOR0 = 1 begins a measurement, and GPIOR0 = 2 ends it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>

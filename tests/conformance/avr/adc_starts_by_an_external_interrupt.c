@@ -3,7 +3,7 @@
 // Expect: e0 b0
 #include "report.h"
 
-// INTF0 is set 2 cycles behind the edge, the prescaler starts at 5, the conversion ends at 5 + 13.5 * 2 = 32.
+// INTF0 is set 2 cycles after the edge, the prescaler starts at 5, the conversion ends at 5 + 13.5 * 2 = 32.
 #define CONTROL_AFTER(cycles)                         \
   ({                                                  \
     PORTD &= (uint8_t)~_BV(PORTD2);                   \

@@ -1,4 +1,4 @@
-// For programs that look at a cycle: a write, so many NOPs, and a read, without anything in between.
+// For programs that examine one cycle: a write, a number of NOPs, and a read, without anything in between.
 //
 //   OUT_IN    the read comes nops + 1 cycles after the write; both registers are of the first 64 of I/O
 //   STS_LDS   the read comes nops + 2 cycles after the write

@@ -25,5 +25,5 @@ static inline __attribute__((noreturn)) void end_program(void) {
   for (;;) {
   }
 }
-/// So many cycles, at least 1, without a loop for the eye: NOPs.
+/// Spends `count` cycles, at least 1, without a loop: NOPs.
 #define NOPS(count) __asm__ volatile(".rept " #count "\n\tnop\n\t.endr")

@@ -1,12 +1,12 @@
 // For programs about an ATtiny85's timer 1. Its registers pass a synchroniser of a cycle or two (2586Q,
-// figure 12-2), so that they look in the middle of its ticks.
+// figure 12-2), so the programs sample in the middle of its ticks.
 #pragma once
 
 #include "report.h"
 
 #define CLOCK_BY_64 (_BV(CS12) | _BV(CS11) | _BV(CS10))
 
-/// What `from` reads so many cycles, and some, behind TCNT1 = count with its prescaler at 0.
+/// Returns `from` as read slightly more than `cycles` after TCNT1 = count with its prescaler at 0.
 #define AFTER_CYCLES(count, cycles, from) \
   ({                                      \
     GTCCR |= _BV(PSR1);                   \
@@ -15,5 +15,5 @@
     uint8_t found_ = (from);              \
     found_;                               \
   })
-/// So many halves of a tick of 64 cycles.
+/// Returns `from` after `halves` half ticks of 64 cycles.
 #define AFTER_HALF_TICKS(count, halves, from) AFTER_CYCLES(count, 32 * (halves), from)

@@ -1,4 +1,4 @@
-// Histories that never happened, held against each other.
+// Tests the comparison of made-up histories.
 
 #include "sim/analysis/compare.h"
 

@@ -1,4 +1,4 @@
-// When the converter looks at which voltage.
+// Tests when the converter samples which voltage.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

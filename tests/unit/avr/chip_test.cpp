@@ -1,4 +1,4 @@
-// A chip as a whole: snapshots, resets.
+// Tests a chip as a whole: snapshots, resets.
 #include <gtest/gtest.h>
 
 #include "hal/board/attiny85.h"

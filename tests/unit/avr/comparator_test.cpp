@@ -1,4 +1,4 @@
-// What the comparator makes of voltages: a conformance program has levels only.
+// Tests the comparator with voltages; conformance programs can only set levels.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega2560.h"

@@ -1,4 +1,4 @@
-// Edges from outside, and when the chip wants to hear of them.
+// Tests external edges, and when the chip requests them.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

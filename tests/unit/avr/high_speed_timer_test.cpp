@@ -1,4 +1,4 @@
-// Timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
+// Tests timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega32u4.h"
@@ -25,7 +25,7 @@ class HighSpeedTimerTest : public testing::Test, protected IdleChip {
     const unsigned low = read(kTcnt4);
     return static_cast<unsigned>(read(kTc4h)) << 8 | low;
   }
-  /// Of so many cycles, one after the other, in how many a pin's bit is read as 1.
+  /// Returns the number of cycles, of `cycles` consecutive ones, in which a pin's bit is read as 1.
   int high(Address pins, std::uint8_t bit, int cycles) {
     int high = 0;
     for (int i = 0; i < cycles / 2; ++i) {

@@ -1,5 +1,5 @@
-// A chip whose processor waits, in an endless loop at each vector: a test writes its registers, as firmware
-// would.
+// A chip whose processor waits in an endless loop at each vector, while a test writes its registers like
+// firmware.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ class IdleChip {
   Cycle now() { return bench.chip.cycle(); }
   int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }
   void let_interrupts() { bench.chip.cpu().set_sreg(Cpu::kI); }
-  /// By SLEEP, behind which it waits in a loop again.
+  /// Waits by SLEEP, and after that in a loop again.
   void fall_asleep() {
     bench.chip.cpu().set_pc(kSleep);
     run(1);

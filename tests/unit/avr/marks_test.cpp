@@ -1,4 +1,4 @@
-// Marks stop the processor in front of an instruction, be it one that is done together with the one before.
+// Tests that marks stop the processor before an instruction, even one that is fused with the previous one.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega328p.h"

@@ -1,4 +1,4 @@
-// What is said of reads to come is what they give.
+// Tests that forecasts of a register's reads equal the values read later.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// What waking costs.
+// Tests the cycles that waking takes.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

@@ -1,4 +1,4 @@
-// Pull-ups, as the surroundings see them.
+// Tests pull-ups, as seen from outside the chip.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

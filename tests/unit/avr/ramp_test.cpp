@@ -1,4 +1,4 @@
-// What is said of values that follow a counter: within the window, everything that is held is as it was.
+// Tests extrapolated values that follow a counter: all state within the window stays the same.
 #include "sim/avr/ramp.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ class Computation : public RandomCode {
   }
 };
 
-/// What the processor holds while and after it ran, with the counter at some value.
+/// The processor's state while and after it ran, with the counter at some value.
 struct Outcome {
   std::vector<std::uint8_t> registers, branches;
   std::uint8_t sreg = 0;
@@ -108,7 +108,7 @@ class RampTest : public testing::Test {
       if (follows) {
         EXPECT_TRUE(ramp_->agrees(~0u)) << "before word " << cpu.pc();
       }
-      // What skips shows its choice in where it goes.
+      // A skip shows its choice by the next address.
       if (instruction.op == Op::sbrc || instruction.op == Op::sbrs)
         outcome.branches.push_back(static_cast<std::uint8_t>(cpu.pc()));
     }

@@ -1,4 +1,4 @@
-// Machine code for tests, word by word, and at random.
+// Makes machine code for tests, word by word or at random.
 #pragma once
 
 #include <cstdint>

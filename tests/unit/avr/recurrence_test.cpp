@@ -1,4 +1,4 @@
-// Programs that go round for ever, and what handlers may change.
+// Tests programs that loop without end, and the changes that handlers may make.
 #include "sim/avr/recurrence.h"
 
 #include <gtest/gtest.h>

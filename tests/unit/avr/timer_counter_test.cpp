@@ -1,5 +1,5 @@
-// A counter that runs through many ticks at once, and timers that count only when somebody looks, do what
-// they do tick by tick.
+// Tests that a counter which advances many ticks at once, and timers that count only on access, equal
+// counting tick by tick.
 #include <gtest/gtest.h>
 
 #include <random>

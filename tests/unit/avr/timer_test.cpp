@@ -1,4 +1,4 @@
-// What timers do that no program can report: the duties they tell, the events they cost, edges from outside.
+// Tests effects of timers that no program can report: duty cycles, number of events, external edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr std::uint8_t kPd6 = 1 << 6, kPb3 = 1 << 3;
 class TimerTest : public testing::Test, protected IdleChip {
  protected:
   PinDrive drive(char port, int bit) { return bench.drives[pin(port, bit)]; }
-  /// That come within so many cycles, which pass.
+  /// Runs `cycles`, and returns the number of events within them.
   int events(Cycle cycles) {
     const Cycle end = now() + cycles;
     for (int count = 0;; ++count) {

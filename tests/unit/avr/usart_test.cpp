@@ -1,4 +1,4 @@
-// The receiver, and what a transmitter does to its pin: what a program alone cannot see.
+// Tests the receiver, and a transmitter's effect on its pin, which a program cannot see.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Loops that wait are left out without a trace: two chips run the same program, one of them instruction by
-// instruction, and are the same whenever somebody looks.
+// Tests that skipping busy-wait loops is not observable: two chips run the same program, one of them
+// instruction by instruction, and are equal at every comparison.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,8 +1,8 @@
-// Random instructions on the processor and on avr8js's, each from the same random state: afterwards program
-// counter, cycles, status, stack pointer, registers and memory are equal.
+// Runs random instructions on the processor and on avr8js, each from the same random state. Then compares
+// program counter, cycles, status, stack pointer, registers and memory.
 //
-// Left out is what avr8js 0.21 does otherwise than the manual (docs/explanation/conformance.md lists it), and
-// what it does not do at the ends of flash and memory. It needs node, and avr8js in the folder that
+// Skips deviations of avr8js 0.21 from the manual (docs/explanation/conformance.md lists them), and accesses
+// at the ends of flash and memory, which it does not support. Needs node, and avr8js in the folder that
 // ROBOSIM_AVR8JS names (`npm install avr8js` there).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ constexpr std::size_t kPrograms = 5000;
 constexpr std::uint32_t kFurthestJump = 0x1000;  // words
 const std::set<std::string> kWrongThere{"CBI", "FMULSU", "NEG"};
 
-/// H, which avr8js takes from bit 0, is left out.
+/// H, which avr8js takes from bit 0, is not compared.
 std::string state_of(const Cpu& cpu, std::uint64_t cycles) {
   std::string text = fmt::format("{} {} {} {}", cpu.pc(), cycles, cpu.sreg() & ~unsigned{Cpu::kH}, cpu.sp());
   for (std::size_t i = 0; i < 32; ++i) text += fmt::format(" {}", cpu.data[i]);
@@ -35,7 +35,7 @@ std::string state_of(const Cpu& cpu, std::uint64_t cycles) {
   return text + fmt::format(" {}", sum);
 }
 
-/// What runs there, or nothing.
+/// Returns the name of the instruction at `pc`, or "".
 std::string name_at(const ManualModel& manual, std::uint32_t pc) {
   const auto row = ManualModel::row_of(manual.flash[pc]);
   return row ? ManualModel::rows()[*row].name : "";

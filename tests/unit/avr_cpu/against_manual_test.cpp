@@ -1,8 +1,8 @@
-// Random programs on the processor and on the manual's model (manual_model.h), some instructions at a time,
-// so that what the processor puts off until somebody looks is put off: afterwards program counter, cycles,
-// status, stack pointer, registers and 64 KB of memory are equal.
+// Runs random programs on the processor and on the manual's model (manual_model.h). Runs several instructions
+// at a time, so that the processor defers work. Then compares program counter, cycles, status, stack pointer,
+// registers and 64 KB of memory.
 //
-// ROBOSIM_FUZZ=100000000 runs so many instructions in the place of few.
+// ROBOSIM_FUZZ=100000000 runs 100,000,000 instructions; the default is small.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,8 +1,8 @@
-// Random instructions on the processor and on libsimavr's, from the same random state: afterwards program
-// counter, cycles, status, stack pointer, registers and memory are equal.
+// Runs random instructions on the processor and on libsimavr's, from the same random state. Then compares
+// program counter, cycles, status, stack pointer, registers and memory.
 //
-// Left out is what libsimavr 1.6 does otherwise than the chip, or not at all: SPM, SLEEP, BREAK; I/O, which
-// is not the processor's; LPM into its own pointer, which the manual leaves undefined; jumps out of the
+// Skips instructions that libsimavr 1.6 lacks or executes unlike the chip: SPM, SLEEP, BREAK; I/O, which is
+// outside of the processor; LPM into its own pointer, which the manual leaves undefined; jumps out of
 // flash.
 extern "C" {
 #include <simavr/sim_avr.h>
@@ -80,7 +80,7 @@ class Pair {
     std::memcpy(theirs_->flash, flash_.data(), flash_.size());
   }
 
-  /// One random instruction; false if it is one that is left out.
+  /// Runs one random instruction; returns false for a skipped one.
   bool run(std::mt19937& random) {
     const auto word = static_cast<std::uint16_t>(random());
     auto next = static_cast<std::uint16_t>(random() & 0x3FFF);

@@ -1,10 +1,10 @@
-// The stock sketches, instruction by instruction, on the chip and on libsimavr's processor: after each one
-// program counter, cycles, status, stack pointer and registers are equal, and now and then all of memory.
+// Runs the stock sketches in lockstep on the chip and on libsimavr's processor. Compares program counter,
+// cycles, status, stack pointer and registers after each instruction, and occasionally all of memory.
 //
-// libsimavr's peripherals are not asked: what a register of I/O gives, and when an interrupt comes, it is
-// told. What the chip does there is compared with libsimavr in tests/conformance.
+// libsimavr's peripherals are not used: the test sets values of I/O registers and the times of interrupts.
+// tests/conformance compares the chip's peripherals with libsimavr.
 //
-// ROBOSIM_LOCKSTEP=50000000 compares so many instructions of each sketch; without it, few.
+// ROBOSIM_LOCKSTEP=50000000 compares 50,000,000 instructions of each sketch; the default is small.
 extern "C" {
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
@@ -37,7 +37,7 @@ long instructions() {
   return wanted ? std::atol(wanted) : kInstructions;
 }
 
-/// libsimavr's processor, whose registers of I/O hold what it is told.
+/// libsimavr's processor; the test sets its I/O registers.
 class Referee {
  public:
   explicit Referee(const std::vector<std::uint8_t>& flash) : avr_(avr_make_mcu_by_name("atmega328p")) {
@@ -102,7 +102,7 @@ bool writes_eecr(const Instruction& i) {
   return (i.op == Op::out || i.op == Op::sbi || i.op == Op::cbi) && i.k == kEecr;
 }
 
-/// What the register of I/O has given that `instruction` has read.
+/// Returns the value that `instruction` has read from an I/O register.
 std::uint8_t given(const Instruction& instruction, const Cpu& cpu, bool skipped) {
   if (instruction.op == Op::sbic) return skipped ? 0x00 : 0xFF;
   if (instruction.op == Op::sbis) return skipped ? 0xFF : 0x00;

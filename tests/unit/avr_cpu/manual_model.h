@@ -1,6 +1,6 @@
-// The processor of the AVR Instruction Set Manual, DS40002198B, written down from its pages and nothing else:
-// opcodes are its patterns, flags its Boolean formulas, cycles those of its table for AVRe and AVRe+. It is
-// slow, and shares no line with sim/avr, whose instructions are held to it.
+// A model of the processor, written from the AVR Instruction Set Manual, DS40002198B, alone: its opcode
+// patterns, its Boolean formulas of flags, its table of cycles for AVRe and AVRe+. It is slow, and shares no
+// code with sim/avr, whose instructions are compared with it.
 //
 // All data memory is one array of 64 KB, in which SREG, SP, RAMPZ and EIND have their places; there are no
 // peripherals and no interrupts.
@@ -14,7 +14,7 @@
 
 namespace robosim::avr {
 
-/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are left out.
+/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are omitted.
 struct OpcodeRow {
   const char* name = nullptr;
   const char* pattern = nullptr;  ///< of its first word, as the manual has it: 16 digits and letters
@@ -28,7 +28,7 @@ class ManualModel {
   /// `flash`: words, a power of two of them; `long_pc`: the program counter has 22 bits.
   ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
 
-  /// Runs one instruction. False: the opcode is reserved, or the program counter is behind the flash; nothing
+  /// Runs one instruction. False: the opcode is reserved, or the program counter is beyond flash; nothing
   /// has been done.
   bool step();
 
@@ -42,7 +42,7 @@ class ManualModel {
 
   /// All rows, and how often each has run and not gone on to the next word.
   static std::span<const OpcodeRow> rows();
-  /// Of a word of flash; nothing if it is reserved.
+  /// Returns the row of a word of flash; nothing if it is reserved.
   static std::optional<std::size_t> row_of(std::uint16_t word);
   std::vector<std::uint64_t> ran, jumped;
 
@@ -80,7 +80,7 @@ class ManualModel {
   std::uint32_t relative(unsigned k, int bits) const;
 
   bool long_pc_;
-  // Of the instruction that runs:
+  // State of the running instruction:
   std::uint16_t opcode_ = 0, second_ = 0;
   const char* pattern_ = nullptr;
 };

@@ -48,7 +48,7 @@ bool moves_its_own_register(std::string_view name, unsigned word) {
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
-/// What the processor may do as one with the instruction before, by its name: often the same again.
+/// Returns the name of an instruction that the processor may fuse with `name` before it, or `name` itself.
 std::string_view partner_of(std::string_view name, std::mt19937& random) {
   constexpr std::string_view kPartners[][2] = {
       {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},

@@ -1,4 +1,4 @@
-// Random instructions on the processor and on the manual's model, from the same random state.
+// Runs random instructions on the processor and on the manual's model, from the same random state.
 #pragma once
 
 #include <cstdint>
@@ -30,17 +30,17 @@ class Pair {
 
   Start random_start(std::mt19937& random) const;
   void begin(const Start& start);
-  /// Runs at most so many instructions, the model first. False: the program cannot go on, since its next one
-  /// is reserved, undefined, or out of the flash.
+  /// Runs at most `instructions`, the model first. Returns false if the program cannot continue: the next
+  /// instruction is reserved, undefined, or outside of flash.
   bool run(int instructions);
-  /// What differs, in words; empty = nothing.
+  /// Describes the first difference; "" = none.
   std::string difference() const;
 
   ManualModel manual;
   Cpu cpu;
 
  private:
-  /// What the manual leaves open, and what nobody would want to know: a stack over SP itself.
+  /// Returns whether the manual leaves the result open. A stack that overwrites SP counts as undefined.
   bool is_undefined() const;
 
   bool long_pc_;

@@ -1,5 +1,5 @@
-// The core's handler of timer 0, and millis() where it reads its number, done at once, leave what their
-// instructions leave, one after the other.
+// Tests that executing the core's timer 0 handler and the read in millis() at once has the same result as
+// executing their instructions.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -105,7 +105,7 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
-// The same behind a vector: sei; rjmp .-4; nop; nop; jmp 6.
+// The same loop after a vector: sei; rjmp .-4; nop; nop; jmp 6.
 const std::vector<std::uint16_t> kVectorProgram = [] {
   std::vector<std::uint16_t> words{0x9478, 0xCFFE, 0, 0, 0x940C, 6};
   words.insert(words.end(), std::begin(kTimeProgram) + kTimeHandler, std::end(kTimeProgram));

@@ -29,7 +29,7 @@ class FileScope : public testing::Test {
     write_file(inside_ / "team/robot.toml", "robot");
     write_file(outside_ / "secret", "secret");
   }
-  /// What a handle on `inside_` reads by that name: "" = the path leads out.
+  /// Returns the text that a handle on `inside_` reads by that name; "" = the path leads out.
   std::string read(const std::string& name) const {
     const HeldFolder folder(inside_);
     const Descriptor file = folder.open(name, O_RDONLY);

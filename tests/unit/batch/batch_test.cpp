@@ -1,4 +1,4 @@
-// A batch against single robots: the same commands give the same run, to the last bit.
+// Tests a batch against single robots: the same commands give the same run, to the last bit.
 #include "sim/batch/robots.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Chance {
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// An uno5 with figures by chance.
+// An uno5 with random parameters.
 robot::Description some_uno5(Chance& chance) {
   robot::Description robot = robot::load_description("uno5");
   const auto vary = [&](Number& number) { number = number.scaled(chance.within(0.7, 1.4)); };
@@ -108,7 +108,7 @@ struct Counts {
   int slips = 0, skids = 0, contacts = 0, rests = 0;
 };
 
-// So many robots on a map, with commands and figures by chance, for a second.
+// Compares `robots` on a map, with random commands and parameters, for a second.
 void compare(const std::string& name, unsigned seed, std::size_t robots, Counts& counts) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Chance chance(seed);

@@ -1,5 +1,5 @@
-// AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler reads
-// them.
+// Tests AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler
+// reads them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<const BoardSpec*> avr_boards() {
   return boards;
 }
 
-/// What avr-g++ says to a source, or makes of it.
+/// The messages or the output of avr-g++ for a source.
 struct Compiled {
   std::string output, errors;
 };

@@ -1,4 +1,4 @@
-// What the ATmega328P's registers mean, against the tables of its data sheet (DS40002061B).
+// Tests the ATmega328P's registers against the tables of its data sheet (DS40002061B).
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -203,7 +203,7 @@ TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   EXPECT_FALSE(board.asked);
 }
 
-// Volts on pins are told as if the supply had stayed (FirmwarePort::supply_share).
+// Volts on pins are returned as if the supply had not dropped (FirmwarePort::supply_share).
 TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
   Volts board;
   board.share = 0.8;

@@ -1,5 +1,5 @@
-// Boards and chips against what others say of them: Arduino's boards.txt; and our own files that have to
-// repeat some of it.
+// Tests boards and chips against Arduino's boards.txt, and against Robosim's files that must repeat some of
+// it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(Boards, AreArduinosWhereArduinoHasThem) {
     EXPECT_EQ(board->variant, value("build.variant"));
     EXPECT_EQ(board->chip->compiler_name, value("build.mcu"));
     EXPECT_EQ(std::to_string(board->flash_bytes), value("upload.maximum_size"));
-    // Of a Gemma Arduino says no more: its boot loader is no serial line's.
+    // boards.txt has no more of a Gemma, since its boot loader does not use a serial line.
     if (value("upload.protocol").empty()) {
       EXPECT_EQ(board->upload_protocol, nullptr);
       continue;

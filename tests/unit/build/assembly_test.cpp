@@ -46,7 +46,7 @@ TEST(PlacesOfAsm, OtherLinesStay) {
     EXPECT_EQ(changed(code), code);
 }
 
-// What they give is tested by running them: tests/unit/exec/division_test.cpp.
+// tests/unit/exec/division_test.cpp tests their results by running them.
 TEST(Divisions, LookAtTheDivisorFirstAndKeepTheInstruction) {
   EXPECT_EQ(changed("\tdivl\t-8(%rbp)\n"),
             "\tcmpl\t$0, -8(%rbp)\n"

@@ -1,4 +1,4 @@
-// A folder of its own for each test, and a cache that all share: the core is compiled once.
+// Creates a folder for each test, and a cache that all tests share, so that the core is compiled once.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class SketchTest : public testing::Test {
     return build({folder_ / name, *find_board("uno"), "host", std::move(libraries)});
   }
 
-  /// What the InputError of a build says.
+  /// Returns the message of a build's InputError.
   std::string error_of(const std::string& name, std::vector<std::filesystem::path> libraries = {}) const {
     try {
       build_here(name, std::move(libraries));

@@ -1,4 +1,4 @@
-// Libraries written for an AVR, on the target host.
+// Tests libraries written for an AVR on the target host.
 #include <gmock/gmock.h>
 
 #include "sim/build/libraries.h"

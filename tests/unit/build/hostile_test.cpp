@@ -1,5 +1,5 @@
-// Folders that try to make compilers do more than compile: what a file is called or holds is the sketch's
-// author's choice, who need not be the user.
+// Tests folders that try to make compilers do more than compile. The sketch's author, who need not be the
+// user, chooses names and contents of files.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -194,7 +194,7 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // Of the core, too, which all sketches share.
+  // The core, which all sketches share, has such a key, too.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};

@@ -1,4 +1,4 @@
-// Compiled sketches that are run, on a board with nothing but voltages on its analog pins.
+// Compiles and runs sketches on a board with only voltages on its analog pins.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a compiled sketch does: the sketches of the folder `sketches`, run by the host executor.
+// Runs the compiled sketches of the folder `sketches` by the host executor.
 #include <gmock/gmock.h>
 
 #include "tests/unit/build/run_fixture.h"

@@ -1,4 +1,4 @@
-// Sketches compiled for the Blue Pill. Where its tools are missing these are skipped; see require_target.h.
+// Tests compiling sketches for the Blue Pill. Skipped if its tools are missing: see require_target.h.
 #include <gmock/gmock.h>
 
 #include "tests/support/require_target.h"

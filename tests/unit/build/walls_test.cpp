@@ -1,4 +1,4 @@
-// What a source names is not what its compiler gets: the sketch need not be the user's own.
+// Tests the compiler's sandbox: a source of an untrusted sketch cannot name files outside.
 #include "sim/base/program_sandbox.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Logs and stopwatch files that cannot be right: one sentence each, with the file and mostly the line.
+// Tests invalid logs and stopwatch files: one message each, with the file and mostly the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -163,7 +163,7 @@ TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
 }
 
 TEST(Logs, BeginWhereTheBoardBeganLast) {
-  // A board starts anew when the monitor opens its port, and Arduino's monitor can put a time before each
+  // A board resets when the monitor opens its port, and Arduino's monitor can put a time before each
   // line.
   const std::string start = "# robosim calibration log\n";
   EXPECT_EQ(answer({start + "t_us,S1\n0,1\n50" + "\n" + start + sweep()}), "");

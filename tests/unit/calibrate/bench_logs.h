@@ -1,4 +1,4 @@
-// Logs of a robot that is not there, for tests: what its sketch would print.
+// Makes logs of a robot for tests: the output that its sketch would print.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ pins = { a = 3 }
 periods = 150
 )";
 
-/// What a sensor reads that passes a tape of 19 mm each second at 100 mm/s, its footprint 4 mm.
+/// A sensor that passes a tape of 19 mm each second at 100 mm/s, with a footprint of 4 mm.
 struct Eye {
   int floor = 100, tape = 900;
   double first_s = 0.5, last_s = 6.0;  ///< of the passages
@@ -73,7 +73,7 @@ inline std::string sweep(const Eye& eye = {}, const std::string& name = "S1", in
   return text;
 }
 
-/// The same with counts: so many a second on each wheel, the left one backwards.
+/// Returns the sweep with counts: `per_second` on each wheel, the left one backwards.
 inline std::string counted_sweep(double per_second) {
   std::string text = "# counts_per_period = 2\nt_us,count_left,count_right,S1\n";
   for (int i = 0; i < 1200; ++i) {
@@ -83,7 +83,7 @@ inline std::string counted_sweep(double per_second) {
   return text;
 }
 
-/// A drive whose wheels make so many counts a second, once told.
+/// Returns a drive whose wheels make `left` and `right` counts per second, once powered.
 inline std::string drive(int told, double left, double right,
                          const char* head = "# counts_per_period = 2\n") {
   std::string text = std::string(head) + "t_us,left,right,count_left,count_right\n";

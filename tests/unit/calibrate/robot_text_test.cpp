@@ -1,4 +1,4 @@
-// Figures go into a robot file that stays its owner's.
+// Tests inserting parameters into a robot file without other changes of its text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

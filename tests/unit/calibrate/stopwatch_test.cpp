@@ -1,4 +1,4 @@
-// Motors by stopwatch and tape measure.
+// Tests motor parameters by stopwatch and tape measure.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

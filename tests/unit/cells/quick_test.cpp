@@ -1,4 +1,4 @@
-// What is quick while nobody asks after each move does the same as the robot does move by move.
+// Tests that fast moves, without a caller between them, equal the robot's moves one by one.
 #include "sim/cells/quick.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class Asks final : public MoveWatcher {
   void moved(const CellPose&, Sense, Move, double) override {}
 };
 
-/// A sequence of numbers by chance.
+/// A sequence of random numbers.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : stream_(seed, 0, "dice", "quick") {}

@@ -242,7 +242,7 @@ TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
 }
 
 TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
-  // A comb: a spine with a tooth at every other cell, so that each junction lies behind the one before.
+  // A comb: a spine with a tooth at every other cell, so that each junction lies after the previous one.
   std::string tooth, spine;
   for (int i = 0; i < 300; ++i) {
     tooth += "01";

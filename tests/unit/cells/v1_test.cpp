@@ -1,4 +1,4 @@
-// The cell engine held against a plain re-statement of the original: move for move.
+// Tests the cell engine against a plain re-implementation of the original, move for move.
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// An image as a build gives it; the file is no ELF, so it states no limits.
+// An image as a build returns it; the file is not an ELF file, so it states no limits.
 class BuildReport : public ::testing::Test {
  protected:
   BuildReport() {

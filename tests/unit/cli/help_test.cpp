@@ -1,4 +1,4 @@
-// Help, manual pages and completion: one source, and what a reader relies on.
+// Tests help, manual pages and completion: their single source, and facts on which readers rely.
 #include "sim/cli/help.h"
 
 #include <gmock/gmock.h>

@@ -209,7 +209,7 @@ TEST(HuntWorld, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(world.family, worlds.back().family);
     EXPECT_NE(space.builds[world.build].target, "host");
     EXPECT_EQ(world.parting.at_ms, 30000);
-    // What is done to it then comes last in its script, too: as in a run that parts.
+    // The last stimulus also comes last in its script, as in a run that diverges.
     ASSERT_EQ(world.deeds.size(), 3U);
     EXPECT_TRUE(std::equal(at.world.deeds.begin(), at.world.deeds.end(), world.deeds.begin()));
     EXPECT_GE(world.deeds.back().at_ms, 30010);

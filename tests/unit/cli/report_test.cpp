@@ -1,4 +1,4 @@
-// What `robosim report` reads, and the page that it makes.
+// Tests the input of `robosim report`, and its page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ class SourceTextTest : public ::testing::Test {
  protected:
   SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
 
-  /// What explain() adds to a chain of these lines: text, then lines.
+  /// Returns the text and lines that explain() adds to a chain of these lines.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source({folder_.path()});
     wire::Cause cause{0.0, "in loop()", {}};

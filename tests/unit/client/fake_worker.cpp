@@ -1,10 +1,10 @@
-// A runner that does what a request's "image" says: the pool's stand-in for robosim-host.
+// A runner that obeys a request's "image": the pool's stand-in for robosim-host.
 //   die          ends itself
 //   never        does not answer
 //   input        answers with an error of kind "input"
 //   slow         says a lot before it answers
 //   any other    is the verdict
-// It ends itself, too, where it shall tell how a run begins: a pool waits for answers alone.
+// It also ends itself on a request for a run's start, since a pool only waits for answers.
 #include <unistd.h>
 
 #include <iostream>

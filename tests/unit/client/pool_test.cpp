@@ -128,7 +128,7 @@ TEST(Pool, RunsThatFinishedBehindAMissingOneAreKeptWhenItIsInterrupted) {
   work.count = 3;
   work.task = [&](std::size_t i) {
     Task task = task_of(i == 0 ? "never" : "reached");
-    if (i == 2) pool.interrupt();  // asked for when run 1 has been answered
+    if (i == 2) pool.interrupt();  // requested when run 1 has been answered
     return task;
   };
   work.answered = [&](std::size_t i, Answer) { handed.push_back(i); };

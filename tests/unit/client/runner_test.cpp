@@ -60,7 +60,7 @@ class RunnerTest : public ::testing::Test {
     return "no RunnerError";
   }
 
-  /// No child of ours is left, dead or alive.
+  /// Expects that the test has no child process left, dead or alive.
   static void expect_no_children() {
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
     EXPECT_EQ(errno, ECHILD);

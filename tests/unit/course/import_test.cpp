@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-// Of the figures that are written: a few micrometres over a course.
+// Rounding of the written values: a few micrometres over a course.
 constexpr double kRounding = 1e-5;
 
 grid::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
@@ -350,7 +350,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("so the goal is none"));  // one tile before the zone is no way
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the goal is none"));  // one tile makes no path
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 

@@ -1,4 +1,4 @@
-// Timer 1 notes when edges of pin 8 come. Expected values are those of the chip.
+// Tests that timer 1 captures the times of edges of pin 8. Expected values are those of the chip.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

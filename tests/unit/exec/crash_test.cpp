@@ -74,7 +74,7 @@ TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
       "faulty() "
       "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::FirmwarePort*)fake; "
       "digitalWrite(13, HIGH); ++n; }");
-  // What it is that goes wrong in there depends on the processor.
+  // The kind of crash in there depends on the processor.
   EXPECT_NE(found.reason, "none");
   expect(found, "", "faulty", 2);
 }

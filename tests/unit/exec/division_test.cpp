@@ -1,4 +1,4 @@
-// Divisions that have no result: a sketch on the host goes on with what its chip gives
+// Tests divisions without a result: a sketch on the host continues with the result of its chip
 // (sim/build/division.h). tests/system/targets_test.cpp holds the same against the emulated AVR.
 #include "tests/unit/exec/fixture.h"
 

@@ -1,4 +1,4 @@
-// A sketch given as text, run by a host executor tick by tick, with all that it does written down.
+// Runs a sketch, given as text, tick by tick on a host executor, and records its actions.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -55,7 +55,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   void run(SimTime duration) {
     for (const SimTime end = now_ + duration; now_ < end;) host_->run_until(now_ += kTick);
   }
-  /// What the sketch prints in `duration`.
+  /// Returns the text that the sketch prints in `duration`.
   std::string output(const std::string& text, SimTime duration = kSecond) {
     start(text);
     run(duration);

@@ -1,4 +1,4 @@
-// What a sketch reads and hears of pins that it drives itself. Expected values are those of the chip.
+// Tests reads and interrupts of pins that the sketch drives itself. Expected values are those of the chip.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

@@ -206,7 +206,7 @@ TEST_F(PinsTest, PinsThatDoNotExistDoNoHarm) {
 }
 
 TEST_F(PinsTest, NumbersAreThoseOfTheChip) {
-  // What gcc-avr 5.4 and avr-libc print in simavr.
+  // gcc-avr 5.4 and avr-libc print this in simavr.
   output(R"(void setup() {
   Serial.begin(115200);
   randomSeed(42);

@@ -1,5 +1,5 @@
-// Firmware that only waits is left asleep: what it does afterwards, and what is known of it, is what it would
-// be.
+// Tests that skipping firmware that only waits is not observable: its later actions and all reports are the
+// same.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"
@@ -7,7 +7,7 @@
 namespace robosim::exec {
 namespace {
 
-/// A level that changes now and then, and says when next; of volts each sample is another one.
+/// A level that changes occasionally, and reports its next change. Each sample of its volts differs.
 class Changing final : public PinSource {
  public:
   double volts(SimTime t) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
@@ -152,7 +152,7 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// It converts whether somebody asks or not; each conversion begins when the last one is seen to be over.
+// It converts without requests; each conversion begins when the end of the last one is noticed.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(
       "unsigned long last, sum;\n"

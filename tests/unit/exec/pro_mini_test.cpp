@@ -1,4 +1,4 @@
-// The Pro Minis on the host: their clock and their supply are all that is different, and come from data.
+// Tests the Pro Minis on the host. Only clock and supply differ, and both come from data.
 #include "tests/support/clock_sketch.h"
 #include "tests/unit/exec/fixture.h"
 

@@ -1,4 +1,4 @@
-// Registers beside those of timers and pins. Expected values are those of the chip.
+// Tests registers other than those of timers and pins. Expected values are those of the chip.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

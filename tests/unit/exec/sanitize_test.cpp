@@ -1,4 +1,4 @@
-// What the checks of a sketch built with --sanitize find, and how they say it.
+// Tests the findings of checks in a sketch built with --sanitize, and their messages.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

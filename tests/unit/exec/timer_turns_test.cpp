@@ -1,4 +1,4 @@
-// Where a timer goes on in another way than in the period before. Expected values are those of the chip: the
+// Tests moments at which a timer leaves its regular period. Expected values are those of the chip: the
 // same sketch on target avr.
 #include "tests/unit/exec/fixture.h"
 
@@ -53,7 +53,7 @@ void loop() {})");
   }
 };
 
-// Table 15-8 of the data sheet: with the tick behind TOP in these modes.
+// Table 15-8 of the data sheet: with the tick after TOP in these modes.
 TEST_F(TimerTurns, ValuesOfPwmAreTakenOverLater) {
   EXPECT_EQ(after({{5, "TCCR2A = 0xA3;"},
                    {10, "OCR2A = 20; OCR2B = 100; TIFR2 = 7;"},

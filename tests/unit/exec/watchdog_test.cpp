@@ -1,4 +1,4 @@
-// The watchdog on the host: it does what the chip's does.
+// Tests that the host's watchdog behaves like the chip's.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

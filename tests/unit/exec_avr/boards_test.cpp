@@ -1,4 +1,4 @@
-// Boards with other chips in the emulator: sketches that use what only they have, or lack.
+// Tests boards with other chips in the emulator, by sketches that use features only they have or lack.
 #include <map>
 
 #include "tests/unit/exec_avr/fixture.h"
@@ -175,7 +175,7 @@ void loop() {}
     EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
 }
 
-// Pin 1 rises where the sketch begins behind the watchdog, pin 0 where it begins at all.
+// Pin 1 rises if the sketch begins after a watchdog reset, pin 0 at every beginning.
 constexpr const char* kLooksWhoResetIt = R"(
 #include <avr/wdt.h>
 void setup() {

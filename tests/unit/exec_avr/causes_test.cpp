@@ -128,7 +128,7 @@ void loop() {
   EXPECT_EQ(lines.at(4).pin, kA2);
 }
 
-// What a branch has left out may be far from it, and in what it would have called.
+// Code that a branch has skipped may be far from it, and in a function that it would have called.
 TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
   FixedSource sensor(3.0);
   start(R"(int speed = 90, lost;

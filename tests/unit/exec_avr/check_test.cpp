@@ -1,4 +1,4 @@
-// What the checks of a sketch built with --sanitize find on the chip, and how they say it.
+// Tests the findings on the chip of checks in a sketch built with --sanitize, and their messages.
 
 #include "tests/unit/exec_avr/fixture.h"
 

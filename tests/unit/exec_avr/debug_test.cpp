@@ -1,4 +1,4 @@
-// The chip under a debugger: everything here happens in one thread, the debugger's packets being sent ahead.
+// Tests the chip under a debugger. Everything happens in one thread: the debugger's packets are sent ahead.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What detectors find in a program on the chip, and what they let pass.
+// Tests which programs on the chip detectors report, and which they accept.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

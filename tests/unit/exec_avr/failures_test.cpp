@@ -1,5 +1,5 @@
-// Every way in which firmware can bring its chip down is told with its reason and its place. The sketches are
-// those of the system tests.
+// Tests that every way in which firmware can crash its chip is reported with reason and place. The sketches
+// are those of the system tests.
 
 #include <fmt/format.h>
 
@@ -232,7 +232,7 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
 // `stack + sizeof stack`: the first byte that is pushed lies behind the variable, and the stack in it.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
-    // In this order, which compilers otherwise choose: behind the stack nothing lies that is in use.
+    // no_reorder fixes the order, which compilers otherwise choose: no used memory lies after the stack.
     return std::string(
                "__attribute__((no_reorder)) volatile uint8_t before[4], stack_b[200], after[4];\n"
                "int deep(int n) { volatile char room[20]; room[n] = n;"

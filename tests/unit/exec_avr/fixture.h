@@ -1,5 +1,5 @@
-// A sketch given as text, built with the genuine core, run by an AVR executor tick by tick, with all that it
-// does written down.
+// Builds a sketch, given as text, with the genuine core. Runs it tick by tick on an AVR executor, and records
+// its actions.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -67,7 +67,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   void run(SimTime duration) {
     for (const SimTime end = now_ + duration; now_ < end;) avr_->run_until(now_ += kTick);
   }
-  /// What the sketch prints in `duration`.
+  /// Returns the text that the sketch prints in `duration`.
   std::string output(const std::string& text, SimTime duration = 200 * kMillisecond) {
     start(text);
     run(duration);
@@ -106,7 +106,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   std::vector<PinEvent> pins_;
 };
 
-/// A source of a constant voltage; high from 2.5 V. Counts how often it is asked.
+/// A source of a constant voltage; high from 2.5 V. Counts its queries.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}

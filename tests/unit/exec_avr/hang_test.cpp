@@ -1,4 +1,4 @@
-// Which silent sketches hang, and which wait for an interrupt that may come.
+// Tests which silent sketches hang, and which wait for an interrupt that may come.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -8,7 +8,7 @@ constexpr SimTime kLong = 2100 * kMillisecond;
 
 class HangTest : public AvrTest {
  protected:
-  /// Whether a sketch hangs whose loop waits for `awaited`, behind `before`.
+  /// Returns whether a sketch hangs whose loop runs `before` and then waits for `awaited`.
   bool hangs(const std::string& handlers, const std::string& before, const std::string& awaited = "go") {
     start("#include <avr/wdt.h>\nvolatile byte go, other; volatile long count;\n" + handlers +
           "\nvoid setup() { Serial.begin(9600); " + before + " while (!(" + awaited +

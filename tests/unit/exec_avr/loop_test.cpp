@@ -1,4 +1,4 @@
-// What is said about the rounds of loop(), against what the sketch does once in each: it toggles pin 13.
+// Tests the reported rounds of loop() against the sketch, which toggles pin 13 once in each.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// What is lost while interrupts are off (sim/exec/avr/detect/losses.h).
+// Tests losses while interrupts are off (sim/exec/avr/detect/losses.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,4 +1,4 @@
-// In place of this folder's tests where Robosim was built without what the target needs.
+// Replaces this folder's tests if Robosim was built without the target's libraries.
 
 #include <gtest/gtest.h>
 

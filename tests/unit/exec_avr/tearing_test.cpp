@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// As people do it who know better; the handler comes as often.
+// The correct way; the handler runs as often.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {

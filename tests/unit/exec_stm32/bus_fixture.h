@@ -1,4 +1,4 @@
-// The chip's peripherals without its processor: registers are read and written, and time passes.
+// Drives the chip's peripherals without its processor: reads and writes registers, and advances time.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ class BusFixture : public testing::Test {
   }
   void TearDown() override { EXPECT_FALSE(bus_.unmodelled()) << bus_.unmodelled()->what; }
   void enable(robosim::stm32::Irq irq) { store(robosim::stm32::kNvicIser + irq / 32u * 4u, 1u << irq % 32u); }
-  /// Whether the processor would serve it; enabled before. No longer behind this.
+  /// Serves the interrupt, which must be enabled, and returns whether it was pending.
   bool takes(robosim::stm32::Irq irq) {
     if (bus_.link().nvic.wakes() != kFirstIrq + irq) return false;
     bus_.link().nvic.enter(kFirstIrq + irq);

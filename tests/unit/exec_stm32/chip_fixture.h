@@ -1,4 +1,4 @@
-// A sketch given as text, built with our core, run by an executor tick by tick.
+// Builds a sketch, given as text, with Robosim's core, and runs it tick by tick on an executor.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can bring it down.
+// Tests sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can crash it.
 
 #include <utility>
 
@@ -80,7 +80,7 @@ TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
   EXPECT_GT(quiet.size(), 3u);
 }
 
-// Handlers of three exceptions that say when they run, and `busy()`, some time in which they can.
+// Handlers of three exceptions that report their runs, and `busy()`, a time in which they can run.
 const char* const kHandlers =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
     "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"
@@ -263,7 +263,7 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
-// What is behind WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
+// Code after WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
 TEST_F(Stm32ChipTest, WithSleeponexitOnlyHandlersRun) {
   EXPECT_EQ(
       output("volatile uint32_t& scr = *(volatile uint32_t*)0xE000ED10;\n"

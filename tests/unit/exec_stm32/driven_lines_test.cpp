@@ -1,4 +1,4 @@
-// Which line of the sketch has driven a pin.
+// Tests which line of the sketch has driven a pin.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -42,8 +42,8 @@ void loop() {})");
   EXPECT_THAT(lines_["D22"], ElementsAre(8));
 }
 
-// A duty is taken over at a timer's next update: up to 2 ms behind its analogWrite(), while another line
-// runs.
+// A new duty takes effect at a timer's next update: up to 2 ms after its analogWrite(), in another
+// line.
 TEST_F(Stm32DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(12, 50);

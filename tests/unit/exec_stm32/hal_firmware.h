@@ -1,4 +1,4 @@
-// What of hal/stm32 the tests call: declared here, since Arduino.h's macros and libc are a sketch's.
+// Declares functions of hal/stm32 for tests, which cannot include Arduino.h with its macros and libc.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Every function of hal/stm32 that touches registers, against the model of the chip: hal/stm32 is compiled
-// for this machine here, and its loads and stores go to the bus that the emulated processor uses, too.
+// Tests every function of hal/stm32 that accesses registers, against the model of the chip. hal/stm32 is
+// compiled for this machine here; its loads and stores go to the emulated processor's bus.
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-// The bus of the bluepill's chip: registers, their clocks, resets and interrupts, with no firmware in
-// between.
+// Tests the bus of the bluepill's chip without firmware: registers, their clocks, resets and
+// interrupts.
 
 #include <gmock/gmock.h>
 

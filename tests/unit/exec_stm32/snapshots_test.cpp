@@ -1,4 +1,4 @@
-// A chip that goes on from a snapshot does what it did: at moments in the midst of whatever takes time.
+// Tests that a chip continues from a snapshot as before, at moments within every operation that takes time.
 #include <algorithm>
 #include <random>
 

@@ -1,5 +1,5 @@
-// Instructions, one after the other, as we execute them and as libunicorn does: the same registers, flags,
-// RAM and time. An IT, and as many instructions as it is about, are one step, whose time is not
+// Compares the emulator with libunicorn, instruction by instruction: registers, flags, RAM and time. An IT
+// and its instructions are one step, whose time is not
 // compared.
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ Firmware firmware_of(const std::vector<std::uint16_t>& code) {
   return firmware;
 }
 
-/// Instructions that we know, but for those that jump, or concern the processor itself.
+/// Returns random instructions, except jumps and those that control the processor.
 std::vector<std::uint16_t> random_code(std::mt19937& random) {
   std::vector<std::uint16_t> code;
   int block = 0;  // instructions left of an IT block
@@ -142,7 +142,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       for (std::uint32_t at = pc; at <= ours.cpu.pc() + 2; at += 2) text << " " << firmware.half(at);
       const std::string where = text.str();
       ASSERT_EQ(ours.cpu.fault().has_value(), referee.cpu.fault().has_value()) << where;
-      // libunicorn runs on a little behind what goes wrong in a block.
+      // libunicorn continues a little after a fault within a block.
       went_wrong_in_block = ours.cpu.fault() && is_block;
       if (went_wrong_in_block) break;
       for (int number = 0; number < Cpu::kPc; ++number)

@@ -25,7 +25,7 @@ class TimersTest : public BusFixture, protected PinWatcher {
     const int shift = 4 * (bit % 8);
     store(at, (load(at) & ~(15u << shift)) | kAlternate << shift);
   }
-  /// An edge behind so many cycles of 8 MHz.
+  /// Schedules an edge after `in` cycles of 8 MHz.
   void edge(Pin pin, bool level, Cycle in) {
     levels_[pin] = level;
     board_.schedule_edge(pin, level, bus_.link().clock.time_of(now() + in));

@@ -1,5 +1,5 @@
-// Loops that wait are left out without a trace: two chips run the same program, one of them instruction by
-// instruction, and are the same whenever somebody looks.
+// Tests that skipping busy-wait loops is not observable: two chips run the same program, one of them
+// instruction by instruction, and are equal at every comparison.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,7 +41,7 @@ class Program {
     load_value(0, value);
     store(address, 0);
   }
-  /// To `to`, a little before or behind; condition 14: always.
+  /// Branches to `to`, a little before or after; condition 14: always.
   void branch(unsigned condition, std::uint32_t to) {
     const auto offset = (to - here() - 4) / 2;
     half(condition == 14 ? 0xE000 | (offset & 0x7FF) : 0xD000 | condition << 8 | (offset & 0xFF));
@@ -68,7 +68,7 @@ class RandomProgram : public Program {
     junk(3);
     half(0xBD10);  // pop {r4, pc}
     main_ = here();
-    if (seed % 2) {  // 36 MHz: a cycle is no whole number of nanoseconds
+    if (seed % 2) {  // 36 MHz: a cycle is a fraction of nanoseconds
       put(kRccCr, kHsiOn | kPllOn);
       put(kRccCfgr, kPllMul9 | kSwPll);
     }
@@ -184,7 +184,7 @@ class RandomProgram : public Program {
   std::uint32_t handler_ = 0, function_ = 0, main_ = 0, round_ = kCode;
 };
 
-/// A level that changes now and then, and says when.
+/// A level that changes occasionally, and reports its next change.
 class Level final : public PinSource {
  public:
   double volts(SimTime t) override { return level(t) ? 3.3 : 0.0; }

@@ -1,4 +1,4 @@
-// The watchdogs (RM0008 19, 20), and what RCC_CSR tells of resets (7.3.10).
+// Tests the watchdogs (RM0008 19, 20), and the causes of resets in RCC_CSR (7.3.10).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {

@@ -1,4 +1,4 @@
-// LineWalker on a painted floor, and all that it says there.
+// Runs LineWalker on a painted floor, and records its reports.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ struct Walk {
         std::lround(10 * robot.y) / 10.0, robot.angle, static_cast<unsigned>(fake::board.now_us / 1000));
     said += text;
   }
-  /// Looks round, follows, and turns at each landmark as is told.
+  /// Looks round, follows the line, and turns at each landmark as given.
   void go(const std::vector<nav::Turn>& turns) {
     tell(walker.begin());
     tell(walker.follow());

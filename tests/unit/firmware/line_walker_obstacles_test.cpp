@@ -1,4 +1,4 @@
-// LineWalker where something is in its way.
+// Tests LineWalker with obstacles in its way.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

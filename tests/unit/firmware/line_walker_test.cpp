@@ -11,8 +11,8 @@ namespace {
 
 using namespace walked;
 
-// What is said of each trip is exact: places, costs and times are what a map is made of, and a robot that
-// drives otherwise makes others.
+// The expected values of each trip are exact: a map consists of places, costs and times, and a robot that
+// drives differently measures other values.
 TEST(LineWalkerTest, ComesToBothEndsOfALine) {
   Walk walk({{-300, 0, 300, 0}});
   walk.go({kBack, kBack});

@@ -10,19 +10,19 @@ namespace {
 using Side = PathFollower::Side;
 using State = PathFollower::State;
 
-// What the three sensors see, for followers of either side: `near` is the preferred side's.
+// The three sensors' readings, for followers of either side; `near` is on the preferred side.
 struct Seen {
   bool near, middle, far;
 };
 constexpr Seen kLine{false, true, false};
-constexpr Seen kOffTheEdge{false, false, false};  // just beside the edge, or no line at all
-constexpr Seen kFarOnly{false, false, true};      // beside the line, which the far sensor sees
+constexpr Seen kOffTheEdge{false, false, false};  // just next to the edge, or no line at all
+constexpr Seen kFarOnly{false, false, true};      // next to the line, which the far sensor sees
 constexpr Seen kBranch{true, true, false};
 constexpr Seen kTee{true, true, true};
 
 class PathFollowerTest : public ::testing::TestWithParam<Side> {
  protected:
-  // The sensors see this for so long, looked at every 2 ms.
+  // Shows `seen` to the sensors for `ms`, read every 2 ms.
   void see(Seen seen, int ms) {
     for (int i = 0; i < ms; i += 2) {
       now += 2;

@@ -22,7 +22,7 @@ constexpr std::uint8_t kSensors[] = {A0, A1, A2};
 class PonyBody : public walked::Body {
  public:
   explicit PonyBody(std::vector<walked::Line> lines) : Body(std::move(lines), kPonyBumper) { look(); }
-  double left_wheel = 1;  ///< of the speed that it is told
+  double left_wheel = 1;  ///< as a share of the commanded speed
 
   void look() {
     for (int i = 0; i < 3; ++i)
@@ -324,7 +324,7 @@ class PonyTest : public testing::Test {
   ~PonyTest() override { fake::board = fake::Board{}; }
 
   static int bits(int reg) { return fake::board.shifted[fake::board.shifted.size() - 1 - reg]; }
-  /// Of the steps of a period those in which the bits are set.
+  /// Returns the number of steps of a period in which the bits are set.
   int steps(int mask, int left, int right, int count = 15) {
     int set = 0;
     for (int i = 0; i < count; ++i) {
@@ -360,7 +360,7 @@ TEST_F(PonyTest, StepsEveryTwoMilliseconds) {
   const auto start = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - start), 200'000, 30);
-  fake::board.now_us += 50'000;  // somebody takes longer: the steps after it are not hurried
+  fake::board.now_us += 50'000;  // the caller takes longer: the next steps are not shortened
   const auto late = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - late), 198'000, 100);
@@ -392,7 +392,7 @@ TEST_F(PonyTest, BelievesASensorAfterTwoLooks) {
 }
 
 TEST_F(PonyTest, ShowsEachNumberByItsSegments) {
-  // What lights: of 0..9 the segments e g f a b c d, bit 0 last.
+  // The lit segments of 0..9: e g f a b c d, bit 0 last.
   const int digits[] = {0x7D, 0x30, 0x5B, 0x7A, 0x36, 0x6E, 0x6F, 0x38, 0x7F, 0x3E};
   for (int n = 0; n < 100; ++n) {
     pony.show(static_cast<std::uint8_t>(n));

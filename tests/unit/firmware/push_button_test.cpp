@@ -14,7 +14,7 @@ class PushButtonTest : public ::testing::Test {
     button.begin();
   }
 
-  // The pin is at this level for so long, and the button looks at it every millisecond.
+  // Holds the pin at a level for `ms`, while the button reads it every millisecond.
   void hold(int level, int ms) {
     fake::board.pins[kPin].reads = level;
     for (int i = 0; i < ms; ++i) {

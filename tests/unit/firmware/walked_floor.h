@@ -1,6 +1,6 @@
-// A painted floor and what moves on it. Robot is an ideal one, for LineWalker: its motors turn at once as
-// fast as they are told, its encoders never miss a count, and its sensors see the share of line under them. x
-// is ahead of where it starts, y to the right of that (mm); angles are clockwise.
+// A painted floor and bodies that move on it. Robot is an ideal robot for LineWalker. Its motors reach the
+// commanded speed immediately, and its encoders never miss a count. Its sensors return the share of line
+// under them. x is ahead of the start, y to the right (mm); angles are clockwise.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ enum : std::uint8_t {
   kBumper
 };
 
-/// What moves on the floor, as fast as its wheels are told.
+/// A body that moves on the floor with its wheels' commanded speed.
 class Body {
  public:
   Body(std::vector<Line> lines, std::uint8_t bumper_pin) : lines_(std::move(lines)), bumper_pin_(bumper_pin) {
@@ -42,7 +42,7 @@ class Body {
   virtual ~Body() { fake::board = fake::Board{}; }
 
   double x = 0, y = 0, angle = 0;
-  /// The bumper is pressed while its nose is at this x or beyond, from then on for so many ms.
+  /// The bumper is pressed while the nose is at this x or beyond, for `wall_ms`.
   double wall_x = 1e9;
   std::uint32_t wall_ms = 1000000;
 
@@ -66,7 +66,7 @@ class Body {
   static constexpr std::uint32_t kPieceUs = 1000;
   static constexpr double kPieceS = 1e-6 * kPieceUs;
 
-  /// What its motors do for the next kPieceUs, by go().
+  /// Moves the body by its motors for the next kPieceUs, by go().
   virtual void drive() = 0;
   void go(double left, double right) {
     const double ds = (left + right) / 2 * kPieceS;
@@ -96,7 +96,7 @@ class Robot : public Body {
  public:
   explicit Robot(std::vector<Line> lines) : Body(std::move(lines), kBumper) {}
 
-  double left_wheel = 1, right_wheel = 1;  ///< of the speed that they are told
+  double left_wheel = 1, right_wheel = 1;  ///< as a share of the commanded speed
   std::uint32_t reading_us = 0;            ///< how long a look at the sensors takes
 
  private:

@@ -150,7 +150,7 @@ TEST(FloorImage, BadPicturesAreToldInASentence) {
   }
 }
 
-// What a bomb of 100,000 x 100,000 pixels would be: 97 KB that take 10 GB.
+// A decompression bomb of 100,000 x 100,000 pixels: 97 KB that take 10 GB.
 TEST(FloorImage, AHugePictureIsRefusedByItsHeader) {
   std::string png;
   {

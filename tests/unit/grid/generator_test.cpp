@@ -30,7 +30,7 @@ void for_many(Family family, int maps, Visit visit) {
   }
 }
 
-// How many line cells a graph without blocked lines has: its nodes, and what lies between them.
+// Counts the line cells of a graph without blocked lines: its nodes, and the cells between them.
 std::size_t cells_of(const TrueGraph& graph) {
   std::size_t between = 0;  // counted from both ends
   for (const GraphStation& station : graph.stations)
@@ -112,8 +112,8 @@ TEST(Generator, NamesItselfWithVersionAndSeed) {
   EXPECT_EQ(generate(Family::cycles, 5, 42).name, "cycles-5-42");
 }
 
-// Equal arguments, equal bytes, on every machine and with every compiler. Whoever has to change these raises
-// kGeneratorVersion.
+// Equal arguments give equal bytes on every machine and with every compiler. A change of these bytes must
+// raise kGeneratorVersion.
 TEST(Generator, MakesTheseVeryMaps) {
   const auto hash = [](Family family, int stations, std::uint64_t seed) {
     return sha256(write_map(generate(family, stations, seed))).substr(0, 16);

@@ -1,4 +1,4 @@
-// Surfaces by the legend of a map: what cells they make, how they are written, and what is refused.
+// Tests surfaces by the legend of a map: their cells, their text, and rejected legends.
 #include "sim/grid/legend.h"
 
 #include <gmock/gmock.h>

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// What parse_map says about a text that is wrong.
+// Returns parse_map's message for an invalid text.
 std::string complaint(std::string_view text) {
   try {
     parse_map(text, "m.map");

@@ -7,7 +7,7 @@
 namespace robosim::grid {
 namespace {
 
-// Equal for whoever drives on it.
+// Compares all that matters to a driving robot.
 void expect_same(const Map& a, const Map& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.width, b.width);

@@ -1,4 +1,4 @@
-// The maps of maps/: that each reads, and is what its name promises.
+// Tests that each map of maps/ can be read, and has the features that its name promises.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -132,7 +132,7 @@ TEST_P(Sample, HasTheFactsOfTheDocumentation) {
   EXPECT_EQ(ends / 2 + pieces - cells.size(), GetParam().cycles);
 }
 
-// A driven robot needs room: before a landmark, beside a line, and behind a line's end.
+// A driven robot needs space: before a landmark, next to a line, and beyond a line's end.
 TEST_P(Sample, LeavesThreeCellsBetweenLandmarksAndAroundLines) {
   const Map map = sample(GetParam().name);
   for (const CellAt cell : line_cells(map)) {
@@ -162,8 +162,8 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                                          Facts{"island", 48, 4, 2, 0, 1}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// The paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks, W and W0
-// counting the stations that face a wall: here none.
+// The paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks. W and W0
+// count the stations that face a wall: here none.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
@@ -184,7 +184,7 @@ TEST(SampleMaps, BlockedHasADetour) {
   const auto obstacle = std::find(map.cells.begin(), map.cells.end(), Cell::obstacle);
   ASSERT_NE(obstacle, map.cells.end());
   *obstacle = Cell::floor;
-  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the two ends beside it, and all three stations
+  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the two ends next to it, and all three stations
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double nearest(const Stripes& stripes, Vec2 p, bool painted_only = false) {
   return d;
 }
 
-// How long the centre line is, arcs taken as quarter circles.
+// Returns the length of the centre line, with arcs as quarter circles.
 double total_length(const Stripes& stripes) {
   double total = 0.0;
   for (const Stripe& s : stripes.all())
@@ -179,8 +179,8 @@ TEST(Stripes, AGapWithinAnArcLeavesTheRestOfItPainted) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell), true), 0.0, 1e-12);
 }
 
-// Random lines with random corners: the centre line is unbroken, and a query by cell finds what a search of
-// all stripes finds, as far as it reaches.
+// Random lines with random corners: the centre line is unbroken, and within its reach a query by cell finds
+// the same as a search of all stripes.
 TEST(Stripes, AQueryByCellFindsEveryStripeWithinReach) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

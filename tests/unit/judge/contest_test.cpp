@@ -1,4 +1,4 @@
-// Drag races and Rescue Line: a robot of 60 mm radius that is pushed along paths and put from place to place.
+// Tests drag races and Rescue Line, with a robot of 60 mm radius that is pushed along paths and moved.
 #include "sim/judge/contest.h"
 
 #include <gmock/gmock.h>
@@ -122,13 +122,13 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   run.push({1.55, 0.45});
   run.wait(5100 * kMillisecond);
   EXPECT_TRUE(run.progress.reached());
-  EXPECT_EQ(run.score().score, 10.0 + 10.0 + 5 * 5.0);  // a gap, an obstacle, five tiles behind the start
+  EXPECT_EQ(run.score().score, 10.0 + 10.0 + 5 * 5.0);  // a gap, an obstacle, five tiles after the start
   EXPECT_FALSE(run.progress.contest().over(359 * kSecond));
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// From its second tile on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is 3 mm too high, and
-// one that holds two bumps and two gaps.
+// From the second tile on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is 3 mm too high.
+// Then a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +

@@ -1,4 +1,4 @@
-// What is found of a sketch's EEPROM: wear, records that a power cut tears, and those that were never
+// Tests findings about a sketch's EEPROM: wear, records torn by a power cut, and records that were never
 // stored.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A sketch that does what the test says, at the line that it says.
+/// A sketch that performs the test's actions, at the test's lines.
 class Told final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }
@@ -96,7 +96,7 @@ TEST_F(EepromTest, WritesOfWhatWasThereAlreadyAreFoundSoonerAndMendedByUpdate) {
 TEST_F(EepromTest, SavingOnceSeldomOrByTurnsWearsNothing) {
   for (std::uint16_t i = 0; i < 64; ++i) write(i, 1);                                        // once
   for (int i = 0; i < 30; ++i, now += 2 * kSecond) update(0, static_cast<std::uint8_t>(i));  // seldom
-  for (std::uint16_t i = 0; i < 300; ++i, now += kSecond / 10) write(100 + i % 100, 1);      // by turns
+  for (std::uint16_t i = 0; i < 300; ++i, now += kSecond / 10) write(100 + i % 100, 1);      // alternately
   for (int i = 0; i < 30; ++i) write(500, static_cast<std::uint8_t>(i));                     // a burst
   EXPECT_THAT(wear.found(), IsEmpty());
 }
@@ -113,7 +113,7 @@ TEST_F(EepromTest, ARecordWhoseBytesAllGoToOneAddressIsLost) {
 
 TEST_F(EepromTest, ARecordIsStoredWhereItsAddressIsCountedOnOrTheSameByteIsKeptUpToDate) {
   for (std::uint16_t i = 0; i < 64; ++i) write(i, static_cast<std::uint8_t>(i));              // counted on
-  for (int i = 0; i < 30; ++i) write(i % 2, static_cast<std::uint8_t>(i));                    // two by turns
+  for (int i = 0; i < 30; ++i) write(i % 2, static_cast<std::uint8_t>(i));                    // alternately
   for (int i = 0; i < 30; ++i, now += kSecond / 100) write(7, static_cast<std::uint8_t>(i));  // a log
   for (int i = 0; i < 2000; ++i) write(9, static_cast<std::uint8_t>(i));                      // wear
   EXPECT_THAT(overwritten.found(), IsEmpty());

@@ -13,7 +13,7 @@ namespace {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
-  // Each says whether the goal is reached.
+  // Each returns whether the goal is reached.
   bool visit(int x, int y) {
     put(map.centre({x, y}));
     for (int i = 0; i < 9; ++i) look();
@@ -167,7 +167,7 @@ TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
   Course c(kRing, "laps:1");
   c.wait(5 * kSecond);
   const Vec2 start = c.body.pose().position;
-  for (const double turned : {0.5, -0.5}) {  // it calibrates, turning to and fro
+  for (const double turned : {0.5, -0.5}) {  // it calibrates, turning left and right
     c.body.place({start + Vec2{0.008, 0.0}, {std::cos(turned), std::sin(turned)}});
     c.wait(kSecond);
   }

@@ -1,4 +1,4 @@
-// A robot of 60 mm radius that a hand moves over a map, and what its goal makes of it.
+// Moves a robot of 60 mm radius over a map by manual moves, and evaluates its goal.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ TEST(Edits, AreMadeFromTheLastToTheFirst) {
   EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
 }
 
-// clang leaves out what is as at the place before; what is included is told by a place's own file.
+// clang omits values that equal the previous place's. The place's own file identifies included code.
 TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   const auto tree = read_tree(
       R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [

@@ -21,8 +21,8 @@ typedef nav::FixedTree<> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// Scans a floor and expects that all that can be reached is known as it is, and each line run along once
-/// from each end.
+/// Scans a floor. Expects a correct map of all that can be reached, and one run along each line from each
+/// end.
 template <class Walker, class Network>
 void expectScan(Floor& floor, Stand start, Network& network, int32_t drift = 0) {
   Walker walker(floor, start);
@@ -119,7 +119,7 @@ TEST(Explorer, LearnsRandomTreesWithoutOdometry) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomTree(dice, 2 + dice.below(199), dice.oneIn(2));
-    for (Floor::Line& line : floor.lines) line.cost = 1;  // what the tree's storage says
+    for (Floor::Line& line : floor.lines) line.cost = 1;  // the cost in the tree's storage
     if (dice.oneIn(3)) blockSome(dice, floor, 20);
     Tree tree;
     expectScan<BlindWalker>(floor, randomStand(dice, floor), tree);
@@ -242,7 +242,7 @@ TEST(Explorer, DoesNotGoBackToAnObstacleThatItMetBeforeItsFirstNode) {
   EXPECT_EQ(walker.follows, 6) << "to the obstacle, to the junction, and to each station and back";
 }
 
-/// Tells landmarks from a list, whatever it is told to do.
+/// Returns landmarks from a list, whatever its commands.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
   std::deque<Landmark> script;

@@ -81,7 +81,7 @@ Floor ring(int junctions) {
   return floor;
 }
 
-/// A row of junctions, each with a station beside it and one at both ends: 2 · junctions + 2 nodes.
+/// A row of junctions, each with a station next to it, and a station at both ends: 2 · junctions + 2 nodes.
 Floor comb(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions + 2; ++i) floor.addNode();
@@ -175,7 +175,7 @@ TEST(FixedTree, KeepsSixteenBlockedArms) {
   Floor floor = comb(40);
   Tree tree;
   for (int blocked : {16, 17}) {
-    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // stations beside the row
+    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // stations next to the row
     EXPECT_EQ((explore<BlindWalker>(floor, {{0, 1}}, tree)),
               blocked == 16 ? nav::ScanState::complete : nav::ScanState::full);
   }

@@ -50,7 +50,7 @@ class Floor {
   std::vector<Line> lines;
 };
 
-/// Where a robot starts: on a node, facing somehow, or on the line behind an arm, having come out of it.
+/// The start of a robot: on a node with some heading, or on the line after an arm by which it came out.
 struct Stand {
   Arm arm;
   bool on_line = false;
@@ -65,13 +65,13 @@ class FloorWalker {
   void leave(nav::Turn turn);
   void relocate(const nav::Place& at);
 
-  /// What the walker's frame is turned by against the floor's.
+  /// Returns the rotation of the walker's frame against the floor's.
   int frame() const { return frame_; }
-  /// Whether it stands on a node; which, and how it faces, in the floor's frame.
+  /// Return whether it stands on a node, which one, and its heading in the floor's frame.
   bool onNode() const { return line_ < 0; }
   Arm at() const { return at_; }
 
-  /// How often each line was begun at each of its ends.
+  /// The number of starts along each line from each of its ends.
   std::vector<std::array<int, 2>> runs;
   int follows = 0;
   /// Times it was told to go where there is no line, to turn where it cannot, or that it was somewhere else.

@@ -25,7 +25,7 @@ typedef nav::FixedTree<200, 40> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// A robot that has scanned a floor. `where` tells which node of the floor each node of its network is.
+/// A robot that has scanned a floor. `where` has the floor's node for each node of its network.
 template <class Walker, class Network>
 struct Scanned {
   Walker walker;
@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // What it knows of obstacles is true; so if it sees no way, there is none.
+      // It knows only real obstacles, so if it finds no path, there is none.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);
@@ -269,7 +269,7 @@ TEST(PathPlanner, HasNoNextNodeWhereItIs) {
   EXPECT_EQ(planner.next(map, 2, 2), Map::kNone);
 }
 
-/// Tells landmarks from a list, whatever it is told to do.
+/// Returns landmarks from a list, whatever its commands.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
   std::deque<Landmark> script;

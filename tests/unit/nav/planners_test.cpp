@@ -24,7 +24,7 @@ typedef nav::FixedNetwork<60> Map;
 typedef nav::LinkTable<200, 4> Links;
 typedef std::vector<int> Way;
 
-/// A map that may be asked of nodes that it has only, and of their arms.
+/// A map that accepts only queries of existing nodes and arms.
 class StrictMap : public Map {
  public:
   bool isStation(Id node) const { return known(node), Map::isStation(node); }
@@ -51,7 +51,7 @@ void explore(Dice& dice, Floor& floor, Network& network) {
   ASSERT_EQ(explorer.state(), nav::ScanState::complete);
 }
 
-/// What all others are compared with: every distance from one node, by relaxing all lines until nothing
+/// Reference for all planners: computes every distance from one node by relaxing all lines until nothing
 /// changes.
 template <class Network>
 std::vector<int> distances(const Network& network, int from, bool by_cost) {
@@ -73,7 +73,7 @@ std::vector<int> distances(const Network& network, int from, bool by_cost) {
   return far;
 }
 
-/// Lines, or costs, of a way; -1 if it is none.
+/// Returns the lines, or costs, of a path; -1 if it is not a path.
 template <class Network>
 int length(const Network& network, const Way& way, bool by_cost) {
   int sum = 0;
@@ -100,7 +100,7 @@ Planned plan(Planner planner, const Network& network, int from, int to) {
 
 #define PLANNER(name) [](auto& n, auto f, auto t, auto& p, auto& w) { return nav::name(n, f, t, p, w); }
 
-/// Expects a way from one node to another of the length said, or none if that is negative.
+/// Expects a path of the given length from one node to another, or none if the length is negative.
 template <class Network>
 void expectWay(const char* name, const Network& network, const Planned& planned, int from, int to, int least,
                bool by_cost) {
@@ -117,7 +117,7 @@ void expectWay(const char* name, const Network& network, const Planned& planned,
   EXPECT_EQ(std::set<int>(planned.way.begin(), planned.way.end()).size(), planned.way.size());
 }
 
-/// Goes on by next(here) until it is there; -1 if that says there is no way.
+/// Continues by next(here) until it has arrived; -1 if there is no path.
 template <class Network>
 int drive(const Network& network, int from, int to, const std::function<int(int)>& next) {
   Way way{from};

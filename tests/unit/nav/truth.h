@@ -69,7 +69,7 @@ std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found
   return where;
 }
 
-/// How many nodes can be reached from one, past no obstacle.
+/// Returns the number of nodes that can be reached from one without passing an obstacle.
 inline int reachable(const Floor& floor, int from) {
   std::vector<int> queue{from};
   std::vector<char> seen(floor.nodes.size());

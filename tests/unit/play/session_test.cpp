@@ -43,7 +43,7 @@ class FakeConsole final : public tui::Console {
   }
   tui::Press wait(int timeout_ms) override {
     now_us_ += 1000LL * std::max(timeout_ms, 0);
-    // While a walk is watched keys are pressed by those who set `press_at`.
+    // During a displayed walk, `press_at` presses keys.
     if (timeout_ms >= 0) return during_walk ? during_walk(*this) : tui::Press{};
     if (keys_.empty()) return at_end;
     const tui::Press press = keys_.front();

@@ -1,4 +1,4 @@
-// When the line was left, and which sensor saw it last.
+// Tests the time when the line was left, and the sensor that saw it last.
 #include "sim/record/line_left.h"
 
 #include <gmock/gmock.h>

@@ -89,7 +89,7 @@ TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
   record.add(up);
   up.agent = 2;
   up.t_ns = 2000;
-  record.add(up);  // a robot that nobody has asked for
+  record.add(up);  // a robot that was not requested
   const std::string vcd = text_of(record);
   const std::size_t second = vcd.find("$scope module B $end\n");
   ASSERT_NE(second, std::string::npos);
@@ -135,7 +135,7 @@ TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
   constexpr std::int64_t kEvery_ns = 1'000'000;
   for (int i = 1; i <= kChanges; ++i) {
     record.add(wire::VoltsSeen{i * kEvery_ns, "A0", i % 7 + 0.1});
-    record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));  // told 0.9 s late
+    record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));  // reported 0.9 s late
     record.add(output(i * kEvery_ns - 900'000'000 + 5, "D8", i % 2 == 0));
   }
   const std::string vcd = text_of(record), volts = " " + id_of(vcd, "A0_volts") + "\n",

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-// What is said of a recording that cannot be read.
+// Returns the message for a recording that cannot be read.
 std::string refusal(const std::string& bytes) {
   try {
     Recording::decode(bytes, "x.rec");

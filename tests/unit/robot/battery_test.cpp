@@ -1,4 +1,4 @@
-// [battery] against closed forms.
+// Tests [battery] against closed forms.
 #include "sim/robot/battery.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// A robot on a straight line, with a board that tests play: the bench on which parts are tried.
+// A robot on a straight line, with a board that tests play: a bench for testing parts.
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ supply = "6 V"
 chip = "tb6612"
 )";
 
-/// The line is 20 mm wide, if the map's front matter does not say another width, and runs east through the
+/// The line is 20 mm wide unless the map's front matter sets another width. It runs east through the
 /// origin of `line()`.
 class BenchRobot {
  public:
@@ -81,7 +81,7 @@ inline std::string reflectance_sensor(const std::string& keys) {
          keys;
 }
 
-/// Its axle's centre so far beside the middle of the line, which it is along.
+/// Places the robot along the line, with its axle's centre at this distance from the line's middle.
 inline void place_beside_line(BenchRobot& bench, double metres) {
   bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
 }

@@ -15,7 +15,7 @@ constexpr SimTime kBit = kSecond / 9600;
 constexpr const char* kModule =
     "[[part]]\nname = \"bt\"\ntype = \"bluetooth\"\npins = { txd = 2, rxd = 3 }\n";
 
-// What a receiver on the pin gets in so many ticks, sampling bits in their middle.
+// Returns the text that a receiver on the pin gets in `ticks`, sampling bits in their middle.
 std::string received(BenchRobot& bench, int ticks) {
   std::string text;
   SimTime next = bench.now;
@@ -39,7 +39,7 @@ std::string received(BenchRobot& bench, int ticks) {
   return text;
 }
 
-// The sketch sends, bit by bit, each as long as told.
+// The sketch sends bit by bit, with the given duration.
 void send(BenchRobot& bench, const std::string& text, SimTime bit = kBit) {
   SimTime at = bench.now;
   for (const char c : text) {

@@ -1,5 +1,5 @@
-// Reflectance sensors that are read as a level: compared with a threshold, or by how long their capacitor
-// lasts.
+// Tests reflectance sensors that are read as a level: by a threshold, or by the discharge time of their
+// capacitor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

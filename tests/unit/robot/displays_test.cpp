@@ -1,4 +1,4 @@
-// What shows text and colours, and the sensor of the motors' current.
+// Tests displays of text and colours, and the sensor of the motors' current.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class Lcd {
     us_ += us;
     for (; us_ >= 1000; us_ -= 1000) bench.tick();
   }
-  // As in figure 24 of the data sheet, and as LiquidCrystal does it.
+  // Initialises as in figure 24 of the data sheet and in LiquidCrystal.
   void begin() {
     for (int i = 0; i < 3; ++i) {
       nibble(3);

@@ -1,4 +1,4 @@
-// A board without firmware: tests say how pins are driven and ask what they read.
+// A board without firmware: tests set how pins are driven, and read them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Compares our models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
+// Compares the models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
 // ledger -->` and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*'
 // regenerates it.
 #include <fmt/format.h>
@@ -48,8 +48,8 @@ class Sweep {
                               "bench.toml"),
             profile, seed, "+++\nline = \"15 mm\"\n+++\n") {}
 
-  /// What it reads so far beside the line's middle, m, without noise: 1 is no light, 0 what comes from white
-  /// at the best height.
+  /// Returns its reading `beside` m next to the line's middle, without noise: 1 = dark, 0 = the light from
+  /// white at the best height.
   double blackness(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
@@ -204,7 +204,7 @@ double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }
 
-// What its wheels measure of a way, against the way, with this duty.
+// Returns the ratio of the distance that its wheels measure to the true distance, with this duty.
 double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   Drive drive(profile, seed, duty);
   double travel = 0.0, distance = 0.0;
@@ -224,7 +224,7 @@ double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   return more < 1e-9 ? 0.0 : more;  // rounding
 }
 
-// How far it rolls from 0.5 m/s on, its motors open or shorted.
+// Returns the distance that it rolls from 0.5 m/s on, with its motors open or shorted.
 double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   Drive drive(profile, seed, 0.6);
   while (drive.body().speed() < 0.5) drive.step();
@@ -235,7 +235,7 @@ double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   return drive.body().distance() - distance;
 }
 
-// On the spot, two wheels a side, of these measures: as if its treads were so many times farther apart.
+// Returns the effective track width on the spot, of two wheels a side, as a multiple of the real width.
 double effective_track(Profile profile, std::uint64_t seed, double track_mm, double wheelbase_mm) {
   BenchRobot bench(
       parse_description(fmt::format("base = \"rover5\"\n[chassis]\ntrack = \"{} mm\"\nwheelbase = "
@@ -250,7 +250,7 @@ double effective_track(Profile profile, std::uint64_t seed, double track_mm, dou
          bench.body().turn_rate() / (1e-3 * track_mm);
 }
 
-// Of one ampere, by the driver's drop and its switches.
+// Returns the drop at one ampere over the driver and its switches.
 double l298n_volts(Profile profile, std::uint64_t seed) {
   std::string robot = kBareRobot;
   robot.replace(robot.find("tb6612"), 6, "l298n");
@@ -309,7 +309,7 @@ struct Figure {
   const char* unit;
   double scale;
   Range measured;
-  const char* source;  ///< "" if nobody's figure was found
+  const char* source;  ///< "" if no published value was found
   std::function<double(Profile, std::uint64_t)> ours;
   const char* why_not;  ///< why ours is not within the measured range; "" if it is
 };

@@ -29,7 +29,7 @@ std::vector<SimTime> heard(BenchRobot& bench) {
   return lengths;
 }
 
-// What a decoder makes of it.
+// Decodes pulse lengths to a code.
 std::uint32_t decoded(const std::vector<SimTime>& lengths) {
   std::uint32_t bits = 0;
   for (std::size_t bit = 0; bit < 32; ++bit)

@@ -69,7 +69,7 @@ TEST(MotorDriver, TellsHowMuchOfAPeriodIsDrivenAgainstTheRest) {
   EXPECT_EQ(command.period_s, 1e-3);
 }
 
-// What 30 % of fast PWM, from 2 ms on, leaves of a speed within 100 ms, and what of it the battery gets.
+// 30 % of fast PWM from 2 ms on: the remaining speed after 100 ms, and the energy that the battery gets.
 TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   const auto slowed = [](const char* driver, double en, double in1, double in2) {
     std::string robot = kBareRobot;
@@ -120,9 +120,9 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   }
 }
 
-// From full speed v ahead, without friction. Reversed, a motor has the supply and its own voltage behind its
-// current, and until the robot goes as fast the other way the battery gives V for each ampere second that
-// takes m 2 v. Shorted it slows down to the speed at which the driver's drop stops the current; open it rolls
+// From full speed v ahead, without friction. If a motor is reversed, the supply and its own voltage drive the
+// current. Until the robot is as fast backwards, the battery gives V for each ampere second that takes m 2 v.
+// If shorted, it slows down to the speed at which the driver's drop stops the current; if open, it rolls
 // on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;

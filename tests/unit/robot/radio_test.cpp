@@ -21,8 +21,8 @@ bit = "1 ms"
 pins = { clock = 2, enable = 3, data = 5 }
 )";
 
-// Bits of each message that a sketch would take in by interrupts until `bench.now` has grown by so many
-// ticks.
+// Returns the bits of each message that a sketch would receive by interrupts while `bench.now` advances by
+// `ticks`.
 std::vector<std::vector<bool>> received(BenchRobot& bench, int ticks) {
   bench.board.edges.clear();
   bench.board.edges_wanted = true;

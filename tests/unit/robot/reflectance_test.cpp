@@ -67,7 +67,7 @@ TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
   EXPECT_NEAR(far.volts(kA0), 4.5 - (4.5 - near.volts(kA0)) / 4.0, 1e-9);
 }
 
-// What the sensor answers over white, far from the line, 0.5 V white and 4.5 V black.
+// Returns the sensor's volts over white, far from the line, with 0.5 V on white and 4.5 V on black.
 double white_volts(const std::string& keys, Profile profile, std::uint64_t seed = 1) {
   BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys),
                    profile, seed);

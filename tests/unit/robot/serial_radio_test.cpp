@@ -1,4 +1,4 @@
-// Radios of several robots on one floor.
+// Tests radios of several robots on one floor.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"
@@ -35,7 +35,7 @@ class Pair {
     board_a.output(3, true, now + kSecond / 9600);
     ticks(2);
   }
-  /// How many bytes the second's line has had: two edges each.
+  /// Returns the number of bytes on the second board's line: two edges each.
   std::size_t heard() const { return board_b.edges.size() / 2; }
   void ticks(int count) {
     for (; count > 0; --count) {

@@ -1,4 +1,4 @@
-// Robots whose wheels in front a servo turns.
+// Tests robots whose front wheels are steered by a servo.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Parts on the two-wire bus, as firmware speaks to them.
+// Tests parts on the two-wire bus by firmware's transfers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class TwoWireBench : public BenchRobot {
                         Profile profile = Profile::ideal, std::uint64_t seed = 1)
       : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more, profile, seed) {}
 
-  /// Whether all was acknowledged.
+  /// Sends bytes, and returns whether all were acknowledged.
   bool send(std::uint8_t address, const std::vector<int>& bytes) {
     bool heard = board.two_wire_address(static_cast<std::uint8_t>(address << 1), now);
     for (const int byte : bytes) heard &= board.two_wire_write(static_cast<std::uint8_t>(byte), now);

@@ -1,5 +1,5 @@
-// Several robots in one simulation: each has its own firmware, script, goal and verdict; they share clock and
-// floor.
+// Tests several robots in one simulation. Each has its own firmware, script, goal and verdict; they share
+// clock and floor.
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// Blind time (sim/judge/blind.h), on robots that are driven by hand.
+// Tests blind time (sim/judge/blind.h), on robots that the test drives.
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Looks at a sensor now and then, and drives straight on; or, half-way between two looks, more slowly.
+/// Reads a sensor occasionally, and drives straight on; or, half-way between two reads, more slowly.
 class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}

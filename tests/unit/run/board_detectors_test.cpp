@@ -1,4 +1,4 @@
-// What detectors see of a board (sim/run/board_detectors.h), in whole runs.
+// Tests the detectors of a board (sim/run/board_detectors.h) in whole runs.
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// A verdict names the script's fault that came before it.
+// Tests that a verdict names the script's fault that preceded it.
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// Runs of the built-in driver are the same, bit for bit, for Robosim built by gcc or clang, with or without
+// Tests that runs of the built-in driver are bit-identical in all builds: by gcc and clang, with and without
 // optimisation, on x86-64 and arm64. CI runs these tests in all of those builds.
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// A run is the same, whether the ticks of robots at rest, and of firmware that sleeps, are left out or not:
-// firmware, scripts, goals and neighbours by chance.
+// Tests that skipping ticks of resting robots and sleeping firmware does not change a run, with random
+// firmware, scripts, goals and neighbours.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ class OnBoard : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Waits most of the time, and now and then drives, prints, looks or crashes.
+/// Waits most of the time, and occasionally drives, prints, reads a sensor or crashes.
 class Dozing final : public OnBoard {
  public:
   Dozing(unsigned seed, const BoardSpec& board, bool tells_sleep)

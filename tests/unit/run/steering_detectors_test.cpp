@@ -1,5 +1,5 @@
-// Motors that nobody stops (sim/judge/motors_left_on.h), and how long Serial keeps a robot from looking
-// (sim/judge/slow_serial.h), on robots that are driven by hand.
+// Tests the detectors of motors that were left on (sim/judge/motors_left_on.h) and of slow Serial output
+// (sim/judge/slow_serial.h), on robots that the test drives.
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ using testing::SizeIs;
 
 constexpr Pin kSensors[] = {14, 15, 16, 17, 18};  // from the left
 
-/// Drives as `step` has it, which is asked once a millisecond.
+/// Drives by `step`, which is called once per millisecond.
 class Driven : public exec::Executor {
  public:
   using Step = std::function<void(Driven&, SimTime)>;

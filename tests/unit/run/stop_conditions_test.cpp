@@ -1,4 +1,4 @@
-// What a run that is driven step by step goes on until.
+// Tests stop conditions of runs that are driven step by step.
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The built-in driver, which also says these bytes, one each millisecond from the start.
+/// The built-in driver, which also sends these bytes, one each millisecond from the start.
 class Talker final : public exec::Executor {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}

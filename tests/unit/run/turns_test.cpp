@@ -1,5 +1,5 @@
-// A run of several robots is the same, whether those that are apart from others take turns or not: what they
-// do, see, say and are told of, and in which order that is told.
+// Tests that simulating distant robots independently does not change a run: their motion, readings, output
+// and events, and the order of events.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace robosim::run {
 namespace {
 
-/// Firmware for an Uno that drives about at random, bumps, looks, prints and now and then crashes.
+/// Firmware for an Uno that drives at random, bumps, reads sensors, prints and occasionally crashes.
 class Roaming final : public exec::Executor {
  public:
   explicit Roaming(unsigned seed) : random_(seed) {}
@@ -71,7 +71,7 @@ class Roaming final : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Of one robot; what all are told comes to one text.
+/// Records one robot's events; all robots write to one text.
 struct NotingTurns final : Listener {
   explicit NotingTurns(std::string& text) : all(text) {}
   void sampled(const Sample& s) override {

@@ -1,4 +1,4 @@
-// Whole runs on the target stm32 are the same, whether loops that wait are left out or not: the chip at each
+// Tests that skipping busy-wait loops does not change whole runs on the target stm32: the chip at each
 // tick, and the trace.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What a simulation comes to, as the protocol says it: in its units and by its names.
+// Tests results of a simulation in the protocol's units and names.
 #include "sim/runner/answers.h"
 
 #include <gmock/gmock.h>

@@ -41,7 +41,7 @@ class ReadingAhead : public testing::Test {
     read();
     return ahead_.map.get();
   }
-  /// From now on, the clock says that all files were written long ago.
+  /// Sets the clock, so that all files appear to have been written long ago.
   void let_files_settle() { now_ += 3'600'000'000'000; }
 };
 
@@ -63,7 +63,7 @@ TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
   EXPECT_THROW(known_robot(request_.robot, {{request_.robot, robot}}), InputError);
 }
 
-// However soon after: nothing but its bytes says whether a file is the same.
+// A recently written file is only known to be unchanged by its bytes.
 TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
     write_file(image_, content);

@@ -1,4 +1,4 @@
-// When a runner ends a run, from what the system says of its process and what the process says of itself.
+// Tests when a runner ends a run, by the system's and the process's reports about the process.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ class Watching : public testing::Test {
  protected:
   Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
 
-  /// Looks each 100 ms of wall time, as a runner does, for so long; the process takes `share` of a processor.
+  /// Checks every 100 ms of wall time, like a runner, for `seconds`; the process uses `share` of a processor.
   Found look_for(double seconds, double share, bool is_excused = false) {
     for (int i = 0; i < 10 * seconds; ++i) {
       wall_us_ += 100'000;

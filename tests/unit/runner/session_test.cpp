@@ -1,5 +1,5 @@
-// A runner's conversation with its client, with firmware that needs no compiler. The session is served by a
-// fork of this test: it is made for a process's standard input and output.
+// Tests a runner's session with its client, with firmware that needs no compiler. A fork of this test serves
+// the session, which uses a process's standard input and output.
 #include "sim/runner/session.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ class Session {
     }
   }
 
-  /// The next line, or "" if the runner says no more.
+  /// Returns the next line, or "" at the end of the runner's output.
   std::string line() {
     std::size_t end = 0;
     char some[4096];
@@ -70,7 +70,7 @@ class Session {
     return text;
   }
 
-  /// What follows a line.
+  /// Reads the bytes after a line.
   std::string bytes(std::size_t count) {
     char some[4096];
     while (unread_.size() < count) {
@@ -83,7 +83,7 @@ class Session {
     return text;
   }
 
-  /// What it answers to a line, events apart.
+  /// Returns its answer to a line, without events.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
@@ -131,7 +131,7 @@ class Session {
     }
     return true;
   }
-  /// Says no more to it, and waits until it has ended.
+  /// Closes its input, and waits until it has ended.
   Ending end() {
     input_.write.close();
     return runner_.wait();
@@ -198,7 +198,7 @@ class SessionTest : public ::testing::Test {
     request_.for_ns = 20 * kSecond;
   }
 
-  /// What a runner says to this request, which it cannot carry out.
+  /// Returns a runner's error for a request that it cannot carry out.
   static wire::ErrorAnswer refusal(const wire::RunRequest& request) {
     Session session(drivers());
     session.line();

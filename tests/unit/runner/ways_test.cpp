@@ -1,4 +1,4 @@
-// A run that parts goes on in each way as a run of its own would, with firmware that needs no compiler.
+// Tests that each branch of a forked run equals a separate run, with firmware that needs no compiler.
 #include "sim/runner/ways.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What goes wrong between board and world, on a board whose firmware is the test itself.
+// Tests faults between board and world, on a board whose firmware is the test itself.
 #include "sim/scenario/board_faults.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What a script does to a run, seen from outside: a built-in driver follows the oval, and something happens.
+// Tests the effects of a script on a run, seen from outside, while a built-in driver follows the oval.
 #include "sim/scenario/scenario_player.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Keeps what a run tells.
+/// Records a run's events.
 struct Witness final : run::Listener {
   void began(const run::Beginning& beginning) override { readings = beginning.readings; }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
@@ -58,7 +58,7 @@ class Scripts : public testing::Test {
     }
     return "no error";
   }
-  /// What sensor S1, beside the line, sees at that time.
+  /// Returns the reading of sensor S1, next to the line, at that time.
   double s1(double seconds) { return seen.at(seconds).readings[0]; }
 
   Witness seen;

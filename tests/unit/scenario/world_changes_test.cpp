@@ -1,4 +1,4 @@
-// A world that changes by a script: a built-in driver follows the oval, and finds it other than it was.
+// Tests a world that a script changes while a built-in driver follows the oval.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

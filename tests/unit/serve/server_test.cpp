@@ -303,7 +303,7 @@ TEST_F(Serving, WritesThroughNoLinkWhicheverFolderItReplaces) {
   EXPECT_TRUE(fs::is_empty(outside_.path() / "target.map"));
 }
 
-/// Sends `text`, and then a byte now and then, until there is an answer.
+/// Sends `text`, and then single bytes with pauses, until there is an answer.
 struct Drips {
   Drips(int port, std::string text) {
     const Descriptor socket = connected(port);
@@ -468,7 +468,7 @@ TEST_F(Serving, WritesNothingElseAndNowhereElse) {
   EXPECT_EQ(before(), all);
 }
 
-// What stands for robosim answers each line that it is sent, and ends with its input.
+// A stand-in for robosim answers each line that it receives, and ends with its input.
 TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
   EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)

@@ -11,7 +11,7 @@
 namespace robosim::structure {
 namespace {
 
-/// The files that are about one chip, and say so at their top.
+/// Files about one chip, which name it at their top.
 bool is_about_a_chip(const std::string& file) {
   for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
     if (file.starts_with(place)) return true;

@@ -12,21 +12,21 @@ namespace robosim::structure {
 /// Returns a message for each comment line that has more than `limit` columns. A character is one column.
 std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 
-/// Returns a message for each line of a comment that continues a row of a table, formula or code example at a
-/// wrong column. A row is indented by two columns or more; two spaces or more separate its cells:
+/// Returns a message for each line of a comment that continues a row at a wrong column. A row is part of a
+/// table or formula. It is indented by two columns or more; two spaces or more separate its cells:
 ///
 ///   label   a row that fills its line up to the limit, continued
 ///           at the column of its last cell
 ///
 /// Tools that wrap a row as if it were prose put its rest at the label's column, or before the next label. So
-/// do people, once a row has grown. A line is reported if it follows a row that has no space left for its
-/// first word, starts at the row's label, and
+/// do people, once a row has grown. A line is reported if it follows a row without space for its first word,
+/// starts at the row's label, and
 ///
 ///   - the row has an open bracket, or ends with an operator or a comma;
 ///   - or it is a short piece of text, at the table's end or before a line at the column of the last cell;
 ///   - or its last cell would be at the row's column without its first words.
 ///
-/// A line is also reported if it starts before the last cell of the row before it, and goes on below that
+/// A line is also reported if it starts before the last cell of the previous row and continues below that
 /// cell. Rows without a second cell, labels wider than their column, nested lists and pictures are not
 /// reported.
 std::vector<std::string> broken_rows(const Files& files, std::size_t limit);

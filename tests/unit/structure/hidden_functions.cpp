@@ -32,7 +32,7 @@ Names functions_of(const std::string& content, bool header) {
   return names;
 }
 
-/// Whether a source calls a free function by its bare name. What stands behind a type declares a member.
+/// Returns whether a source calls a free function by its bare name. A name after a type is a declaration.
 bool calls(const std::string& content, const std::string& function) {
   const std::regex call(R"((^|[^\w.:>&*\s]|\s[>*&]+\s|[\s(!,][*&]|\b(return|else|throw|case)\s)\s*)" +
                         function + R"(\()");

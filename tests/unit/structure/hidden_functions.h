@@ -9,9 +9,9 @@
 
 namespace robosim::structure {
 
-/// A sentence for each function that a .cpp file keeps in an anonymous namespace, if another .cpp file of its
-/// library calls one of the same name that a header declares: the compiler may choose either, and says
-/// nothing. A library is a folder of the first two levels, `sim/grid`.
+/// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another. A
+/// header declares a function of its name, and another .cpp file of the library calls that: the compiler may
+/// choose either without a warning. A library is a folder of the first two levels, `sim/grid`.
 std::vector<std::string> hidden_functions(const Files& files);
 
 }  // namespace robosim::structure

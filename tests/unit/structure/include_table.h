@@ -1,4 +1,4 @@
-// The rule of who may include whom, as may_include.txt states it, and what breaks it.
+// Checks #include directives against may_include.txt, which lists the folders that each folder may include.
 #pragma once
 
 #include <map>
@@ -17,13 +17,13 @@ struct IncludeTable {
   std::map<std::string, std::vector<std::string>> alone;  ///< start of another's header -> folders that may
 };
 
-/// Throws InputError at a line that is no row.
+/// Reads the table. Throws InputError at a line that is not a row.
 IncludeTable read_include_table(const std::string& file, std::string_view text);
 
-/// A sentence for each include that the table does not allow: the file and line, and what is allowed there.
+/// Returns a message for each include that the table does not allow: file, line, and the allowed folders.
 std::vector<std::string> broken_rules(const IncludeTable& table, const Files& files);
 
-/// The sources of a checkout: what ends in .h, .c, .cpp or .ino below hal, firmware, sim and tests.
+/// Returns a checkout's sources: .h, .c, .cpp and .ino files below hal, firmware, sim and tests.
 Files read_sources(const std::string& root);
 
 }  // namespace robosim::structure

@@ -1,5 +1,5 @@
-// Nothing that changes during a run is missing from its snapshots: each class keeps it in one State, which is
-// copied as a whole, and snapshot_members.txt says what its other members are.
+// Tests that snapshots contain everything that changes during a run. Each class has it in one State, which is
+// copied as a whole; snapshot_members.txt lists the other members.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

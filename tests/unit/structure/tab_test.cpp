@@ -1,4 +1,4 @@
-// CI does not build the bench in a tab (docs/howto/tab.md): this tells beforehand what would not compile
+// CI does not build the bench in a tab (docs/howto/tab.md). This test finds code that would not compile
 // there.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A test at every place where the power can fail, of a sketch that writes two bytes.
+// Tests power cuts at every possible place of a sketch that writes two bytes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <robosim/testing.h>

@@ -1,9 +1,9 @@
-// Worlds by chance: whatever is drawn is sound, whatever it shrinks to is sound and smaller, and what a
-// search ends with is the smallest that fails.
+// Tests random worlds: each drawn world is valid, each shrunk world is valid and smaller, and a search ends
+// with the smallest world that fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/Random.h>
-#include <rapidcheck/seq/Transform.h>  // for the next, which forgets it
+#include <rapidcheck/seq/Transform.h>  // the next header needs it and does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 #include <robosim/random_worlds.h>
 

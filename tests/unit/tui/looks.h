@@ -1,4 +1,4 @@
-// What a terminal can show, for tests.
+// Appearances of a terminal, for tests.
 #pragma once
 
 #include "sim/tui/frame.h"

@@ -17,7 +17,7 @@ using ::testing::SizeIs;
 
 std::string line_of(const Event& event) { return to_line(Id(std::int64_t{1}), Answer(event)); }
 
-/// What a client has of it: the line says how many bytes there are behind it.
+/// Returns the bytes that a client gets. The line contains their number.
 std::string bytes_in(const std::string& said) {
   const std::size_t end = said.find('\n') + 1;
   const Line line = parse_line(said.substr(0, end));

@@ -1,5 +1,5 @@
-// Both ends of the protocol against each other, without a process between them: whatever one end can say, the
-// other reads as it was meant.
+// Tests both ends of the protocol against each other, without a process between them: each end reads all that
+// the other can write.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -152,7 +152,7 @@ class BothEnds : public ::testing::Test {
     return message;
   }
 
-  /// What the client has read of an answer, said again, is the same line.
+  /// Expects that the client's copy of an answer, written again, is the same line.
   template <class T>
   void expect_same_answer(const T& message, std::int64_t id = 7) {
     const std::string line = to_line(Id(id), Answer(message));

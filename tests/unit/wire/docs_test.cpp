@@ -1,5 +1,5 @@
-// The tables of keys in docs/ stand between `<!-- keys of NAME -->` and `<!-- end of keys -->`, and say what
-// the messages' descriptions say. ROBOSIM_WRITE_DOCS=1 wire_test --gtest_filter='Docs.*' writes them anew.
+// Tests that tables of keys in docs/, between `<!-- keys of NAME -->` and `<!-- end of keys -->`, equal the
+// messages' descriptions. ROBOSIM_WRITE_DOCS=1 wire_test --gtest_filter='Docs.*' regenerates them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// What neither end of the protocol has asked for: lines that are cut off, turned over, nested without end, or
-// hold values of another kind. Each is one sentence that names what is wrong, and nothing else happens.
+// Tests malformed lines of the protocol: truncated, reversed, nested without end, or with values of another
+// kind. Each gives one message that names the fault, and has no other effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is read quickly and what nlohmann reads is the same, and so is what neither reads.
+// Tests that the fast reader and nlohmann read and reject the same texts.
 #include "sim/wire/json_parse.h"
 #include "sim/base/json_limits.h"
 
@@ -117,7 +117,7 @@ TEST(ParsedJson, IsWhatNlohmannMakesOfIt) {
       parsed_json(std::string(kDeepestJson + 1, '[') + std::string(kDeepestJson + 1, ']')).is_discarded());
 }
 
-// Lines as runners write them, with a byte changed, added or left out.
+// Lines as runners write them, with a byte changed, added or removed.
 TEST(ParsedJson, NorDoesDamageMakeADifference) {
   const std::string line =
       R"({"id":7,"result":{"verdict":"reached","why":"It is done.","status":0,"time_s":0.001,"metrics":)"

@@ -47,7 +47,7 @@ BodyParams shaped(BodyParams p, Shape shape) {
   return p;
 }
 
-// How far the outline is inside walls, at most, sampled along its border.
+// Returns the greatest depth of the outline inside walls, sampled along its border.
 double inside_walls(const grid::Map& map, const Body& body) {
   const BodyParams& p = body.params();
   double deepest = 0.0;

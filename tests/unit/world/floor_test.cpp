@@ -258,7 +258,7 @@ TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   EXPECT_GT(counted, 100);
 }
 
-// Every mark is asked, where the floor asks those that its index knows to be near.
+// Queries every mark, while the floor queries only those that its index finds nearby.
 TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
   const auto course = [](const std::string& of_one_bend) {
     std::string text =

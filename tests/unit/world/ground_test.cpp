@@ -1,5 +1,5 @@
-// Hills and surfaces against closed forms, written from the formulas in ground.h and body_ground.cpp, and
-// from physics books; within 2 %.
+// Tests hills and surfaces against closed forms within 2 %, from the formulas in ground.h and
+// body_ground.cpp, and from physics books.
 #include "sim/world/ground.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
   return plank;
 }
 
-// No friction but what a test asks for.
+// No friction except in tests that add it.
 BodyParams free_body() {
   BodyParams p = default_body_params();
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
@@ -441,7 +441,7 @@ TEST_F(GroundTest, NeverGainsMoreEnergyThanItDrawsAndFalls) {
   }
 }
 
-// The bits of a run over all there is: if they change, say so.
+// The hash of a run over all kinds of ground: report a change of it.
 TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   map_.course.hills = {seesaw({10.8, 10.0}, 0.6, 0.05, 0.6), hill({11.4, 10.0}, 0.3, 1.0, {0.003, 0.003}),
                        hill({12.3, 10.0}, 1.0, 2.0, {0.0, 0.08, 0.08, 0.0}, {0.96, 0.28})};

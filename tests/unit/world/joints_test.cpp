@@ -1,4 +1,4 @@
-// Gaps between boards against the closed forms on top of joints.h: how deep a wheel sinks, and what it loses.
+// Tests gaps between boards against the closed forms in joints.h: the depth of a wheel, and its loss.
 #include "sim/world/joints.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ class JointsTest : public testing::Test {
     run(3000);
     return body.speed();
   }
-  /// The same by the closed form. What turns with the wheels keeps its speed, and gives of it.
+  /// Returns the speed by the closed form. Rotating masses keep their speed, and pass some of it on.
   double expected(double gap, double speed, int gaps) const {
     const WheelParams& w = params_.wheel[left];
     const double turns = 2.0 * (w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio) /

@@ -1,4 +1,4 @@
-// Many bodies on one floor: who meets whom is found without a look at every pair.
+// Tests many bodies on one floor: contacts are found without examining every pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>

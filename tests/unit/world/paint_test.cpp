@@ -39,7 +39,7 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   // A footprint wider than the line, and one wider than what the index looks up.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
-  // What counts as the line is as wide as the map says, or as the segment, where that is more.
+  // The line is as wide as the map's line width, or as the segment if that is wider.
   EXPECT_EQ(floor.on_line({1.1, 0.506}, kSeen), 1.0);
   EXPECT_EQ(floor.on_line({0.5, 0.012}, kSeen), 0.0);
   EXPECT_EQ(floor.on_line({1.7, 0.518}, kSeen), 1.0);

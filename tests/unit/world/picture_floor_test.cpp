@@ -1,4 +1,4 @@
-// A floor that is a picture: floor = "NAME.png" of a map.
+// Tests a floor that is a picture: floor = "NAME.png" of a map.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -77,7 +77,7 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kNorth, half, 0.1), 0.1);
 }
 
-// What many rays find, close to each other: none finds anything nearer, one nearly as near.
+// Of many rays close to each other, none finds anything nearer, and one finds a distance nearly as short.
 TEST(Range, OfABeamIsThatOfTheBestOfManyRays) {
   grid::Map map = room();
   World world(map);

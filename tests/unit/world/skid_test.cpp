@@ -1,4 +1,4 @@
-// Bodies that turn by skidding, and that a fan presses down, against closed forms within 2 %.
+// Tests bodies that turn by skidding, or that a fan presses down, against closed forms within 2 %.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Bodies with steered wheels against closed forms within 2 %.
+// Tests bodies with steered wheels against closed forms within 2 %.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Motors with inductance behind a driver, against closed forms within 2 %, and against pulses followed step
-// by step.
+// Tests motors with inductance at a driver, against closed forms within 2 %, and against pulses that are
+// simulated step by step.
 #include "sim/world/winding.h"
 
 #include <gtest/gtest.h>
@@ -55,8 +55,8 @@ TEST(Winding, DrawsLessTheFasterItsPulsesAre) {
   EXPECT_NEAR(slow, share * (kVolts - emf) / kOhms, kWithin * slow);
   const double fast = mean({driven(share), shorted(1.0 - share)}, emf, 2e-5).drawn;
   EXPECT_NEAR(fast, share * (share * kVolts - emf) / kOhms, kWithin * fast);
-  // In between by its ripple: what is drawn beyond V D times the mean heats the winding, R times the ripple's
-  // mean square, which is a twelfth of the square of a triangle's V D (1 - D) T / L.
+  // In between, its ripple heats the winding by the power beyond V D times the mean. That is R times the
+  // ripple's mean square: a twelfth of the square of a triangle's V D (1 - D) T / L.
   const double period = 1e-4;
   const double ripple = kVolts * share * (1.0 - share) * period / kHenries;
   const double more = kVolts * mean({driven(share), shorted(1.0 - share)}, emf, period).drawn -

@@ -1,4 +1,4 @@
-// The wrapper `robosim` in a checkout of its own, where the tools it calls are scripts that write down how.
+// Tests the wrapper `robosim` in a separate checkout, where scripts replace its tools and record the calls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -89,7 +89,7 @@ class Wrapper : public testing::Test {
     return {WEXITSTATUS(status), read_file(folder_ / "out"), read_file(folder_ / "err")};
   }
 
-  // What the tools were asked since the last time.
+  // Returns the calls of the tools since the last time.
   std::string calls() const {
     const fs::path file = folder_ / "calls";
     if (!fs::exists(file)) return "";

@@ -13,8 +13,8 @@
 // So detecting a change (x != last) is not a finding. To fix it, use >= or <=, or fabs(a - b) < 0.5, or count
 // in integers.
 //
-// On the chip such a comparison is a call of a libgcc function, whose arguments are in registers (avr-gcc's
-// ABI: R22 to R25 and R18 to R21), followed by a test of its result for 0. Not examined: the host, where it
+// On the chip such a comparison is a call of a libgcc function, followed by a test of its result for 0. The
+// arguments are in registers (avr-gcc's ABI: R22 to R25 and R18 to R21). Not examined: the host, where it
 // is an ordinary instruction, and comparisons that the compiler has evaluated itself.
 #pragma once
 

@@ -13,8 +13,8 @@
 // interrupts on. From these free bytes, the stack use of the deepest handler is subtracted. Handlers do not
 // nest on an AVR, except those that enable interrupts: they count together with the deepest other one.
 //
-// A finding is a rest of fewer than 16 bytes. A handler needs that many for a branch which this run has not
-// executed. They are for a call (2 or 3 bytes), a few saved registers and one or two local numbers.
+// A finding is a rest of fewer than 16 bytes. A handler may need 16 bytes for a branch which this run has not
+// executed: for a call (2 or 3 bytes), a few saved registers and one or two local numbers.
 //
 // Only handlers that have run, and were enabled at that moment, count. Not detected: a handler that is
 // enabled only while the main program is less deep; code that has not run. Nor a handler whose stack use

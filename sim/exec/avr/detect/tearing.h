@@ -12,8 +12,8 @@
 // A number's accesses are not examined before a handler has changed it once. Most numbers belong to the main
 // program alone, and reporting each access takes time.
 //
-// A number is not a finding if it is read again until two reads agree, if a flag hands it over, or if its
-// interrupt is masked meanwhile. Nor is a byte that is written without regard to its old value. Examined are
+// A number is not a finding if it is read again until two reads agree. Nor is it if a flag hands it over, or
+// with its interrupt masked. Nor is a byte that is written without regard to its old value. Examined are
 // global numbers of the sketch and its libraries whose addresses are in its instructions. The core's own are
 // not. When tone() writes its counter while the previous tone counts it down, the sketch is not to blame.
 #pragma once

@@ -35,14 +35,14 @@ class Event {
   std::vector<One> any_;
 };
 
-/// Occurs when the sketch has sent this text. It searches after the last such event, or the last action
-/// (press, send, …), so that the answer to a question is found after the question.
+/// Occurs when the sketch has sent this text. It searches after the last such event or action (press,
+/// send, …), so that the answer to a question is found after the question.
 Event serial_says(const std::string& text);
 /// Occurs when part of a whole line sent since then, without its end, matches this regular expression
 /// (ECMAScript's).
 Event serial_matches(const std::string& regex);
-/// Occurs when a display shows a text that begins so, its lines joined by "|", or a Bluetooth module has
-/// received such a line.
+/// Occurs when a display shows a text that begins so, its lines joined by "|". Also occurs when a Bluetooth
+/// module has received such a line.
 Event tells(const std::string& part, const std::string& text);
 /// Occurs when the body has covered a station's centre at least once since the start. By number or name.
 Event visits(const std::string& station);

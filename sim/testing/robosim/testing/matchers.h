@@ -56,8 +56,8 @@ class Requirement {
 struct Line {};
 inline Line line() { return {}; }
 
-/// Requires that it drove, and that the midpoint of its line sensors stayed within this distance of the
-/// nearest centre line, in every millisecond.
+/// Requires that it drove. In every millisecond, the midpoint of its line sensors must have been within this
+/// distance of the nearest centre line.
 Requirement Follows(Line, Within<Length> within);
 
 /// Requires that it came to all these stations, in any order.

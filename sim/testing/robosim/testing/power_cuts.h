@@ -7,8 +7,8 @@
 
 namespace robosim::testing {
 
-/// Runs `body`, which drives the robot and has expectations as any test, first without a power cut. Then it
-/// repeats the run for each byte that the sketch wrote to its EEPROM, with the power off for 20 ms in the
+/// Runs `body`, which drives the robot and has expectations as any test, first without a power cut. Then
+/// repeats the run for each byte that the sketch wrote to its EEPROM. The power is off for 20 ms in the
 /// middle of that write. Each repetition is made with three contents of the byte: the old one, erased (0xFF),
 /// and the new one.
 ///

@@ -43,8 +43,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once, unless the test
-  // waits for exactly that by ends().
+  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once. A test that waits
+  // for exactly that by ends() does not fail.
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
@@ -74,7 +74,7 @@ class Simulation {
   // The present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
-  /// Whether an LED or a button is on.
+  /// Returns whether an LED or a button is on.
   bool is_on(const std::string& part, const char* file = __builtin_FILE(), int at = __builtin_LINE()) const;
   double reading(const std::string& part, const char* file = __builtin_FILE(),
                  int at = __builtin_LINE()) const;

@@ -27,7 +27,7 @@ constexpr MinimumRate at_least(double rate) { return {rate, false}; }
 /// interval counts. It takes more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
-/// Runs a trial with each of the seeds, to its verdict, and passes if at least this share of the runs reaches
+/// Runs a trial with each of the seeds to its verdict. Passes if at least this share of the runs reaches
 /// its goal. Stops as soon as the result is certain. A failure prints which seeds failed and how, the
 /// interval of the true rate (Wilson's, 95 %), and the command that replays the first one.
 ///

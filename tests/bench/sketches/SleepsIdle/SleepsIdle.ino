@@ -1,4 +1,4 @@
-// Sleeps between timer 0's interrupts, and moves a pin now and then.
+// Sleeps between timer 0's interrupts, and occasionally toggles a pin.
 #include <avr/sleep.h>
 
 void setup() {

@@ -49,7 +49,7 @@ char key() {
   return found;
 }
 
-// The command of a NEC message that has just begun; -1 if it is none.
+// Returns the command of an NEC message that has just begun; -1 if it is another signal.
 int command() {
   if (pulseIn(IR, HIGH, 20000) < 4000) return -1;
   unsigned long bits = 0;

@@ -24,12 +24,12 @@ class CommandLine {
     return false;
   }
 
-  /// Whether its word is this one, in flash.
+  /// Returns whether its word equals `word`, in flash.
   bool is(const char* word) const {
     const uint8_t length = static_cast<uint8_t>(strlen_P(word));
     return strncmp_P(text_, word, length) == 0 && (text_[length] == 0 || text_[length] == ' ');
   }
-  /// The number behind the word; 0 if there is none.
+  /// Returns the number after the word; 0 if there is none.
   long number() const {
     const char* space = strchr(text_, ' ');
     return space == nullptr ? 0 : atol(space);

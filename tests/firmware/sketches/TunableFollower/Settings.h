@@ -1,4 +1,4 @@
-// What is kept in EEPROM: three settings and a checksum, so that half a record or a worn byte is noticed.
+// Stores three settings and a checksum in EEPROM. The checksum detects half a record or a worn byte.
 #ifndef SETTINGS_H
 #define SETTINGS_H
 

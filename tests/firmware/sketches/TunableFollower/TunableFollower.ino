@@ -3,7 +3,7 @@
 //
 //   button            starts and stops it
 //   Serial, 115200    a command and a newline:
-//                       go, go SECONDS, stop     drives, for so long
+//                       go, go SECONDS, stop     drives, for SECONDS
 //                       speed 60..255            PWM on the straight
 //                       gain 10..200             how hard it steers
 //                       calibrate                measures the sensors' range: turns to and fro for 2 s

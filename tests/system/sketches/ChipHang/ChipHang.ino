@@ -1,4 +1,4 @@
-// Waits for ever for a flag that no handler sets, with the motors on. Timer 0 goes on interrupting.
+// Waits for a flag that no handler sets, with the motors on. Timer 0 keeps interrupting.
 volatile bool ready;
 
 void wait() {

@@ -1,4 +1,4 @@
-// Reads far behind the chip's memory: an index computed wrongly.
+// Reads far beyond the chip's memory, by a wrong index.
 volatile byte table[4];
 
 byte look(unsigned index) { return table[index]; }

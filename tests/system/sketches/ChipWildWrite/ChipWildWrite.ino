@@ -1,4 +1,4 @@
-// Writes behind the chip's memory.
+// Writes beyond the chip's memory.
 volatile byte table[4];
 
 void put(unsigned index) { table[index] = 1; }

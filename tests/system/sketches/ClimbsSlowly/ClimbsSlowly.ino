@@ -57,6 +57,6 @@ void loop() {
     sum += v;
     weighted += v * (i - 2L) * 20;
   }
-  const int turn = sum > 1200 ? weighted / sum : 0;   // a gap is no line
+  const int turn = sum > 1200 ? weighted / sum : 0;   // a gap has no line
   drive(power + turn, power - turn);
 }

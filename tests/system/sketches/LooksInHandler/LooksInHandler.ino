@@ -1,4 +1,4 @@
-// A handler of timer 2 looks at a pin every 50 us, as a receiver of remote controls does, and a loop waits for it.
+// Reads a pin every 50 us in a handler of timer 2, like a remote control's receiver, while a loop waits for it.
 volatile bool seen = false;
 volatile unsigned int times = 0;
 

@@ -1,4 +1,4 @@
-// Motor pins are outputs, but the sketch waits for a button before it drives, and nobody presses it.
+// Sets motor pins to outputs, but waits for a button before it drives. The button is never pressed.
 void setup() {
   pinMode(4, INPUT_PULLUP);
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);

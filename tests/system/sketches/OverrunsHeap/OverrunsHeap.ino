@@ -1,4 +1,4 @@
-// Writes far past what it asked for.
+// Writes far beyond its allocated memory.
 void setup() {
   char* text = (char*)malloc(16);
   for (long i = 0; i < 10000000L; i++) text[i] = 'x';

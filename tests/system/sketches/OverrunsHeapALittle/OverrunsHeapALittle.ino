@@ -1,4 +1,4 @@
-// Writes a little past what it asked for, over and over, and lives on its own ruins.
+// Writes slightly beyond its allocated memory again and again, and continues with damaged data.
 void setup() {
   for (int i = 0; i < 50; i++) {
     char* text = (char*)malloc(16);

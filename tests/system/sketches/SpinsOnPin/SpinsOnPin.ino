@@ -1,4 +1,4 @@
-// Waits for a pin that nobody ever pulls low, with the motors off.
+// Waits for a pin that never becomes low, with the motors off.
 void setup() { pinMode(2, INPUT_PULLUP); }
 
 void loop() {

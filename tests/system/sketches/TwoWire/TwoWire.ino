@@ -1,4 +1,4 @@
-// Speaks to a display, a gyroscope and nobody on the two-wire bus.
+// Writes to a display, a gyroscope and a missing device on the two-wire bus.
 #include <Wire.h>
 
 byte spoken(byte address) {

@@ -1,4 +1,4 @@
-// As much of Arduino as the library uses, with a clock and pins that tests set and look at.
+// The part of Arduino that the library uses, with a clock and pins that tests set and read.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Pin {
   int duty = -1;                  ///< what it has given to analogWrite; -1 = nothing, or written since
   int reads = LOW;                ///< what digitalRead gives
   int analog = 0;                 ///< what analogRead gives
-  std::uint32_t drains_us = 0;    ///< as an input it stays HIGH for so long after it was an output
+  std::uint32_t drains_us = 0;    ///< time for which it stays HIGH as an input after it was an output
   std::uint32_t released_us = 0;  ///< when it became an input
   int rises = 0;                  ///< how often the firmware has made it HIGH that was LOW
   void (*handler)() = nullptr;    ///< what it has given to attachInterrupt

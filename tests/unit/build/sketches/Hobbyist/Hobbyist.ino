@@ -1,5 +1,5 @@
-// A line follower as hobbyists write it: short global names, String, a static object that sets up pins in its
-// constructor, and a motor library from a folder of libraries.
+// A line follower in hobbyists' style: short global names, String, a static object whose constructor sets up
+// pins, and a motor library from a folder of libraries.
 #include <RobotMotor.h>
 
 #define KP 0.08

@@ -1,0 +1,46 @@
+// The rules for English, names and commits, each as a function that returns the findings in a text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/unit/structure/prose_text.h"
+
+namespace robosim::structure {
+
+/// Longest sentence, or part of it up to a colon or semicolon, in words. The aim for new text is 20.
+constexpr std::size_t kLongestSentence = 22;
+/// Longest line of Markdown, in characters.
+constexpr std::size_t kLongestLine = 100;
+/// Longest subject of a commit, in characters.
+constexpr std::size_t kLongestSubject = 72;
+
+/// Returns a message for each phrase that has a plainer form: `anew` for `again`.
+std::vector<std::string> odd_words(const Passage& passage);
+
+/// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon ends a
+/// sentence, too. Numbers and text in parentheses are not counted. Rows and cells of tables are not
+/// sentences.
+std::vector<std::string> long_sentences(const Passage& passage);
+
+/// Returns a message if a comment opens with a fragment such as `Whether …` or `The same.`, and not with a
+/// verb.
+std::vector<std::string> bare_openings(const Passage& passage);
+
+/// Returns a message for each phrase of a string literal that error messages say in another form.
+std::vector<std::string> odd_messages(const Passage& passage);
+
+/// Returns a message for each line of Markdown that is too long. Tables, code and lines without a space to
+/// break at are not reported.
+std::vector<std::string> long_lines(const std::string& file, std::string_view markdown);
+
+/// Returns a message if the name of a C++ file does not describe its content: a bare preposition or
+/// adjective, or a metaphor. `path` is relative to the checkout.
+std::vector<std::string> odd_name(const std::string& path);
+
+/// Returns a message for each fault of a commit's subject: expected `area: Imperative summary`.
+std::vector<std::string> odd_subject(const std::string& subject);
+
+}  // namespace robosim::structure

@@ -1,0 +1,54 @@
+// Splits documents, sources and scripts into passages of prose, and passages into sentences of tokens.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::structure {
+
+/// A paragraph of a document or comment, or a string literal. Inline code is replaced by the word `kCode`.
+struct Passage {
+  enum class Kind {
+    document,  ///< a paragraph of a Markdown file
+    cell,      ///< a table's cell or a heading of a Markdown file
+    comment,   ///< a paragraph of a comment on lines of its own
+    row,       ///< an indented line of a comment: a table, formula, list or picture
+    remark,    ///< a comment after code on the same line
+    message    ///< a line of a string literal, of three words or more
+  };
+
+  std::string file;
+  int line = 0;  ///< of its first character
+  Kind kind = Kind::document;
+  bool opens = false;  ///< it begins a comment
+  std::string text;    ///< with the line breaks of the file
+
+  /// Returns "file:line" of a position in the text.
+  std::string place(std::size_t at) const;
+};
+
+constexpr std::string_view kCode = "_";
+
+std::vector<Passage> passages_of_document(const std::string& file, std::string_view markdown);
+
+/// Returns comments of C++, and, if `with_messages`, string literals. Joins adjacent literals. Skips raw
+/// literals and disabled lints.
+std::vector<Passage> passages_of_source(const std::string& file, std::string_view source, bool with_messages);
+
+/// Returns comments that begin with `#`.
+std::vector<Passage> passages_of_script(const std::string& file, std::string_view script);
+
+/// A word in lower case, or a punctuation mark.
+struct Token {
+  std::string text;
+  std::size_t at = 0;  ///< in the passage's text
+  bool is_word = false;
+};
+
+/// Returns the tokens of each sentence. A sentence ends at `.`, `!` or `?` before a space or the end, except
+/// after abbreviations.
+std::vector<std::vector<Token>> sentences(std::string_view text);
+
+}  // namespace robosim::structure
