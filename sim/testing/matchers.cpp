@@ -283,7 +283,7 @@ Requirement Reaches(std::string goal) {
               drive.end()};
     return {found == "reached",
             found == "reached" ? fmt::format("it did, after {}", seconds(drive.end()))
-                               : fmt::format("it did not before {}", seconds(drive.end())),
+                               : fmt::format("the goal was not reached before {}", seconds(drive.end())),
             drive.end()};
   });
 }

@@ -110,10 +110,10 @@ TEST(DrivenRunTest, GoesOnAfterWhatMakesNoSense) {
   };
   EXPECT_THAT(refusal([&] { run.act("press nothing"); }), AllOf(HasSubstr("nothing"), HasSubstr("start")));
   EXPECT_THAT(refusal([&] { run.act("press start\njump"); }), HasSubstr("unknown verb"));
-  EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::visited("9")}); }), HasSubstr("no station 9"));
+  EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::visited("9")}); }), HasSubstr("unknown station 9"));
   EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::line("(")}); }), HasSubstr("regular expression"));
   EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::pin("D99", true)}); }), HasSubstr("no pin D99"));
-  EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::reading("lamp", true)}); }), HasSubstr("no part lamp"));
+  EXPECT_THAT(refusal([&] { run.go_on(kS, {Stop::reading("lamp", true)}); }), HasSubstr("got “lamp”"));
   EXPECT_EQ(run.script(), "");
   EXPECT_TRUE(run.go_on(kS));
 }

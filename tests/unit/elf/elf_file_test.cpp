@@ -171,7 +171,7 @@ TEST(ElfFile, TablesAndContentsOutsideTheFileAreRefused) {
     spoil(program);
     return read_all(program.bytes());
   };
-  const auto is_refused = HasSubstr("x.elf: is damaged");
+  const auto is_refused = HasSubstr("x.elf: the ELF file is damaged");
   EXPECT_THAT(refusal([](Program& p) { p.header.e_shoff = 1'000'000; }), is_refused);
   EXPECT_THAT(refusal([](Program& p) { p.header.e_shoff = 0xFFFFFFF0; }), is_refused);
   EXPECT_THAT(refusal([](Program& p) { p.header.e_shnum = 6; }), is_refused);

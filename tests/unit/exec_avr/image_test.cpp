@@ -71,7 +71,7 @@ TEST_F(ImageTest, TheFlashInUseIsTheSameForTheBuildAndForTheChip) {
     AvrExecutor executor(small, built_.image);
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("needs " + std::to_string(flash) + " bytes of flash"));
+    EXPECT_THAT(error.what(), HasSubstr("requires " + std::to_string(flash) + " bytes of flash"));
   }
   small.flash_bytes = static_cast<std::uint32_t>(flash);
   EXPECT_NO_THROW(AvrExecutor(small, built_.image));

@@ -206,11 +206,11 @@ TEST(Batches, ThatAreCutOffOrDamagedAreRefused) {
   EXPECT_GE(refused, whole.size() - 20) << "but where an event ends";
   EXPECT_THAT(refusal("?" + whole.substr(1)), HasSubstr("a batch with an incomplete event"));
   const std::string zero(8, '\0'), back = std::string("b\0\0\0\xFF\xFF\xFF\xFF", 8);
-  EXPECT_THAT(refusal(back), HasSubstr("whole events")) << "a time before 0";
-  EXPECT_THAT(refusal("t" + zero.substr(1) + std::string(8, '\xFF')), HasSubstr("whole events"));
-  EXPECT_THAT(refusal("v" + zero.substr(1) + zero), HasSubstr("whole events")) << "a pin without a name";
+  EXPECT_THAT(refusal(back), HasSubstr("incomplete event")) << "a time before 0";
+  EXPECT_THAT(refusal("t" + zero.substr(1) + std::string(8, '\xFF')), HasSubstr("incomplete event"));
+  EXPECT_THAT(refusal("v" + zero.substr(1) + zero), HasSubstr("incomplete event")) << "a pin without a name";
   EXPECT_THAT(refusal("s" + zero.substr(1, 3) + "\xFF\xFF\xFF\xFF" + std::string(80, '\0')),
-              HasSubstr("whole events"));
+              HasSubstr("incomplete event"));
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(Protocol, AddedKeysAreNoError) {
 }
 
 TEST(Protocol, LinesThatAreNotOfTheProtocolAreQuoted) {
-  EXPECT_THAT(refusal("Segmentation fault"), HasSubstr("not JSON: “Segmentation fault”"));
+  EXPECT_THAT(refusal("Segmentation fault"), HasSubstr("not JSON): “Segmentation fault”"));
   EXPECT_THAT(refusal("[1]"), HasSubstr("“[1]”"));
   EXPECT_THAT(refusal(R"({"id": 1, "event": "smaple"})"), HasSubstr("“smaple”"));
   EXPECT_THAT(refusal(R"({"id": 1, "event": "note", "t_ns": "x", "text": ""})"), HasSubstr("t_ns"));
