@@ -147,7 +147,8 @@ TEST_F(SketchTest, ACacheThatCannotBeWrittenIsNamed) {
   write("Any/Any.ino", kEmptySketch);
   write("xdg/robosim/entries", "a file where a folder should be");
   ::setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1);
-  EXPECT_THAT(error_of("Any"), StartsWith((folder_ / "xdg/robosim/entries").string() + ": cannot use the folder: "));
+  EXPECT_THAT(error_of("Any"),
+              StartsWith((folder_ / "xdg/robosim/entries").string() + ": cannot use the folder: "));
 }
 
 TEST_F(SketchTest, ACacheWhoseFoldersAreOfAnotherUserIsNamedWithAWayOut) {
