@@ -32,7 +32,7 @@ Adc::Adc(Core& core, Pins& pins) : core_(core), at_(core.chip.at), pins_(pins) {
 
 void Adc::reset(Cycle) {
   state_ = {};
-  core_.triggers.await(Triggers::kNone);
+  core_.triggers.await(AdcTriggers::kNone);
 }
 
 Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.data[at_.adc_control])); }
@@ -45,12 +45,12 @@ Cycle Adc::edge_after(Cycle cycle) const {
 
 int Adc::trigger() const {
   const std::uint8_t control = core_.cpu.data[at_.adc_control];
-  if (!(control & kAden) || !(control & kAdate)) return Triggers::kNone;
+  if (!(control & kAden) || !(control & kAdate)) return AdcTriggers::kNone;
   return core_.chip.adc.triggers[core_.cpu.data[at_.adc_control_b] & kAdtsMask];
 }
 
 std::uint64_t Adc::may_interrupt() const {
-  const bool comes = state_.converting || trigger() != Triggers::kNone;
+  const bool comes = state_.converting || trigger() != AdcTriggers::kNone;
   return Interrupts::bit(core_.chip.adc.vector, comes && core_.cpu.data[at_.adc_control] & kAdie);
 }
 
@@ -106,13 +106,13 @@ void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const int before = trigger();
   const bool was_set =
-      before == Triggers::kNone ? (core_.at(at_.adc_control) & kAdif) != 0 : core_.triggers.await(before);
+      before == AdcTriggers::kNone ? (core_.at(at_.adc_control) & kAdif) != 0 : core_.triggers.await(before);
   selects_another(core_.at(at_.adc_multiplexer), value & core_.chip.adc.control_b_bits);
   core_.at(address) = value & core_.chip.adc.control_b_bits;
   if (state_.converting && core_.now() < state_.start) select();
   const int now = trigger();
   const bool is_set = core_.triggers.await(now);
-  if (now != Triggers::kNone && is_set && !was_set) triggered(core_.now());
+  if (now != AdcTriggers::kNone && is_set && !was_set) triggered(core_.now());
 }
 
 void Adc::write_multiplexer(Address address, std::uint8_t value) {
@@ -153,7 +153,7 @@ void Adc::start(Cycle edge) {
 void Adc::sample(Cycle at) {
   state_.sampled = adc_sample(
       core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
-      [&] { return core_.outside.supply_share(); },
+      [&] { return core_.environment.supply_share(); },
       [&](int channel) {
         return pins_.convert(pins_.analog(channel), state_.held, state_.charges_since, at);
       },
@@ -167,7 +167,7 @@ void Adc::end(Cycle at) {
   std::uint8_t& control = core_.at(at_.adc_control);
   control |= kAdif;
   request();
-  if (control & kAdate && trigger() == Triggers::kNone) start(at);
+  if (control & kAdate && trigger() == AdcTriggers::kNone) start(at);
 }
 
 void Adc::abort() {

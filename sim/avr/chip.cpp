@@ -26,8 +26,8 @@ constexpr std::uint8_t kPowerOnReset = 0x01;
 
 }  // namespace
 
-Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
-           std::int64_t oscillator_hz)
+Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram,
+           ChipEnvironment& around, std::int64_t oscillator_hz)
     : core_(spec, flash, last_ram, around, oscillator_hz), pins_(core_), power_(core_), idle_(core_) {
   core_.cpu.on_time = Cpu::call<&Chip::do_due>(this);
   core_.cpu.on_mark<&Chip::may_pass_mark>(this);
@@ -123,7 +123,7 @@ void Chip::reset(std::uint8_t flags) {
   for (const auto& peripheral : peripherals_) peripheral->reset(now);
   core_.events.schedule(call_, call);
   core_.cpu.look_up();
-  core_.outside.was_reset(core_.at(reg::kMcusr), now);
+  core_.environment.was_reset(core_.at(reg::kMcusr), now);
 }
 
 void Chip::reset_later(std::uint8_t flags) {
@@ -193,8 +193,8 @@ Chip::Stop Chip::run_to(Cycle until) {
   }
 }
 
-void Chip::restore(const Kept::Copy& saved) {
-  core_.kept.put_back(saved);
+void Chip::restore(const SnapshotRegistry::Snapshot& saved) {
+  core_.snapshots.restore(saved);
   idle_.moved_in_time();
 }
 

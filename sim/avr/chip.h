@@ -25,7 +25,7 @@ class UsbHost;
 class Chip {
  public:
   /// `last_ram`: the last address of data memory, the chip's or a later one.
-  Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
+  Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, ChipEnvironment& around,
        std::int64_t oscillator_hz = 16'000'000);
   ~Chip();
   Chip(const Chip&) = delete;
@@ -52,7 +52,7 @@ class Chip {
   /// Delivers a whole frame to a UART, or a byte to the USB's serial line, whose number follows those: at
   /// `at`. It is lost if the receiver is off.
   void receive(int line, std::uint16_t data, Cycle at);
-  /// Requests a call of Surroundings::called() at `cycle`; a new request replaces the old one.
+  /// Requests a call of ChipEnvironment::called() at `cycle`; a new request replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
   /// Resets the chip as by the reset pin or the power; `flags` are MCUSR's.
   void reset(std::uint8_t flags);
@@ -67,16 +67,16 @@ class Chip {
   Pins& pins() { return pins_; }
 
   /// Saves all state that changes while the chip runs, except that of the surroundings.
-  Kept::Copy save() const { return core_.kept.copy(); }
+  SnapshotRegistry::Snapshot save() const { return core_.snapshots.save(); }
   /// Restores the state of an equal chip.
-  void restore(const Kept::Copy& saved);
+  void restore(const SnapshotRegistry::Snapshot& saved);
 
  private:
   void make_peripherals();
   void power_on();
   void do_due();
   bool may_pass_mark();
-  void called(Cycle at) { core_.outside.called(at); }
+  void called(Cycle at) { core_.environment.called(at); }
   void reset_later(std::uint8_t flags);
 
   Core core_;

@@ -13,13 +13,13 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/avr/adc_triggers.h"
+#include "sim/avr/chip_environment.h"
 #include "sim/avr/cpu.h"
 #include "sim/avr/events.h"
 #include "sim/avr/interrupts.h"
-#include "sim/avr/surroundings.h"
-#include "sim/avr/triggers.h"
-#include "sim/avr/visitor.h"
-#include "sim/base/kept.h"
+#include "sim/avr/mark_visitor.h"
+#include "sim/base/snapshot_registry.h"
 
 namespace robosim::avr {
 
@@ -46,16 +46,16 @@ class Peripheral {
 };
 
 struct Core {
-  Core(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, Surroundings& around,
+  Core(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, ChipEnvironment& around,
        std::int64_t oscillator)
       : chip(spec),
         cpu(spec, flash, last_ram),
-        outside(around),
+        environment(around),
         oscillator_hz(oscillator),
         clock_hz(oscillator) {
     cpu.waiting = &interrupts.state;
     keep(cpu.state);
-    kept.add_memory(cpu.data);
+    snapshots.add_memory(cpu.data);
     keep(events.state);
     keep(interrupts.state);
     keep(triggers.state);
@@ -131,20 +131,20 @@ struct Core {
   template <typename State>
   void keep(State& state) {
     static_assert(std::is_trivially_copyable_v<State>);
-    kept.add(state);
+    snapshots.add(state);
   }
 
   const ChipSpec& chip;
   Cpu cpu;
   Events events;
   Interrupts interrupts;
-  Triggers triggers;
-  Surroundings& outside;
+  AdcTriggers triggers;
+  ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
   std::int64_t clock_hz;      ///< the processor's: the oscillator's, divided by CLKPR
   double supply_volts = 5.0;  ///< also of AVCC. The chip's user may set them.
-  Kept kept;
-  Visitor* visitor = nullptr;  ///< for marks; null = they stop the chip
+  SnapshotRegistry snapshots;
+  MarkVisitor* visitor = nullptr;  ///< for marks; null = they stop the chip
   /// A reset is possible with interrupts off: the watchdog's.
   bool reset_may_come = false;
   /// Resets the chip after the running instruction; `flags` are MCUSR's. Set by the chip.

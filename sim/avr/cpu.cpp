@@ -356,9 +356,9 @@ void Cpu::put_mark(std::uint32_t pc, std::uint8_t kind, bool set) {
 void Cpu::set_mark(std::uint32_t pc, bool set) { put_mark(pc, kMark, set); }
 void Cpu::set_head(std::uint32_t pc, bool set) { put_mark(pc, kHead, set); }
 
-Outlook Cpu::outlook(Address address, std::uint8_t bits) const {
+ReadForecast Cpu::forecast(Address address, std::uint8_t bits) const {
   const Hook& hook = hooks_[address];
-  if (hook.outlook) return hook.outlook(hook.outlook_self, address, bits);
+  if (hook.forecast) return hook.forecast(hook.forecast_self, address, bits);
   if (!hook.read) return {kNoCycle, data[address]};
   if (hook.is_steady) return {kNoCycle, hook.read(hook.read_self, address)};
   return {};

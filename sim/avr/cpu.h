@@ -20,7 +20,7 @@
 #include "hal/board/chip_spec.h"
 #include "sim/avr/cycle.h"
 #include "sim/avr/decode.h"
-#include "sim/avr/outlook.h"
+#include "sim/avr/read_forecast.h"
 #include "sim/avr/time_count.h"
 
 namespace robosim::avr {
@@ -100,27 +100,27 @@ class Cpu {
     /// For SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it
     /// they read and write.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
-    /// Without it, a register with `read` has no outlook.
-    Outlook (*outlook)(void* self, Address address, std::uint8_t bits) = nullptr;
+    /// Without it, a register with `read` has no forecast.
+    ReadForecast (*forecast)(void* self, Address address, std::uint8_t bits) = nullptr;
     bool is_steady = false;
     void* read_self = nullptr;
-    void* outlook_self = nullptr;
+    void* forecast_self = nullptr;
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
-  /// Registers Outlook Owner::Method(Address, uint8_t bits): predicts reads, of which only these bits matter.
-  /// Called after all earlier events.
+  /// Registers ReadForecast Owner::Method(Address, uint8_t bits): predicts reads, of which only these bits
+  /// matter. Called after all earlier events.
   template <auto Method, typename Owner>
-  void on_outlook(Address address, Owner* owner) {
+  void on_forecast(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
-    hook.outlook = [](void* self, Address at, std::uint8_t bits) {
+    hook.forecast = [](void* self, Address at, std::uint8_t bits) {
       return (static_cast<Owner*>(self)->*Method)(at, bits);
     };
-    hook.outlook_self = owner;
+    hook.forecast_self = owner;
   }
   /// Declares that reads of the register have no side effects, and are constant between events and writes.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
-  Outlook outlook(Address address, std::uint8_t bits) const;
+  ReadForecast forecast(Address address, std::uint8_t bits) const;
   /// Returns the relevant bits of an I/O register that the instruction at `pc` reads: it, or the following
   /// one, may drop the others at once. kAllBits: unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;

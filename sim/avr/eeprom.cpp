@@ -13,7 +13,7 @@ constexpr std::int64_t kEraseOrWrite_ns = 1'800'000;
 
 Eeprom::Eeprom(Core& core) : core_(core), control_(core.chip.at.eeprom) {
   core.cpu.on_read<&Eeprom::read_control>(control_, this);
-  core.cpu.on_outlook<&Eeprom::outlook_of_control>(control_, this);
+  core.cpu.on_forecast<&Eeprom::forecast_of_control>(control_, this);
   core.cpu.on_write<&Eeprom::write_control>(control_, this);
   core.cpu.on_write_bit<&Eeprom::write_control_bit>(control_, this);
   core.cpu.on_write<&Eeprom::write_address>(address_register(), this);
@@ -47,7 +47,7 @@ std::uint8_t Eeprom::read_control(Address at) {
   return static_cast<std::uint8_t>(core_.at(at) | (unlocked ? kEempe : 0) | (state_.writing ? kEepe : 0));
 }
 
-Outlook Eeprom::outlook_of_control(Address at, std::uint8_t) {
+ReadForecast Eeprom::forecast_of_control(Address at, std::uint8_t) {
   if (core_.now() <= state_.unlocked_until) return {};
   return {kNoCycle, read_control(at)};
 }
@@ -63,7 +63,7 @@ void Eeprom::control(std::uint8_t value, std::uint8_t written) {
   kept = static_cast<std::uint8_t>((value & kEerie) | mode);
   if (written & kEempe) state_.unlocked_until = value & kEempe ? now + kEempeWindow : 0;
   if (!state_.writing && value & written & kEere) {
-    core_.at(data_register()) = core_.outside.eeprom()[address()];
+    core_.at(data_register()) = core_.environment.eeprom()[address()];
     core_.cpu.skip_to(now + kReadHalts);
   }
   if (!state_.writing && value & written & kEepe && unlocked) begin();
@@ -72,7 +72,7 @@ void Eeprom::control(std::uint8_t value, std::uint8_t written) {
 
 void Eeprom::begin() {
   const Cycle now = core_.now();
-  const std::uint8_t old = core_.outside.eeprom()[address()], data = core_.at(data_register());
+  const std::uint8_t old = core_.environment.eeprom()[address()], data = core_.at(data_register());
   std::uint8_t value = data;
   std::int64_t takes_ns = kEraseOrWrite_ns;
   state_.mode = core_.at(control_) & kEepmMask;
@@ -91,7 +91,7 @@ void Eeprom::begin() {
   }
   state_.writing = true;
   state_.done_at = now + core_.cycles(takes_ns);
-  core_.outside.write_eeprom(address(), value, now);
+  core_.environment.write_eeprom(address(), value, now);
   core_.schedule(done_, state_.done_at);
   core_.cpu.skip_to(now + kWriteHalts);
 }

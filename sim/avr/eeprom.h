@@ -33,7 +33,7 @@ class Eeprom final : public Peripheral {
   };
 
   std::uint8_t read_control(Address address);
-  Outlook outlook_of_control(Address at, std::uint8_t bits);
+  ReadForecast forecast_of_control(Address at, std::uint8_t bits);
   void write_control(Address address, std::uint8_t value);
   void write_control_bit(Address address, std::uint8_t value, std::uint8_t bit);
   void control(std::uint8_t value, std::uint8_t written);

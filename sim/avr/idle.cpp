@@ -132,37 +132,37 @@ void Idle::at_head(Cycle horizon) {
   path_.begin();
 }
 
-bool Idle::is_as_recorded(const Path::Pass& pass) const {
+bool Idle::is_as_recorded(const LoopTrace::Pass& pass) const {
   const Cpu& cpu = core_.cpu;
   if (cpu.sp() != pass.sp || (cpu.sreg() ^ pass.flags) & pass.flags_read) return false;
   if (pass.enables_interrupts && core_.interrupts.any()) return false;
-  for (const Path::Pass::Byte& byte : pass.reads)
+  for (const LoopTrace::Pass::Byte& byte : pass.reads)
     if (cpu.data[byte.address] != byte.value) return false;
   return true;
 }
 
 /// Returns how many passes from now on equal `pass`, and end before `horizon`.
-Cycle Idle::passes_before(Cycle horizon, const Path::Pass& pass) const {
+Cycle Idle::passes_before(Cycle horizon, const LoopTrace::Pass& pass) const {
   const Cycle now = core_.now();
   if (horizon <= now) return 0;
   Cycle most = (horizon - 1 - now) / pass.cycles;
-  for (const Path::Pass::Look& look : pass.looks) {
-    const Outlook outlook = core_.cpu.outlook(look.address, look.bits);
+  for (const LoopTrace::Pass::Look& look : pass.looks) {
+    const ReadForecast forecast = core_.cpu.forecast(look.address, look.bits);
     const Cycle first = now + look.after;
-    if (outlook.until <= first) return 0;
-    const std::uint8_t value = outlook.value_at(first);
+    if (forecast.until <= first) return 0;
+    const std::uint8_t value = forecast.value_at(first);
     const bool is_within = look.counts && value >= look.value && value - look.value <= pass.window;
     if (!is_within && (value ^ look.value) & look.bits) return 0;
-    Cycle end = outlook.until;
-    if (outlook.counts())
-      end = std::min(end, outlook.reaches(look.value + (look.counts ? pass.window : 0) + 1));
+    Cycle end = forecast.until;
+    if (forecast.counts())
+      end = std::min(end, forecast.reaches(look.value + (look.counts ? pass.window : 0) + 1));
     if (end <= first) return 0;
     most = std::min(most, (end - 1 - first) / pass.cycles + 1);
   }
   return most;
 }
 
-void Idle::skip(const Path::Pass& pass, Cycle passes) {
+void Idle::skip(const LoopTrace::Pass& pass, Cycle passes) {
   Cpu::State& state = core_.cpu.state;
   if (pass.visits)
     core_.visitor->left_out(pass.visited, state.cycle + pass.visited_after, pass.cycles, passes);

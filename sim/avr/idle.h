@@ -3,7 +3,7 @@
 //
 //   explores   from time to time, for some hundred instructions, looks where jumps lead back to; these are
 //              heads
-//   records    one pass from a head (path.h)
+//   records    one pass from a head (loop_trace.h)
 //   skips      at a head, if what the pass reads is unchanged: as many passes as end before the next event
 //              and inside the window of the counter that it reads. One of them is run again, for everything
 //              that the pass computes
@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "sim/avr/core.h"
-#include "sim/avr/path.h"
-#include "sim/base/loop_credit.h"
+#include "sim/avr/loop_trace.h"
+#include "sim/base/backoff_budget.h"
 
 namespace robosim::avr {
 
@@ -60,8 +60,8 @@ class Idle {
     std::uint32_t pc = 0;
     bool marked = false;
     bool is_known = false;  ///< `pass` was recorded
-    LoopCredit credit;
-    Path::Pass pass;
+    BackoffBudget credit;
+    LoopTrace::Pass pass;
   };
   struct Landing {
     std::uint32_t pc = 0;
@@ -72,15 +72,15 @@ class Idle {
   Head* find(std::uint32_t pc);
   void explored();
   void mark(Head& head, bool marked);
-  bool is_as_recorded(const Path::Pass& pass) const;
-  Cycle passes_before(Cycle horizon, const Path::Pass& pass) const;
-  void skip(const Path::Pass& pass, Cycle passes);
+  bool is_as_recorded(const LoopTrace::Pass& pass) const;
+  Cycle passes_before(Cycle horizon, const LoopTrace::Pass& pass) const;
+  void skip(const LoopTrace::Pass& pass, Cycle passes);
   void pay(Head& head, std::int64_t cycles);
   /// Returns the cycles in which instructions ran: exploration costs a share of them. It may decrease.
   std::int64_t executed() const { return static_cast<std::int64_t>(core_.now() - skipped_ - slept_); }
 
   Core& core_;
-  Path path_;
+  LoopTrace path_;
   bool allowed_ = true;
   std::vector<Head> heads_;   ///< their addresses are stable
   Head* recorded_ = nullptr;  ///< the one whose pass is recorded

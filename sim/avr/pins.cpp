@@ -24,7 +24,7 @@ Pins::Pins(Core& core) : core_(core), port_at_(core.chip.ram_address, -1) {
   for (int port = 0; port < core.chip.port_count; ++port) {
     for (std::size_t i = 0; i < 3; ++i) port_at_[core.chip.ports[port].address + i] = port;
     core.cpu.on_read<&Pins::read_pins>(pin_register(port), this);
-    core.cpu.on_outlook<&Pins::outlook>(pin_register(port), this);
+    core.cpu.on_forecast<&Pins::forecast>(pin_register(port), this);
     core.cpu.on_write<&Pins::toggle>(pin_register(port), this);
     core.cpu.on_write_bit<&Pins::toggle_bit>(pin_register(port), this);
     core.cpu.on_write<&Pins::write_direction>(direction_register(port), this);
@@ -44,7 +44,7 @@ void Pins::reset(Cycle) {
   for (int pin = 0; pin < core_.chip.pin_count; ++pin) {
     if (core_.chip.pins[pin].port < 0) continue;
     tell_drive(pin);
-    core_.outside.wants_edges(pin, false, core_.now());
+    core_.environment.wants_edges(pin, false, core_.now());
   }
 }
 
@@ -86,15 +86,15 @@ bool Pins::output_level(int pin) const {
 
 bool Pins::level(int pin) {
   if (is_output(pin)) return output_level(pin);
-  return core_.outside.level_along(pin, is_pulled_up(pin), core_.now());
+  return core_.environment.level_along(pin, is_pulled_up(pin), core_.now());
 }
 
 double Pins::volts(int pin, Cycle at) {
-  return pin < 0 ? 0.0 : core_.outside.volts(pin, is_high_by_itself(pin), at);
+  return pin < 0 ? 0.0 : core_.environment.volts(pin, is_high_by_itself(pin), at);
 }
 
 double Pins::convert(int pin, double before, Cycle from, Cycle at) {
-  return pin < 0 ? 0.0 : core_.outside.convert(pin, is_high_by_itself(pin), before, from, at);
+  return pin < 0 ? 0.0 : core_.environment.convert(pin, is_high_by_itself(pin), before, from, at);
 }
 
 bool Pins::is_high_by_itself(int pin) const {
@@ -159,8 +159,8 @@ std::uint8_t Pins::read_pins(Address address) {
       level = output_level(pin);
     } else if (!(output_then & mask)) {
       const bool pull_up = level && has_pull_ups();
-      level = asked == Cpu::kAllBits ? core_.outside.level_along(pin, pull_up, now)
-                                     : core_.outside.level(pin, pull_up, now);
+      level = asked == Cpu::kAllBits ? core_.environment.level_along(pin, pull_up, now)
+                                     : core_.environment.level(pin, pull_up, now);
       state_.last_read = pin;
       state_.last_read_at = now;
     }
@@ -170,26 +170,26 @@ std::uint8_t Pins::read_pins(Address address) {
   return port.seen;
 }
 
-Outlook Pins::outlook(Address address, std::uint8_t bits) {
+ReadForecast Pins::forecast(Address address, std::uint8_t bits) {
   const int number = port_at_[address];
   const PortState& port = state_.ports[static_cast<std::size_t>(number)];
   const Cycle now = core_.now();
   if (now < port.changed_at + kSynchroniserCycles) return {};
-  Outlook outlook{kNoCycle, static_cast<std::uint8_t>(port.seen & ~bits)};
+  ReadForecast forecast{kNoCycle, static_cast<std::uint8_t>(port.seen & ~bits)};
   for (int bit = 0; bit < 8; ++bit) {
     const std::uint8_t mask = mask_of(bit);
     const int pin = pin_at_[static_cast<std::size_t>(number)][static_cast<std::size_t>(bit)];
     if (!(bits & mask)) continue;
     if (pin < 0 || !is_read(pin)) {
-      outlook.value |= pin < 0 ? port.seen & mask : 0;
+      forecast.value |= pin < 0 ? port.seen & mask : 0;
       continue;
     }
     if (is_wave(pin)) return {};
-    if (!is_output(pin)) outlook.until = std::min(outlook.until, core_.outside.level_until(pin, now));
-    if (outlook.until <= now) return {};
-    if (level(pin)) outlook.value |= mask;
+    if (!is_output(pin)) forecast.until = std::min(forecast.until, core_.environment.level_until(pin, now));
+    if (forecast.until <= now) return {};
+    if (level(pin)) forecast.value |= mask;
   }
-  return outlook;
+  return forecast;
 }
 
 void Pins::toggle(Address address, std::uint8_t value) {
@@ -248,7 +248,7 @@ void Pins::tell_drive(int pin) {
     drive.level = latch;
     drive.duty = latch ? 1.0 : 0.0;
   }
-  core_.outside.driven(pin, drive, core_.now());
+  core_.environment.driven(pin, drive, core_.now());
 }
 
 void Pins::take(int pin, const PinDrive& drive, bool even_input) {
@@ -279,7 +279,7 @@ void Pins::listen(int listener, bool on) {
   state_.listening ^= bit;
   const bool now = is_heard(pin);
   if (before == now) return;
-  const bool found = core_.outside.wants_edges(pin, now, core_.now());
+  const bool found = core_.environment.wants_edges(pin, now, core_.now());
   if (now) state_.heard_level[static_cast<std::size_t>(pin)] = is_output(pin) ? output_level(pin) : found;
   if (const Wave& wave = waves_[static_cast<std::size_t>(pin)]; wave.heard) wave.heard(wave.self, pin, now);
 }

@@ -1,9 +1,9 @@
 // The chip's pins: ports, other drivers of a pin, and listeners. Data sheet DS40002061B, chapter 14.
 //
 //   PORTx DDRx ──► ┐
-//   timers, UARTs ─┴─► drive ──► Surroundings::driven
-//   Surroundings::level ─► synchroniser ─► PINx           own outputs return by the same way
-//   Surroundings' edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
+//   timers, UARTs ─┴─► drive ──► ChipEnvironment::driven
+//   ChipEnvironment::level ─► synchroniser ─► PINx           own outputs return by the same way
+//   ChipEnvironment's edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
 // PINx reads a value written to PORTx from the second instruction after it on (14.2.4). A write to PINx
 // toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads 0. The
@@ -76,7 +76,7 @@ class Pins final : public Peripheral {
   bool level(int pin);
   /// Returns the volts at a pin, from any driver; -1 = no pin, 0 V.
   double volts(int pin, Cycle at);
-  /// Calls Surroundings::convert().
+  /// Calls ChipEnvironment::convert().
   double convert(int pin, double before, Cycle from, Cycle at);
   /// Handles an external level change of a pin with a listener.
   void edge(int pin, bool level, Cycle at);
@@ -119,7 +119,7 @@ class Pins final : public Peripheral {
   };
 
   std::uint8_t read_pins(Address address);
-  Outlook outlook(Address address, std::uint8_t bits);
+  ReadForecast forecast(Address address, std::uint8_t bits);
   void write_control(Address address, std::uint8_t value);
   void write_digital_off(Address address, std::uint8_t value);
   bool has_pull_ups() const;

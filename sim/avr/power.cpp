@@ -75,7 +75,7 @@ void Power::write_divisor(Address address, std::uint8_t value) {
 void Power::divide_clock(int divisor, Cycle at) {
   const std::int64_t before = core_.clock_hz;
   core_.divide_clock(divisor);
-  if (core_.clock_hz != before) core_.outside.clock_divided(divisor, at);
+  if (core_.clock_hz != before) core_.environment.clock_divided(divisor, at);
 }
 
 // 11.9.1: a flag is cleared by writing 0 to it.

@@ -22,7 +22,7 @@ Spi::Spi(Core& core, Pins& pins)
   for (const Address address : {control_, status_, data_}) {
     core.cpu.on_read<&Spi::read>(address, this);
     core.cpu.on_write<&Spi::write>(address, this);
-    if (address != data_) core.cpu.on_outlook<&Spi::outlook>(address, this);
+    if (address != data_) core.cpu.on_forecast<&Spi::forecast>(address, this);
   }
   core.interrupts.on_entry<&Spi::entered>(core.chip.spi.vector, this);
   shifted_ = core.events.add<&Spi::shifted>(this);
@@ -63,7 +63,7 @@ std::uint8_t Spi::read(Address address) {
 }
 
 // With a flag set, a read prepares its clearing.
-Outlook Spi::outlook(Address address, std::uint8_t) {
+ReadForecast Spi::forecast(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
   return {kNoCycle, core_.at(address)};

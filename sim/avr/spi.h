@@ -34,7 +34,7 @@ class Spi final : public Peripheral {
   };
 
   std::uint8_t read(Address address);
-  Outlook outlook(Address address, std::uint8_t bits);
+  ReadForecast forecast(Address address, std::uint8_t bits);
   void write(Address address, std::uint8_t value);
   void touch_data();
   void send(std::uint8_t value);

@@ -60,7 +60,7 @@ class Timer final : public Peripheral {
   std::uint8_t flags_in_register();
   void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
   void enable_in_register(std::uint8_t flags);
-  Outlook outlook_of_flags(Address address, std::uint8_t bits);
+  ReadForecast forecast_of_flags(Address address, std::uint8_t bits);
 
  private:
   // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
@@ -110,7 +110,7 @@ class Timer final : public Peripheral {
   void write_flags(Address address, std::uint8_t value);
   void write_flag(Address address, std::uint8_t value, std::uint8_t bit);
   std::uint8_t read_count(Address address);
-  Outlook outlook_of_count(Address address, std::uint8_t bits);
+  ReadForecast forecast_of_count(Address address, std::uint8_t bits);
   void write_count(Address address, std::uint8_t value);
   void write_compare(Address address, std::uint8_t value);
   std::uint8_t read_capture(Address address);

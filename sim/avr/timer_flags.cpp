@@ -9,7 +9,7 @@ namespace robosim::avr {
 SharedTimerFlags::SharedTimerFlags(Core& core, Address flags, Address enables) : core_(core) {
   core.cpu.on_read<&SharedTimerFlags::read_flags>(flags, this);
   core.cpu.on_write<&SharedTimerFlags::write_flags>(flags, this);
-  core.cpu.on_outlook<&SharedTimerFlags::outlook_of_flags>(flags, this);
+  core.cpu.on_forecast<&SharedTimerFlags::forecast_of_flags>(flags, this);
   core.cpu.on_write<&SharedTimerFlags::write_enables>(enables, this);
 }
 
@@ -23,10 +23,10 @@ void SharedTimerFlags::write_flags(Address, std::uint8_t value) {
   for (Timer* const timer : timers_) timer->clear_in_register(value);
 }
 
-Outlook SharedTimerFlags::outlook_of_flags(Address address, std::uint8_t bits) {
-  Outlook all{kNoCycle, 0};
+ReadForecast SharedTimerFlags::forecast_of_flags(Address address, std::uint8_t bits) {
+  ReadForecast all{kNoCycle, 0};
   for (Timer* const timer : timers_) {
-    const Outlook one = timer->outlook_of_flags(address, bits);
+    const ReadForecast one = timer->forecast_of_flags(address, bits);
     all.until = std::min(all.until, one.until);
   }
   all.value = read_flags(address);

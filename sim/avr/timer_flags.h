@@ -20,7 +20,7 @@ class SharedTimerFlags final : public Peripheral {
  private:
   std::uint8_t read_flags(Address address);
   void write_flags(Address address, std::uint8_t value);
-  Outlook outlook_of_flags(Address address, std::uint8_t bits);
+  ReadForecast forecast_of_flags(Address address, std::uint8_t bits);
   void write_enables(Address address, std::uint8_t value);
 
   Core& core_;

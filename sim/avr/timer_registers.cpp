@@ -31,10 +31,10 @@ void Timer::hook_registers() {
     cpu.on_read<&Timer::read_flags>(spec_.flags, this);
     cpu.on_write<&Timer::write_flags>(spec_.flags, this);
     cpu.on_write_bit<&Timer::write_flag>(spec_.flags, this);
-    cpu.on_outlook<&Timer::outlook_of_flags>(spec_.flags, this);
+    cpu.on_forecast<&Timer::forecast_of_flags>(spec_.flags, this);
   }
   cpu.on_read<&Timer::read_count>(spec_.count, this);
-  if (!is_wide()) cpu.on_outlook<&Timer::outlook_of_count>(spec_.count, this);
+  if (!is_wide()) cpu.on_forecast<&Timer::forecast_of_count>(spec_.count, this);
   cpu.on_write<&Timer::write_count>(spec_.count, this);
   for (const std::uint16_t compare : compares()) {
     cpu.on_write<&Timer::write_compare>(compare, this);
@@ -127,7 +127,7 @@ std::uint8_t Timer::read_flags(Address address) {
 }
 
 // Flags that a tick sets are read from the cycle after it on.
-Outlook Timer::outlook_of_flags(Address, std::uint8_t) {
+ReadForecast Timer::forecast_of_flags(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
   if (next_edge() != kNoCycle) return {};
@@ -170,7 +170,7 @@ std::uint8_t Timer::read_count(Address address) {
   return show(address, value);
 }
 
-Outlook Timer::outlook_of_count(Address, std::uint8_t) {
+ReadForecast Timer::forecast_of_count(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
   const auto value = static_cast<std::uint8_t>(state_.counter.value());

@@ -81,7 +81,7 @@ void Twi::schedule(Cycle at) {
 
 void Twi::done(Cycle at) {
   std::uint8_t& control = core_.at(control_);
-  if (state_.master.end(core_.outside, control, core_.at(data_), at)) {
+  if (state_.master.end(core_.environment, control, core_.at(data_), at)) {
     control |= kTwint;
     request();
   } else if (state_.master.step() != TwiMaster::Step::none) {

@@ -47,7 +47,7 @@ void Usart::reset(Cycle at) {
   const bool told = state_.told != 0;
   state_ = {};
   core_.at(format_) = kUcsrcAtReset;
-  if (told) core_.outside.listens(number_, 0, at);
+  if (told) core_.environment.listens(number_, 0, at);
 }
 
 int Usart::data_bits() const {
@@ -67,7 +67,7 @@ void Usart::tell() {
   const Cycle now = state_.runs && data(control_) & kRxen ? frame() : 0;
   if (now == state_.told) return;
   state_.told = now;
-  core_.outside.listens(number_, now, core_.now());
+  core_.environment.listens(number_, now, core_.now());
 }
 
 std::uint64_t Usart::may_interrupt() const {
@@ -180,7 +180,7 @@ void Usart::write_data(std::uint8_t value) {
 void Usart::begin(std::uint16_t frame_data, Cycle at) {
   state_.shifting = true;
   const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
-  core_.outside.sent(number_, frame_data & mask, at);
+  core_.environment.sent(number_, frame_data & mask, at);
   core_.schedule(shifted_, at + frame());
 }
 

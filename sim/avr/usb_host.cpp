@@ -38,7 +38,7 @@ UsbHost::UsbHost(Core& core, UsbDevice& device) : core_(core), device_(device) {
 }
 
 void UsbHost::reset(Cycle at) {
-  if (state_.phase == Phase::open) core_.outside.listens(line(), 0, at);
+  if (state_.phase == Phase::open) core_.environment.listens(line(), 0, at);
   state_ = {};
 }
 
@@ -169,7 +169,7 @@ void UsbHost::answered() {
   if (++state_.step == kConfigure + 1 && state_.data_in == 0) state_.phase = Phase::refused;
   if (state_.step < kSteps) return;
   state_.phase = Phase::open;
-  core_.outside.listens(line(), core_.cycles(kByte_ns), core_.now());
+  core_.environment.listens(line(), core_.cycles(kByte_ns), core_.now());
 }
 
 // Reads the serial port: an interface of class 2, and the endpoints of one of class 10.
@@ -196,7 +196,7 @@ void UsbHost::receive(std::uint8_t byte) {
 void UsbHost::move_bytes(Cycle at) {
   UsbDevice::Packet packet;
   bool more = device_.take(state_.data_in, packet) == Answer::done;
-  for (std::size_t i = 0; more && i < packet.count; ++i) core_.outside.sent(line(), packet.bytes[i], at);
+  for (std::size_t i = 0; more && i < packet.count; ++i) core_.environment.sent(line(), packet.bytes[i], at);
   if (state_.count > 0) {
     const auto count = std::min<std::uint16_t>(state_.count, UsbDevice::kMostBytes);
     for (std::uint16_t i = 0; i < count; ++i)

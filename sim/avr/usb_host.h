@@ -4,7 +4,7 @@
 //   attached ── 100 ms ── reset, 10 ms ── 10 ms ── descriptors, address, configuration
 //            ── line coding (115200 8N1), DTR
 //
-// From then on the port is open. Surroundings::sent() receives what the device sends, with a line number
+// From then on the port is open. ChipEnvironment::sent() receives what the device sends, with a line number
 // after those of the UARTs. Bytes for the device wait here until it accepts them. A transaction takes 100 us.
 //
 // The port is opened as soon as it exists, as by a user who waits for it. What a sketch prints earlier is

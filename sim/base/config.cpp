@@ -27,7 +27,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 
 namespace robosim {
 namespace {

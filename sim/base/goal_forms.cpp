@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 
 namespace robosim {
 

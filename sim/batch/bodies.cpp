@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/world/rolling.h"
+#include "sim/world/rolling_step.h"
 
 namespace robosim::batch {
 

@@ -8,8 +8,8 @@
 //
 // A body that starts, stops, slips, skids, or comes near a wall goes through this tick as a world::Body, by
 // Body's own code. So does any special body (windings, steered wheels, wheels that skid, loads that shift).
-// The tick of a rolling body is in rolling.h, which single bodies use, too; batch_test.cpp compares them, bit
-// by bit.
+// The tick of a rolling body is in rolling_step.h, which single bodies use, too; batch_test.cpp compares
+// them, bit by bit.
 //
 // Bodies of a batch neither see nor touch each other.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace robosim::batch {
 
-/// The state of a block's bodies: their Rolling (sim/world/rolling.h), with its names.
+/// The state of a block's bodies: their Rolling (sim/world/rolling_step.h), with its names.
 struct BodyMotion {
   Lanes x, y, heading_x, heading_y;  // m; unit vector
   Lanes v, u, omega;                 // m/s, m/s, rad/s

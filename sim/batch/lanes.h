@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "sim/base/for_avx.h"
+#include "sim/base/function_multiversioning.h"
 
 /// Precedes a function of loops over lanes.
 #define ROBOSIM_LANES_FUNCTION ROBOSIM_ALSO_FOR("avx2")

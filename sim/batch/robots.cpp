@@ -113,20 +113,20 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
     throw InputError({robot.file.string()},
                      fmt::format("has {} reflectance sensors, and the first robot of its batch has {}",
                                  found.size(), sensors_));
-  const robot::Individual individual(seed, profile, number);
+  const robot::ParameterSampler sampler(seed, profile, number);
   const BoardSpec& board = *robot.board;
   const robot::Electronics& electronics = robot.electronics;
   const double steps =
-      individual.ideal() ? 0.0 : individual.draw(electronics.adc_noise, "electronics", "adc_noise");
-  const double battery = individual.draw(robot.motors.supply, "motors", "supply");
+      sampler.ideal() ? 0.0 : sampler.draw(electronics.adc_noise, "electronics", "adc_noise");
+  const double battery = sampler.draw(robot.motors.supply, "motors", "supply");
   const robot::Supply supply =
       electronics.fed_by_battery ? robot::supply_at(battery, board) : robot::Supply{};
   for (std::size_t i = 0; i < sensors_; ++i) {
     if (lane == 0) sensor_blocks_[i].emplace_back();
     SensorBlock& block = sensor_blocks_[i].back();
     const auto& [part, element] = found[i];
-    const robot::ElementFigures figures(*part, *element, individual);
-    const double lag = robot::lag_of(*part, individual) * 1e9;
+    const robot::ElementFigures figures(*part, *element, sampler);
+    const double lag = robot::lag_of(*part, sampler) * 1e9;
     lags_[i] = lags_[i] || lag != 0.0;
     block.at_x[lane] = element->at.x;
     block.at_y[lane] = element->at.y;
@@ -136,14 +136,14 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
     block.noise[lane] = figures.noise;
     block.dark_noise[lane] = figures.dark_noise;
     block.beside_dark_noise[lane] = 1.0 - figures.dark_noise;
-    block.white[lane] = individual.draw(element->white, element->name, "white_volts");
-    block.span[lane] = individual.draw(element->black, element->name, "black_volts") - block.white[lane];
+    block.white[lane] = sampler.draw(element->white, element->name, "white_volts");
+    block.span[lane] = sampler.draw(element->black, element->name, "black_volts") - block.white[lane];
     block.supply[lane] = board.supply_volts;
     block.adc_noise[lane] = steps * board.supply_volts / board.adc_steps;
     block.is_converted_noisily = block.is_converted_noisily || steps > 0.0;
     block.lag[lane] = static_cast<double>(static_cast<SimTime>(lag));
     block.stream[lane] = figures.stream;
-    block.adc[lane] = individual.noise("electronics", "adc");
+    block.adc[lane] = sampler.noise("electronics", "adc");
     block.pin[lane] = element->pin;
   }
   if (lane == 0) poses_.emplace_back();

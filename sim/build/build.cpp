@@ -5,23 +5,23 @@
 #include <memory>
 #include <system_error>
 
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/file.h"
 #include "sim/build/assembly.h"
 #include "sim/build/cache.h"
 #include "sim/build/compile.h"
 #include "sim/build/core.h"
 #include "sim/build/elf_facts.h"
-#include "sim/build/finished.h"
+#include "sim/build/image_cache.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
 #include "sim/build/narrow_ints.h"
 #include "sim/build/pin_warnings.h"
 #include "sim/build/project.h"
 #include "sim/build/prototypes.h"
+#include "sim/build/retry_reason.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
-#include "sim/build/try_again.h"
 #include "sim/build/units.h"
 
 namespace robosim::build {
@@ -43,7 +43,7 @@ class Build {
     const Object core = core_object(toolchain_, cache_, work_);
     inputs_.files = core.inputs;
     compile_all();
-    if (keeps_addresses_) throw TryAgain{Registers::memory};
+    if (keeps_addresses_) throw RetryReason{Registers::memory};
     std::vector<fs::path> objects = linked_objects();
     for (const Object& object : objects_)
       for (const fs::path& input : object.inputs) inputs_.files.push_back(input);
@@ -67,7 +67,7 @@ class Build {
   const std::vector<Library>& libraries() const { return libraries_; }
   const std::string& messages() const { return messages_; }
   /// Returns gcov's notes on each of the sketch's own sources.
-  const std::vector<BundledFile>& notes() const { return notes_; }
+  const std::vector<ArchivedFile>& notes() const { return notes_; }
 
  private:
   /// Returns all objects; those of a library become an archive if it requests that.
@@ -110,18 +110,18 @@ class Build {
     try {
       fail();
     } catch (const InputError&) {
-      throw TryAgain{Registers::as_avr, about_library ? nullptr : std::current_exception()};
+      throw RetryReason{Registers::as_avr, about_library ? nullptr : std::current_exception()};
     }
   }
 
   /// Does not return: other registers may help a program that stores the address of one, or a library.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
-    if (objects && messages.find(kRegisterClass) != std::string::npos) throw TryAgain{Registers::memory};
+    if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
     if (!toolchain_.target.chip && !toolchain_.narrow_ints && wants_narrow_ints(messages)) try {
         fail(toolchain_.target, messages);
       } catch (const InputError&) {
-        throw TryAgain{toolchain_.registers, std::current_exception(), true};
+        throw RetryReason{toolchain_.registers, std::current_exception(), true};
       }
     fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages, libraries_));
   }
@@ -312,7 +312,7 @@ class Build {
   std::vector<fs::path> shared_;
   std::vector<Library> libraries_;  ///< in the order in which they were found
   std::vector<Object> objects_;
-  std::vector<BundledFile> notes_;
+  std::vector<ArchivedFile> notes_;
   Inputs inputs_;
   std::string messages_;
   bool keeps_addresses_ = false;
@@ -327,7 +327,7 @@ std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, c
       auto build = std::make_unique<Build>(sketch, toolchain, cache, finder, core);
       image = build->image();
       return build;
-    } catch (const TryAgain& better) {
+    } catch (const RetryReason& better) {
       toolchain.registers = better.with;
       toolchain.narrow_ints |= better.narrow_ints;
       otherwise = better.otherwise;

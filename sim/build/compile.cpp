@@ -32,7 +32,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard: {  // not among the compiler's defaults; slips_of() selects the slips
+    case Warnings::standard: {  // not among the compiler's defaults; without_style_warnings() selects the
+                                // slips
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
       // avr-gcc 5 has no warning for a forgotten break. Any comment in its place silences gcc.

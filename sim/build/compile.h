@@ -54,7 +54,7 @@ Command assemble_command(const Toolchain& toolchain, const std::filesystem::path
                          const std::filesystem::path& object);
 /// Only preprocesses, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
-/// Returns the language, macros and folders of a C++ unit, for another parser (reading.h).
+/// Returns the language, macros and folders of a C++ unit, for another parser (parse_context.h).
 std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& unit);
 /// Merges several objects into one.
 Command merge_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,

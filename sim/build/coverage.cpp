@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/descriptor.h"
 #include "sim/base/file.h"
 #include "sim/base/terminal_text.h"
@@ -116,10 +116,10 @@ Number number(std::string_view& text) {
 }
 
 /// Reads an emulated chip's counts: "LINE COUNT FILE".
-Coverage read_line_counts(const Sketch& sketch, const std::vector<BundledFile>& counters) {
+Coverage read_line_counts(const Sketch& sketch, const std::vector<ArchivedFile>& counters) {
   const std::vector<std::string> own = own_files(sketch);
   Coverage coverage;
-  for (const BundledFile& counter : counters) {
+  for (const ArchivedFile& counter : counters) {
     std::istringstream lines(counter.content);
     int line = 0;
     std::uint64_t count = 0;
@@ -140,23 +140,23 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
   if (target.chip) return read_line_counts(sketch, unpack(counters));
   const Cache cache(cache_folder());
   const fs::path gcov = find_tool(target, {"gcov", "gcc"});
-  const std::vector<BundledFile> notes = unpack(read_file(image.notes));
+  const std::vector<ArchivedFile> notes = unpack(read_file(image.notes));
   Coverage coverage;
   // Each power cycle has its own counters; a source that never ran may have none.
-  std::vector<BundledFile> pending = unpack(counters);
+  std::vector<ArchivedFile> pending = unpack(counters);
   // The sketch's memory holds the names, and how many there are.
   constexpr int kMostCycles = 1000;
-  std::erase_if(pending, [&](const BundledFile& counter) {
-    return std::none_of(notes.begin(), notes.end(), [&](const BundledFile& note) {
+  std::erase_if(pending, [&](const ArchivedFile& counter) {
+    return std::none_of(notes.begin(), notes.end(), [&](const ArchivedFile& note) {
       return fs::path(counter.name).filename().string() == note.name + ".gcda";
     });
   });
   int cycles = 0;
   do {
     const WorkFolder work(cache);
-    for (const BundledFile& note : notes) write_file(work.path() / (note.name + ".gcno"), note.content);
-    std::vector<BundledFile> later;
-    for (const BundledFile& counter : pending) {
+    for (const ArchivedFile& note : notes) write_file(work.path() / (note.name + ".gcno"), note.content);
+    std::vector<ArchivedFile> later;
+    for (const ArchivedFile& counter : pending) {
       const std::string name = fs::path(counter.name).filename().string();
       if (fs::exists(work.path() / name))
         later.push_back(counter);
@@ -164,7 +164,7 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
         write_file(work.path() / name, counter.content);
     }
     std::vector<Command> commands;
-    for (const BundledFile& note : notes)
+    for (const ArchivedFile& note : notes)
       commands.push_back(
           {{gcov.string(), "--json-format", "--stdout", note.name + ".gcno"}, work.path(), {}, work.path()});
     for (const CommandResult& result : run_within({}, std::move(commands))) {

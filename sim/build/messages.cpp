@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "sim/base/file.h"
-#include "sim/base/machine_fault.h"
+#include "sim/base/system_error.h"
 #include "sim/build/hints.h"
 #include "sim/build/process.h"
-#include "sim/build/slips.h"
+#include "sim/build/warning_filter.h"
 #include "sim/elf/avr_addresses.h"
 
 namespace robosim::build {
@@ -111,7 +111,7 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
 }  // namespace
 
 void check_machine(const std::string& tool, const std::string& output) {
-  if (const std::string fault = fault_of_machine(tool, output); !fault.empty()) throw ToolMissing(fault);
+  if (const std::string fault = system_error_of(tool, output); !fault.empty()) throw ToolMissing(fault);
 }
 
 std::string missing_header(const std::string& whole, Place* place) {
@@ -182,7 +182,8 @@ std::string readable(const Toolchain& toolchain, const fs::path& sketch, const s
   output = std::regex_replace(output, here, "$1");
   while (!output.empty() && (output.back() == '\n' || output.back() == ' ')) output.pop_back();
   while (!output.empty() && output.front() == '\n') output.erase(0, 1);
-  return with_texts_indented(toolchain.warnings == Warnings::standard ? slips_of(output) : output);
+  return with_texts_indented(toolchain.warnings == Warnings::standard ? without_style_warnings(output)
+                                                                      : output);
 }
 
 constexpr const char* kNotSeen =

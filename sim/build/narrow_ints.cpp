@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "sim/build/words.h"
+#include "sim/build/lexing.h"
 
 namespace robosim::build {
 namespace {

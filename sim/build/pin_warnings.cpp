@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/build/words.h"
+#include "sim/build/lexing.h"
 
 namespace robosim::build {
 namespace {

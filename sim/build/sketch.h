@@ -15,12 +15,12 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
-#include "sim/build/rules.h"
+#include "sim/build/project_rules.h"
 
 namespace robosim::build {
 
 /// The level of compiler warnings: the choices of Arduino's preferences. `standard` has more, which find
-/// typical mistakes of beginners: if (x = 1), if (400 < x < 600), and if (x); (slips.h)
+/// typical mistakes of beginners: if (x = 1), if (400 < x < 600), and if (x); (warning_filter.h)
 enum class Warnings { none, standard, more, all };
 
 struct Request {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <system_error>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/spelling.h"
 #include "sim/build/project.h"
 
 namespace robosim::build {

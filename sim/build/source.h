@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/build/rules.h"
+#include "sim/build/project_rules.h"
 
 namespace robosim::build {
 

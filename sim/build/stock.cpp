@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
-#include "sim/base/spelling.h"
 #include "sim/build/sketch.h"
 
 namespace robosim::build {

@@ -25,13 +25,13 @@ robot::Description nominal(robot::Description robot) {
   robot::Chassis& c = robot.chassis;
   robot::Motors& m = robot.motors;
   robot::Driver& d = robot.driver;
-  for (Number* n : {&c.mass,         &c.inertia,       &c.load_share,
-                    &c.track,        &c.wheel,         &c.wheel_inertia,
-                    &c.grip,         &c.rolling,       &c.wall_friction,
-                    &m.voltage,      &m.no_load,       &m.no_load_current,
-                    &m.stall_torque, &m.stall_current, &m.static_friction,
-                    &m.gear,         &m.rotor_inertia, &m.supply,
-                    &d.drop,         &d.resistance})
+  for (Parameter* n : {&c.mass,         &c.inertia,       &c.load_share,
+                       &c.track,        &c.wheel,         &c.wheel_inertia,
+                       &c.grip,         &c.rolling,       &c.wall_friction,
+                       &m.voltage,      &m.no_load,       &m.no_load_current,
+                       &m.stall_torque, &m.stall_current, &m.static_friction,
+                       &m.gear,         &m.rotor_inertia, &m.supply,
+                       &d.drop,         &d.resistance})
     *n = {n->in(Profile::typical_2).value, 0.0};
   return robot;
 }

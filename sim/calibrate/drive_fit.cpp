@@ -18,7 +18,7 @@ constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 
 /// Returns the parameter's spread in the file as a relative standard deviation.
-double held_sd(const Number& number) {
+double held_sd(const Parameter& number) {
   const Spread now = number.in(Profile::typical_2);
   return now.value > 0.0 ? now.spread / (now.value * std::numbers::sqrt3) : 0.0;
 }

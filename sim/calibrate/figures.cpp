@@ -13,7 +13,7 @@ constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 constexpr double kKgCm = 0.0980665;
 constexpr double kGCm2 = 1e-7;
 
-double before_of(const Number& number) { return number.in(Profile::typical_2).value; }
+double before_of(const Parameter& number) { return number.in(Profile::typical_2).value; }
 
 /// Returns the number of decimals for two digits of the spread.
 int decimals(double spread) {
@@ -122,7 +122,7 @@ std::vector<Figure> figures_of(const SweepFit& fit, const robot::Description& ro
     for (const auto& element : spec.elements) {
       const auto seen = std::find_if(part.elements.begin(), part.elements.end(),
                                      [&](const ElementFit& e) { return e.name == element.name; });
-      const auto own = [](const Number& number) {
+      const auto own = [](const Parameter& number) {
         const Spread now = number.in(Profile::typical_2);
         return Found{now.value, 0.5 * now.spread};
       };

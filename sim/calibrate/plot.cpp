@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "sim/base/markup.h"
-#include "sim/calibrate/edges.h"
+#include "sim/calibrate/edge_fit.h"
 
 namespace robosim::calibrate {
 namespace {

@@ -9,10 +9,10 @@
 #include <set>
 #include <string>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
-#include "sim/base/spelling.h"
-#include "sim/calibrate/crossings.h"
-#include "sim/calibrate/edges.h"
+#include "sim/calibrate/edge_fit.h"
+#include "sim/calibrate/tape_crossings.h"
 
 namespace robosim::calibrate {
 namespace {

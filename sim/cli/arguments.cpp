@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
-#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/cli/calibrate/calibrate_command.h"
 #include "sim/cli/check/test_arguments.h"

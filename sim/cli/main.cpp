@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "sim/base/error.h"
-#include "sim/base/machine_fault.h"
+#include "sim/base/system_error.h"
 #include "sim/build/sketch.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/calibrate/calibrate_command.h"
@@ -83,7 +83,7 @@ int perform(int count, char** words) {
   } catch (const wire::Unstoppable& error) {
     return fail(ExitStatus::interrupted, "robosim: ", error.what());
   } catch (const std::exception& error) {
-    if (const std::string fault = fault_of_machine(error); !fault.empty())
+    if (const std::string fault = system_error_of(error); !fault.empty())
       return fail(ExitStatus::tool_missing, "robosim: ", fault.c_str());
     if (client::Interrupts::count() > 0) return fail(ExitStatus::interrupted, "robosim: ", "interrupted");
     return fail(ExitStatus::internal, "robosim: internal error: ", error.what());

@@ -7,10 +7,10 @@
 #include <charconv>
 #include <utility>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/goal_forms.h"
 #include "sim/base/profile.h"
-#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 
 namespace robosim::cli {

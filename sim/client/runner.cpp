@@ -5,7 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/machine_fault.h"
+#include "sim/base/system_error.h"
 #include "sim/base/utf8.h"
 #include "sim/client/process.h"
 
@@ -74,7 +74,7 @@ Runner::Runner(const Program& program) : name_(fs::path(program.path).filename()
   try {
     process_ = std::make_unique<Process>(program.path);
   } catch (const std::system_error& error) {
-    if (const std::string fault = fault_of_machine(error); !fault.empty()) throw ToolMissing(fault);
+    if (const std::string fault = system_error_of(error); !fault.empty()) throw ToolMissing(fault);
     throw wire::RunnerError(error.what());
   }
   const auto text = process_->read_line(kHelloPatience_ms);

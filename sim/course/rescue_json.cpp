@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "sim/base/counted.h"
 #include "sim/base/error.h"
+#include "sim/base/pluralize.h"
 #include "sim/course/formats.h"
 #include "sim/course/polyline.h"
 #include "sim/course/rescue_tiles.h"
@@ -345,7 +345,8 @@ class RescueReader {
     }
     const auto say = [&](int count, const char* what, const char* how) {
       if (count > 0)
-        imported.remarks.push_back(fmt::format("{} {}", counted(static_cast<std::size_t>(count), what), how));
+        imported.remarks.push_back(
+            fmt::format("{} {}", pluralize(static_cast<std::size_t>(count), what), how));
     };
     imported.remarks = remarks_;
     say(obstacles, "tile",
@@ -361,7 +362,7 @@ class RescueReader {
     if (json_.contains("indexCount") && json_["indexCount"].is_number_integer() &&
         json_["indexCount"].get<std::int64_t>() != static_cast<std::int64_t>(tiles_on_route_))
       imported.remarks.push_back(fmt::format("the path leads over {}, but the file states {}",
-                                             counted(tiles_on_route_, "tile"), json_["indexCount"].dump()));
+                                             pluralize(tiles_on_route_, "tile"), json_["indexCount"].dump()));
     return imported;
   }
 

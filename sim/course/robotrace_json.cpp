@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/base/error.h"
 #include "sim/base/json_limits.h"
 #include "sim/course/formats.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/base/error.h"
 #include "sim/course/formats.h"
 

@@ -16,7 +16,7 @@ std::vector<Area> visible_areas(const Course& course) {
   std::vector<Area> areas = course.areas;
   for (const Joint& joint : course.joints) {
     Area& gap = areas.emplace_back();
-    static_cast<Patch&>(gap) = joint;
+    static_cast<Shape&>(gap) = joint;
     gap.colour = {Hue::black};
     gap.over_lines = true;
   }
@@ -28,10 +28,10 @@ void read_areas(const ConfigValue& value, double gloss, Course& course, Draw dra
     if (course.areas.size() == kMostAreas)
       throw InputError(item.place, fmt::format("too many [[area]]: expected at most {}", kMostAreas));
     TableReader table(item, "[[area]]");
-    const Figures figures(draw, fmt::format("[[area]] {}", course.areas.size() + 1));
+    const SampledParameters figures(draw, fmt::format("[[area]] {}", course.areas.size() + 1));
     Area area;
     area.colour = read_colour(table.require("colour"));
-    static_cast<Patch&>(area) = read_patch(table, course, "area", figures);
+    static_cast<Shape&>(area) = read_shape(table, course, "area", figures);
     area.over_lines = table.boolean("over_lines", false);
     area.gloss = read_share(table, "gloss", gloss);
     table.finish();

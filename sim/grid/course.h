@@ -6,9 +6,9 @@
 
 #include "sim/grid/colour.h"
 #include "sim/grid/paint.h"
-#include "sim/grid/patch.h"
 #include "sim/grid/path.h"
 #include "sim/grid/relief.h"
+#include "sim/grid/shape.h"
 
 namespace robosim::grid {
 
@@ -33,7 +33,7 @@ inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, 
 }
 
 /// A painted rectangle or disc.
-struct Area : Patch {
+struct Area : Shape {
   Colour colour;
   bool over_lines = false;  ///< painted over lines and marks; else they are painted over it
   double gloss = 0.0;       ///< what it mirrors: Paint::gloss

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/grid/front_tables.h"
 
 namespace robosim::grid {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/base/units.h"
 
 namespace robosim::grid {
@@ -66,7 +66,7 @@ std::string rescue_text(const RescueCourse& rescue) {
 }
 
 std::string area_text(const Area& area, double usual_gloss) {
-  std::string text = fmt::format("[[area]]\ncolour = {}\n", colour_text(area.colour)) + patch_text(area);
+  std::string text = fmt::format("[[area]]\ncolour = {}\n", colour_text(area.colour)) + shape_text(area);
   if (area.gloss != usual_gloss) text += fmt::format("gloss = {}\n", area.gloss);
   return area.over_lines ? text + "over_lines = true\n" : text;
 }
@@ -78,14 +78,14 @@ std::string length_text(double m) {
   return parse_quantity(mm, Dimension::length) == m ? mm : fmt::format("{} m", m);
 }
 
-std::string patch_text(const Patch& patch) {
-  const Vec2 at = patch.middle.position;
+std::string shape_text(const Shape& shape) {
+  const Vec2 at = shape.middle.position;
   const std::string text = fmt::format("at = [\"{}\", \"{}\"]\n", length_text(at.x), length_text(at.y));
-  if (patch.radius > 0.0) return text + fmt::format("radius = \"{}\"\n", length_text(patch.radius));
-  const double angle = angle_of(patch.middle.heading);
+  if (shape.radius > 0.0) return text + fmt::format("radius = \"{}\"\n", length_text(shape.radius));
+  const double angle = angle_of(shape.middle.heading);
   return text +
-         fmt::format("size = [\"{}\", \"{}\"]\n", length_text(2.0 * patch.half_length),
-                     length_text(2.0 * patch.half_width)) +
+         fmt::format("size = [\"{}\", \"{}\"]\n", length_text(2.0 * shape.half_length),
+                     length_text(2.0 * shape.half_width)) +
          (angle != 0.0 ? fmt::format("angle = \"{}\"\n", angle_text(angle)) : "");
 }
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "sim/base/config.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/goal_forms.h"
-#include "sim/base/spelling.h"
 #include "sim/grid/course_reader.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/front_tables.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/grid/drawn.h"
 #include "sim/grid/legend.h"
 #include "sim/grid/map.h"
+#include "sim/grid/sampled_parameters.h"
 
 namespace robosim::grid {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/units.h"
 #include "sim/grid/path.h"
 
@@ -34,7 +34,7 @@ Vec2 read_point(const ConfigValue& value, const char* key) {
           as_quantity(value.items[1], key, Dimension::length, 0.0, Path::kMost)};
 }
 
-Vec2 read_point(const ConfigValue& value, const char* key, const Figures& figures) {
+Vec2 read_point(const ConfigValue& value, const char* key, const SampledParameters& figures) {
   check_point(value, key);
   return figures.read_pair(value, key, Dimension::length, 0.0, Path::kMost);
 }
@@ -63,7 +63,7 @@ double read_share(TableReader& table, const char* key, double usual) {
 }
 
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
-                 const Figures& figures) {
+                 const SampledParameters& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() != 2)
     throw InputError(value.place, fmt::format("{}: expected [X, Y], to the right and up, each in {}", key,
                                               unit_names(dimension)));

@@ -5,8 +5,8 @@
 
 #include "sim/base/config.h"
 #include "sim/base/vec.h"
-#include "sim/grid/drawn.h"
 #include "sim/grid/paint.h"
+#include "sim/grid/sampled_parameters.h"
 
 namespace robosim::grid {
 
@@ -16,7 +16,7 @@ const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* 
 /// Reads ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
 Vec2 read_point(const ConfigValue& value, const char* key);
 /// Reads a point whose coordinates may have a spread.
-Vec2 read_point(const ConfigValue& value, const char* key, const Figures& figures);
+Vec2 read_point(const ConfigValue& value, const char* key, const SampledParameters& figures);
 
 /// Reads one of the colours, or "grey 40 %". Throws InputError.
 Colour read_colour(const ConfigValue& value);
@@ -26,6 +26,6 @@ double read_share(TableReader& table, const char* key, double usual);
 
 /// Reads a value in two directions, such as ["2 mm/s", "0 mm/s"], within +-most. Throws InputError.
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
-                 const Figures& figures);
+                 const SampledParameters& figures);
 
 }  // namespace robosim::grid

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 
 namespace robosim::grid {
 namespace {
@@ -66,7 +66,7 @@ class Reader {
     if (!cell)
       throw InputError(word->place,
                        fmt::format("cell: {}", expected_one_of(name, {"floor", "line", "gap", "obstacle"})));
-    const SurfaceFigures figures = read_surface_figures(table, Figures(draw_, "[legend] " + key));
+    const SurfaceFigures figures = read_surface_figures(table, SampledParameters(draw_, "[legend] " + key));
     table.finish();
     return {*cell, surface(figures, *cell, key, value)};
   }

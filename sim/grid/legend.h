@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "sim/base/config.h"
-#include "sim/grid/drawn.h"
 #include "sim/grid/map.h"
+#include "sim/grid/sampled_parameters.h"
 
 namespace robosim::grid {
 

@@ -16,7 +16,7 @@ constexpr double kMains = 100.0;                            // Hz: twice 50 Hz
 constexpr double kLeastFrequency = 0.01, kMostFrequency = 100e3;
 constexpr std::size_t kMostLights = 64;
 
-Light read_light(const ConfigValue& value, const Figures& figures) {
+Light read_light(const ConfigValue& value, const SampledParameters& figures) {
   TableReader table(value, "[[light]]");
   Light light;
   light.level = figures.read(table.require("level"), "level", Dimension::ratio, 0.0, kMostLevel);
@@ -48,7 +48,8 @@ std::vector<Light> read_lights(const ConfigValue& value, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "light")) {
     if (lights.size() == kMostLights)
       throw InputError(item.place, fmt::format("too many lights: expected at most {}", kMostLights));
-    lights.push_back(read_light(item, Figures(draw, fmt::format("[[light]] {}", lights.size() + 1))));
+    lights.push_back(
+        read_light(item, SampledParameters(draw, fmt::format("[[light]] {}", lights.size() + 1))));
   }
   return lights;
 }

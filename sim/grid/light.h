@@ -7,7 +7,7 @@
 
 #include "sim/base/config.h"
 #include "sim/base/vec.h"
-#include "sim/grid/drawn.h"
+#include "sim/grid/sampled_parameters.h"
 
 namespace robosim::grid {
 

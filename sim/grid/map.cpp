@@ -9,9 +9,9 @@
 #include <cstring>
 #include <system_error>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
 #include "sim/base/file_kind.h"
-#include "sim/base/spelling.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map_parser.h"
 

@@ -304,7 +304,7 @@ void MapParser::check_course() const {
   if (map_.raster && !map_.course.empty())
     throw InputError({map_.file}, "floor = \"raster\" paints cells only, but this map has paths");
   if (map_.image) check_picture(map_, front_.picture_place);
-  check_patches(map_);
+  check_shapes(map_);
   const double wide = map_.width * map_.cell_m, high = map_.height * map_.cell_m;
   for (const Path& path : map_.course.paths)
     for (std::size_t i = 0; i < path.pieces().size(); ++i) {

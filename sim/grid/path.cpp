@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 
 namespace robosim::grid {
 namespace {

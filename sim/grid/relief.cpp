@@ -8,7 +8,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/grid/course.h"
 #include "sim/grid/course_writer.h"
 #include "sim/grid/front_tables.h"
@@ -25,16 +25,17 @@ constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
 // `shortest`: the minimum of its length, m.
-std::vector<double> read_heights(const ConfigValue& value, double shortest, const Figures& figures) {
+std::vector<double> read_heights(const ConfigValue& value, double shortest,
+                                 const SampledParameters& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)
     throw InputError(
         value.place,
         fmt::format("heights: expected 2 to {} heights, at even distances from the hill's beginning to its "
                     "end, such as [\"0 mm\", \"60 mm\", \"60 mm\", \"0 mm\"]",
                     kMostHeights));
-  std::vector<Number> heights;
+  std::vector<Parameter> heights;
   for (const ConfigValue& item : value.items)
-    heights.push_back(as_figure(item, "a height", Dimension::length, 0.0, kMostHeight));
+    heights.push_back(as_parameter(item, "a height", Dimension::length, 0.0, kMostHeight));
   const double step = shortest / static_cast<double>(heights.size() - 1);
   for (std::size_t i = 1; i < heights.size(); ++i) {
     const bool up = heights[i].value > heights[i - 1].value;
@@ -53,11 +54,11 @@ std::vector<double> read_heights(const ConfigValue& value, double shortest, cons
   return drawn;
 }
 
-Hill read_hill(const ConfigValue& item, const Course& course, const Figures& figures) {
+Hill read_hill(const ConfigValue& item, const Course& course, const SampledParameters& figures) {
   TableReader table(item, "[[hill]]");
   Hill hill;
-  Number length;
-  static_cast<Patch&>(hill) = read_patch(table, course, "hill", figures, &length);
+  Parameter length;
+  static_cast<Shape&>(hill) = read_shape(table, course, "hill", figures, &length);
   if (hill.radius > 0.0)
     throw InputError(
         table.require("radius").place,
@@ -76,7 +77,7 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
   if (plank && !seesaw) throw InputError(plank->place, "plank, the mass of a seesaw, requires seesaw");
   if (heights) hill.heights = read_heights(*heights, length.least(), figures);
   if (slope) {
-    const Number angle = as_figure(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
+    const Parameter angle = as_parameter(*slope, "slope", Dimension::angle, -kMostSlope, kMostSlope);
     const double steepest = std::max(angle.most(), -angle.least());
     if (const double most = length.most() * unit_vector(steepest).y; most > kMostHeight)
       throw InputError(
@@ -86,7 +87,7 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
     hill.heights = {std::fmax(-rise, 0.0), std::fmax(rise, 0.0)};
   }
   if (seesaw) {
-    const Number pivot = as_figure(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
+    const Parameter pivot = as_parameter(*seesaw, "seesaw", Dimension::length, 1e-3, kMostHeight);
     if (pivot.most() > 0.5 * kMostTilt * length.least())
       throw InputError(
           seesaw->place,
@@ -102,10 +103,10 @@ Hill read_hill(const ConfigValue& item, const Course& course, const Figures& fig
   return hill;
 }
 
-Surface read_surface(const ConfigValue& item, const Course& course, const Figures& figures) {
+Surface read_surface(const ConfigValue& item, const Course& course, const SampledParameters& figures) {
   TableReader table(item, "[[surface]]");
   Surface surface;
-  static_cast<Patch&>(surface) = read_patch(table, course, "surface", figures);
+  static_cast<Shape&>(surface) = read_shape(table, course, "surface", figures);
   static_cast<SurfaceFigures&>(surface) = read_surface_figures(table, figures);
   table.finish();
   return surface;
@@ -122,7 +123,7 @@ std::string surface_names() {
   return names;
 }
 
-SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures) {
+SurfaceFigures read_surface_figures(TableReader& table, const SampledParameters& figures) {
   SurfaceFigures surface;
   const ConfigValue* const kind = table.find("kind");
   const ConfigValue* const grip = table.find("grip");
@@ -157,7 +158,7 @@ void read_hills(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "hill")) {
     if (course.hills.size() == kMostHills)
       throw InputError(item.place, fmt::format("too many [[hill]]: expected at most {}", kMostHills));
-    const Figures figures(draw, fmt::format("[[hill]] {}", course.hills.size() + 1));
+    const SampledParameters figures(draw, fmt::format("[[hill]] {}", course.hills.size() + 1));
     course.hills.push_back(read_hill(item, course, figures));
   }
 }
@@ -166,7 +167,7 @@ void read_surfaces(const ConfigValue& value, Course& course, Draw draw) {
   for (const ConfigValue& item : tables_of(value, "surface")) {
     if (course.surfaces.size() == kMostSurfaces)
       throw InputError(item.place, fmt::format("too many [[surface]]: expected at most {}", kMostSurfaces));
-    const Figures figures(draw, fmt::format("[[surface]] {}", course.surfaces.size() + 1));
+    const SampledParameters figures(draw, fmt::format("[[surface]] {}", course.surfaces.size() + 1));
     course.surfaces.push_back(read_surface(item, course, figures));
   }
 }
@@ -176,10 +177,11 @@ void read_joints(const ConfigValue& value, Course& course, Draw draw) {
     if (course.joints.size() == kMostJoints)
       throw InputError(item.place, fmt::format("too many [[joint]]: expected at most {}", kMostJoints));
     TableReader table(item, "[[joint]]");
-    Number gap;
+    Parameter gap;
     Joint joint;
-    static_cast<Patch&>(joint) = read_patch(
-        table, course, "joint", Figures(draw, fmt::format("[[joint]] {}", course.joints.size() + 1)), &gap);
+    static_cast<Shape&>(joint) =
+        read_shape(table, course, "joint",
+                   SampledParameters(draw, fmt::format("[[joint]] {}", course.joints.size() + 1)), &gap);
     if (joint.radius > 0.0)
       throw InputError(table.require("radius").place,
                        "invalid joint: expected a gap between boards, size = [\"3 mm\", \"300 mm\"], its "
@@ -198,7 +200,7 @@ void read_joints(const ConfigValue& value, Course& course, Draw draw) {
 std::string relief_text(const Course& course) {
   std::string text;
   for (const Hill& hill : course.hills) {
-    text += "[[hill]]\n" + patch_text(hill);
+    text += "[[hill]]\n" + shape_text(hill);
     if (hill.pivot > 0.0) {
       text += fmt::format("seesaw = \"{}\"\nplank = \"{} kg\"\n", length_text(hill.pivot), hill.plank_kg);
       continue;
@@ -209,9 +211,9 @@ std::string relief_text(const Course& course) {
     text += fmt::format("heights = [{}]\n", list);
   }
   for (const Surface& surface : course.surfaces)
-    text += fmt::format("[[surface]]\n{}grip = {}\nrolling = {}\n", patch_text(surface), surface.grip,
+    text += fmt::format("[[surface]]\n{}grip = {}\nrolling = {}\n", shape_text(surface), surface.grip,
                         surface.rolling);
-  for (const Joint& joint : course.joints) text += "[[joint]]\n" + patch_text(joint);
+  for (const Joint& joint : course.joints) text += "[[joint]]\n" + shape_text(joint);
   return text;
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/base/config.h"
-#include "sim/grid/drawn.h"
-#include "sim/grid/patch.h"
+#include "sim/grid/sampled_parameters.h"
+#include "sim/grid/shape.h"
 
 namespace robosim::grid {
 
@@ -18,7 +18,7 @@ struct Course;
 
 /// A raised rectangle. Its heights run along its length, and are the same across it. Ends and sides that are
 /// higher than the floor next to them are steps.
-struct Hill : Patch {
+struct Hill : Shape {
   std::vector<double> heights;  ///< m, at even distances from its beginning to its end, straight in between
   double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
   double plank_kg = 0.0;        ///< of a seesaw
@@ -43,15 +43,15 @@ struct SurfaceFigures {
   double grip = 1.0;  ///< as SurfaceKind has them
   double rolling = 0.0;
 };
-struct Surface : Patch, SurfaceFigures {};
+struct Surface : Shape, SurfaceFigures {};
 
 /// Returns their names, for messages: "wet, dusty or carpet".
 std::string surface_names();
 /// Reads kind, or grip and rolling, of a table that is a surface. Throws InputError.
-SurfaceFigures read_surface_figures(TableReader& table, const Figures& figures);
+SurfaceFigures read_surface_figures(TableReader& table, const SampledParameters& figures);
 
 /// A gap between two boards. Its length, along its heading, is the gap's width.
-struct Joint : Patch {
+struct Joint : Shape {
   static constexpr double kWidest = 0.006;  ///< m: a wheel's tread is wider
 };
 

@@ -1,6 +1,6 @@
 #include "sim/grid/stripes.h"
 
-#include "sim/grid/bend.h"
+#include "sim/grid/corner.h"
 #include "sim/grid/path_stripes.h"
 
 namespace robosim::grid {
@@ -79,11 +79,11 @@ class Builder {
     });
   }
 
-  void add_arc(const Bend& bend) {
-    const Leg first{map_, bend.cell, bend.first};
-    const Leg second{map_, bend.cell, bend.second};
-    const double r = bend.radius;
-    const Vec2 centre = map_.centre(bend.cell) + (heading(bend.first) + heading(bend.second)) * r;
+  void add_arc(const Corner& corner) {
+    const Leg first{map_, corner.cell, corner.first};
+    const Leg second{map_, corner.cell, corner.second};
+    const double r = corner.radius;
+    const Vec2 centre = map_.centre(corner.cell) + (heading(corner.first) + heading(corner.second)) * r;
     const int cells = static_cast<int>(r / map_.cell_m) + 2;
     const std::size_t begun = stripes_.size();
     const auto add = [&](Vec2 a, Vec2 b, bool painted) {
@@ -105,12 +105,12 @@ class Builder {
       bool painted;
     };
     std::vector<Piece> pieces;
-    cut(bend.middle(), r, first.gaps(cells), [&](double from, double to, bool painted) {
+    cut(corner.middle(), r, first.gaps(cells), [&](double from, double to, bool painted) {
       pieces.push_back({from, to, painted});
     });
     for (auto p = pieces.rbegin(); p != pieces.rend(); ++p)
       add(at(first, second, p->to), at(first, second, p->from), p->painted);
-    cut(bend.middle(), r, second.gaps(cells), [&](double from, double to, bool painted) {
+    cut(corner.middle(), r, second.gaps(cells), [&](double from, double to, bool painted) {
       add(at(second, first, from), at(second, first, to), painted);
     });
   }
@@ -123,8 +123,8 @@ class Builder {
  private:
   double radius_at(CellAt cell) const {
     if (map_.corner_m <= 0.0) return 0.0;
-    const auto bend = bend_at(map_, cell);
-    return bend ? bend->radius : 0.0;
+    const auto corner = corner_at(map_, cell);
+    return corner ? corner->radius : 0.0;
   }
 
   const Map& map_;
@@ -143,8 +143,8 @@ std::vector<TightBend> tight_bends(const Map& map) {
   std::vector<TightBend> tight;
   if (map.corner_m <= 0.0) return tight;
   for_each_line_cell(map, [&](CellAt cell) {
-    const auto bend = bend_at(map, cell);
-    if (bend && is_tight(map, *bend)) tight.push_back({cell, bend->radius});
+    const auto corner = corner_at(map, cell);
+    if (corner && is_tight(map, *corner)) tight.push_back({cell, corner->radius});
   });
   return tight;
 }
@@ -158,10 +158,10 @@ Stripes::Stripes(const Map& map, double reach_m) : map_(&map) {
     if (has(lines, Direction::north) && !has(lines, Direction::south))
       builder.add_run(cell, Direction::north);
     if (map.corner_m <= 0.0) return;
-    const auto bend = bend_at(map, cell);
-    if (!bend) return;
-    builder.add_arc(*bend);
-    if (is_tight(map, *bend)) tight_.push_back({cell, bend->radius});
+    const auto corner = corner_at(map, cell);
+    if (!corner) return;
+    builder.add_arc(*corner);
+    if (is_tight(map, *corner)) tight_.push_back({cell, corner->radius});
   });
   const std::vector<Paint> paints = paints_of(map);
   for (const Path& path : map.course.paths) add_stripes(path, paints, stripes_);
@@ -175,12 +175,12 @@ Pose Stripes::pose_of(const Start& start) const {
 
 Vec2 Stripes::point_of(CellAt cell) const {
   const Vec2 p = map_->centre(cell);
-  const auto bend = bend_over(*map_, cell);
-  if (!bend) return p;
+  const auto corner = corner_over(*map_, cell);
+  if (!corner) return p;
   const Vec2 centre =
-      map_->centre(bend->cell) + (heading(bend->first) + heading(bend->second)) * bend->radius;
+      map_->centre(corner->cell) + (heading(corner->first) + heading(corner->second)) * corner->radius;
   const Vec2 spoke = p - centre;
-  return centre + spoke * (bend->radius / length(spoke));
+  return centre + spoke * (corner->radius / length(spoke));
 }
 
 }  // namespace robosim::grid

@@ -36,7 +36,7 @@ Contest::Contest(const Goal& goal, const grid::Map& map, Vec2 start) {
   }
 }
 
-void Contest::look(const Glance& now, Events& events) {
+void Contest::look(const RulesInput& now, Events& events) {
   std::visit(Overloaded{[](std::monostate) {}, [&](auto& rules) { rules.look(now, events); }}, rules_);
 }
 

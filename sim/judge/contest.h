@@ -23,7 +23,7 @@ class Contest {
   Contest(const Goal& goal, const grid::Map& map, Vec2 start);
 
   explicit operator bool() const { return !std::holds_alternative<std::monostate>(rules_); }
-  void look(const Glance& now, Events& events);
+  void look(const RulesInput& now, Events& events);
   bool reached() const;
   /// Returns whether the time limit of the rules is over.
   bool over(SimTime t) const;

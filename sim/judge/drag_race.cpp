@@ -39,7 +39,7 @@ DragRace::DragRace(const grid::Map& map) {
   if (lines.signal > 0.0) began_ = signal_ = static_cast<SimTime>(std::llround(lines.signal * 1e9));
 }
 
-void DragRace::look(const Glance& now, Events& events) {
+void DragRace::look(const RulesInput& now, Events& events) {
   const Vec2 at = now.body.pose().position;
   if (!origin_) origin_ = at;
   const bool gone = length(at - *origin_) >= kGone;

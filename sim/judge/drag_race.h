@@ -13,7 +13,7 @@
 #include <string>
 
 #include "sim/grid/map.h"
-#include "sim/judge/glance.h"
+#include "sim/judge/rules_input.h"
 
 namespace robosim::judge {
 
@@ -22,7 +22,7 @@ class DragRace {
   /// Throws InputError if the map has no [race] with a braking distance.
   explicit DragRace(const grid::Map& map);
 
-  void look(const Glance& now, Events& events);
+  void look(const RulesInput& now, Events& events);
   bool reached() const { return rested_; }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;

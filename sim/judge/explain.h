@@ -10,8 +10,8 @@
 #include "sim/judge/goal.h"
 #include "sim/judge/judge.h"
 #include "sim/judge/outcome.h"
-#include "sim/judge/power.h"
 #include "sim/judge/script_fault.h"
+#include "sim/judge/supply_summary.h"
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
 
@@ -48,7 +48,7 @@ struct Evidence {
   world::Toppled toppled = world::Toppled::no;
   Vec2 at;                          ///< the robot's place
   std::vector<ScriptFault> faults;  ///< of the script so far, by time
-  Power power;
+  SupplySummary power;
 };
 
 /// Returns one sentence on why the run ended as it did.

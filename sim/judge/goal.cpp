@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/goal_forms.h"
-#include "sim/base/spelling.h"
 #include "sim/world/world.h"
 
 namespace robosim::judge {
@@ -193,7 +193,7 @@ bool Progress::stands_still(const world::Body& body, SimTime t) {
   return has_moved_ && t - at_rest_since_ >= kStandsStill;
 }
 
-void Progress::compete(const Glance& now, Events& events) {
+void Progress::compete(const RulesInput& now, Events& events) {
   const std::size_t before = events.size();
   contest_.look(now, events);
   for (std::size_t i = before; i < events.size(); ++i)

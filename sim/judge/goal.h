@@ -125,7 +125,7 @@ class Progress {
   /// Returns the next point of a lap.
   Vec2 loop_point(const Lap& lap, bool backwards) const;
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
-  void compete(const Glance& now, Events& events);
+  void compete(const RulesInput& now, Events& events);
   bool tour_done(const world::Body& body);
   bool rests_at_station(const world::Body& body, SimTime t);
   bool stands_still(const world::Body& body, SimTime t);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/base/error.h"
 #include "sim/world/world.h"
 
@@ -65,7 +65,7 @@ void MazeTries::finish_try(bool stopped, Events& events) {
                                 finished_.back().score(), "s"});
 }
 
-void MazeTries::look(const Glance& now, Events& events) {
+void MazeTries::look(const RulesInput& now, Events& events) {
   const Vec2 at = now.body.pose().position;
   const bool by_hand = now.body.in_hand() || (seen_at_ && length(at - *seen_at_) > kByHand);
   if (!seen_at_) waited_at_ = at;

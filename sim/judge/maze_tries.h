@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sim/grid/map.h"
-#include "sim/judge/glance.h"
+#include "sim/judge/rules_input.h"
 
 namespace robosim::judge {
 
@@ -25,7 +25,7 @@ class MazeTries {
   /// Throws InputError if the map has no goal, or no disc there.
   MazeTries(const grid::Map& map, Vec2 start, int tries);
 
-  void look(const Glance& now, Events& events);
+  void look(const RulesInput& now, Events& events);
   bool reached() const { return done_ == tries_ && best(); }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;

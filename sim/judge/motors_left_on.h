@@ -6,7 +6,7 @@
 // It shows on the day that the robot loses its line: someone touches a wheel, the floor is dirty. A finding
 // is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For at least the last
 // half of it, its motor commands were the same and no floor sensor was read. Nor was the sketch waiting in a
-// call (Blind covers that). To fix it, stop or brake the motors wherever steering ends.
+// call (BlindDriving covers that). To fix it, stop or brake the motors wherever steering ends.
 //
 // Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by luck.
 #pragma once

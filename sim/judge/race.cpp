@@ -37,12 +37,12 @@ Race::Race(const grid::Map& map, Finish finish) : finish_(finish) {
              length};
 }
 
-void Race::look(const Glance& now, Events& events) {
+void Race::look(const RulesInput& now, Events& events) {
   rested_ = rests(now);
   if (now.moved) advance(now, events);
 }
 
-void Race::advance(const Glance& now, Events& events) {
+void Race::advance(const RulesInput& now, Events& events) {
   if (ended_ != kNever) return;
   while (next_ < course_.points.size() && now.body.covers(course_.points[next_]))
     if (next_++ == 0) began_ = now.t;
@@ -51,7 +51,7 @@ void Race::advance(const Glance& now, Events& events) {
   events.push_back(wire::LapDone{1, time_s()});
 }
 
-bool Race::rests(const Glance& now) {
+bool Race::rests(const RulesInput& now) {
   if (finish_ == Finish::line) return ended_ != kNever && now.t - ended_ >= kRestInArea;
   const bool there =
       ended_ != kNever && now.at_rest &&

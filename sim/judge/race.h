@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/grid/map.h"
-#include "sim/judge/glance.h"
+#include "sim/judge/rules_input.h"
 
 namespace robosim::judge {
 
@@ -21,7 +21,7 @@ class Race {
   /// Throws InputError if the map has no [race].
   Race(const grid::Map& map, Finish finish);
 
-  void look(const Glance& now, Events& events);
+  void look(const RulesInput& now, Events& events);
   /// Returns whether it has passed the goal line and, if required, rested in the area for 2 s; else the run
   /// ends 2 s later.
   bool reached() const { return rested_; }
@@ -32,8 +32,8 @@ class Race {
   /// Returns the time from the start line to the goal line, s: the score. A line is passed when the body's
   /// outline first covers its middle, as in a light gate.
   double time_s() const { return static_cast<double>(ended_ - began_) * 1e-9; }
-  void advance(const Glance& now, Events& events);
-  bool rests(const Glance& now);
+  void advance(const RulesInput& now, Events& events);
+  bool rests(const RulesInput& now);
 
   struct Course {
     std::vector<Vec2> points;  ///< from the start line to the goal line, close together

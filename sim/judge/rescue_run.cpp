@@ -244,7 +244,7 @@ std::optional<Pose> RescueRun::take_hand() {
   return where;
 }
 
-void RescueRun::look(const Glance& now, Events& events) {
+void RescueRun::look(const RulesInput& now, Events& events) {
   const Vec2 at = now.body.pose().position;
   if (began_ == kNever && length(at - start_) >= kOffTheStart) began_ = now.t;
   const bool taken = now.body.in_hand() && !in_hand_;

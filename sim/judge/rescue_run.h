@@ -39,7 +39,7 @@
 #include <vector>
 
 #include "sim/grid/map.h"
-#include "sim/judge/glance.h"
+#include "sim/judge/rules_input.h"
 
 namespace robosim::judge {
 
@@ -48,7 +48,7 @@ class RescueRun {
   /// Throws InputError if the map has no [rescue], or its path has less than two tiles.
   RescueRun(const grid::Map& map, Vec2 start);
 
-  void look(const Glance& now, Events& events);
+  void look(const RulesInput& now, Events& events);
   bool reached() const { return reached_; }
   bool over(SimTime t) const { return t >= time_limit_; }
   /// Counts a lost or stuck robot as a lack of progress.

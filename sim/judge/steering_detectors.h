@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/judge/blind.h"
+#include "sim/judge/blind_driving.h"
 #include "sim/judge/motors_left_on.h"
 #include "sim/judge/slow_serial.h"
 
@@ -13,20 +13,23 @@ class SteeringDetectors {
  public:
   /// lever_m: distance of its sensors ahead of its axle.
   SteeringDetectors(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
-      : floor_(robot, executor), blind_(executor, lever_m, line_m), left_on_(executor), serial_(executor) {}
+      : floor_(robot, executor),
+        blind_driving_(executor, lever_m, line_m),
+        left_on_(executor),
+        serial_(executor) {}
 
   /// Called once per tick. Nothing is found if reads of the floor are not visible.
   void look(Steering now) {
     if (!floor_.are_known()) return;
     now.asks_floor = floor_.last(now.t) >= before_;
     before_ = now.t;
-    blind_.look(now);
+    blind_driving_.look(now);
     left_on_.look(now);
     serial_.look(now);
   }
   /// Returns the findings at the end of the run.
   std::vector<exec::Detected> found() const {
-    std::vector<exec::Detected> all = blind_.found();
+    std::vector<exec::Detected> all = blind_driving_.found();
     for (const auto& some : {left_on_.found(), serial_.found()})
       all.insert(all.end(), some.begin(), some.end());
     return all;
@@ -35,7 +38,7 @@ class SteeringDetectors {
  private:
   FloorLooks floor_;
   SimTime before_ = 0;  ///< the last tick
-  Blind blind_;
+  BlindDriving blind_driving_;
   MotorsLeftOn left_on_;
   SlowSerial serial_;
 };

@@ -8,11 +8,11 @@
 #include <system_error>
 #include <utility>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
 #include "sim/base/robot_name.h"
-#include "sim/base/spelling.h"
 #include "sim/build/project.h"
 #include "sim/build/source.h"
 #include "sim/client/runner.h"

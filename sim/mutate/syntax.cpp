@@ -76,7 +76,7 @@ fs::path find_clang() {
 }
 
 /// `scratch`: a folder that clang may write, and in which `source` may be.
-json dump(const fs::path& clang, const build::Reading& reading, const fs::path& scratch,
+json dump(const fs::path& clang, const build::ParseContext& context, const fs::path& scratch,
           const fs::path& source, const std::function<int(const std::string&)>& number_of) {
   // clang's messages on a partly understood source are useless, and would be mixed into the tree.
   std::vector<std::string> words = {"/bin/sh",
@@ -90,12 +90,12 @@ json dump(const fs::path& clang, const build::Reading& reading, const fs::path& 
                                     "-ferror-limit=0",
                                     "-Xclang",
                                     "-ast-dump=json"};
-  words.insert(words.end(), reading.words.begin(), reading.words.end());
+  words.insert(words.end(), context.words.begin(), context.words.end());
   words.push_back(source.string());
-  build::Command command{words, reading.sketch.folder, {}, scratch};
+  build::Command command{words, context.sketch.folder, {}, scratch};
   command.most_output = kMostFile_bytes;
   command.most_memory = kClang_bytes;
-  std::vector<fs::path> readable = reading.readable;
+  std::vector<fs::path> readable = context.readable;
   readable.insert(readable.end(), {clang.parent_path(), source.parent_path()});
   const build::CommandResult result = build::run_within(readable, {command})[0];
   if (!result.output.starts_with("{"))
@@ -132,11 +132,11 @@ json read_tree(const std::string& dump, const std::function<int(const std::strin
       dump, [&](int depth, json::parse_event_t event, json& parsed) { return places(depth, event, parsed); });
 }
 
-Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_libraries) {
+Tree parse(const build::ParseContext& context, const std::vector<fs::path>& of_libraries) {
   const fs::path clang = find_clang();
   const build::WorkFolder work((build::Cache(build::cache_folder())));
   const fs::path scratch = fs::weakly_canonical(work.path());
-  const build::Sketch& sketch = reading.sketch;
+  const build::Sketch& sketch = context.sketch;
   Tree tree;
   const auto add = [&](const std::string& name, const fs::path& path, std::size_t offset) {
     tree.files.push_back({name, read_file(sketch.folder / name), path, offset});
@@ -155,9 +155,9 @@ Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_librar
     return -1;
   };
   for (const std::string& name : sketch.sources)
-    add_declarations(dump(clang, reading, scratch, sketch.folder / name, number_of));
+    add_declarations(dump(clang, context, scratch, sketch.folder / name, number_of));
   for (const fs::path& file : of_libraries)
-    if (file.extension() == ".cpp") add_declarations(dump(clang, reading, scratch, file, number_of));
+    if (file.extension() == ".cpp") add_declarations(dump(clang, context, scratch, file, number_of));
   if (sketch.inos.empty()) return tree;
 
   const fs::path source = scratch / "joined.cpp";
@@ -168,10 +168,10 @@ Tree parse(const build::Reading& reading, const std::vector<fs::path>& of_librar
   }
   write_file(source, joined);
   const std::string added =
-      prototypes(joined, dump(clang, reading, scratch, source, number_of), tree.added_at);
+      prototypes(joined, dump(clang, context, scratch, source, number_of), tree.added_at);
   tree.added = added.size();
   write_file(source, joined.insert(tree.added_at, added));
-  add_declarations(dump(clang, reading, scratch, source, number_of));
+  add_declarations(dump(clang, context, scratch, source, number_of));
   return tree;
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/build/reading.h"
+#include "sim/build/parse_context.h"
 
 namespace robosim::mutate {
 
@@ -36,7 +36,7 @@ struct Tree {
 
 /// Parses all sources of the sketch, and also the named files of its libraries, by their whole paths. A
 /// header that no source includes yields nothing. Throws ToolMissing if clang is not installed.
-Tree parse(const build::Reading& reading, const std::vector<std::filesystem::path>& of_libraries = {});
+Tree parse(const build::ParseContext& context, const std::vector<std::filesystem::path>& of_libraries = {});
 
 /// Returns the range of a node: nothing if it is not in one of the files, or begins or ends in a macro.
 std::optional<Range> range_of(const Tree& tree, const nlohmann::json& node);

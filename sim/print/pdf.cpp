@@ -41,13 +41,13 @@ void keep_going(HPDF_STATUS, HPDF_STATUS, void*) {}
 
 }  // namespace
 
-struct Pdf::Inside {
+struct Pdf::Impl {
   HPDF_Doc document = HPDF_New(keep_going, nullptr);
   HPDF_Page page = nullptr;
   HPDF_Font font = nullptr;
   HPDF_Image picture = nullptr;
 
-  ~Inside() {
+  ~Impl() {
     if (document) HPDF_Free(document);
   }
   void check() const {
@@ -57,53 +57,53 @@ struct Pdf::Inside {
   }
 };
 
-Pdf::Pdf(const std::string& title, bool compressed) : in_(std::make_unique<Inside>()) {
-  in_->check();
-  if (compressed) HPDF_SetCompressionMode(in_->document, HPDF_COMP_ALL);
-  HPDF_SetInfoAttr(in_->document, HPDF_INFO_TITLE, latin_of(title).c_str());
-  HPDF_SetInfoAttr(in_->document, HPDF_INFO_PRODUCER, "Robosim");
-  HPDF_SetViewerPreference(in_->document, HPDF_PRINT_SCALING_NONE);
-  in_->font = HPDF_GetFont(in_->document, "Helvetica", "WinAnsiEncoding");
-  in_->check();
+Pdf::Pdf(const std::string& title, bool compressed) : impl_(std::make_unique<Impl>()) {
+  impl_->check();
+  if (compressed) HPDF_SetCompressionMode(impl_->document, HPDF_COMP_ALL);
+  HPDF_SetInfoAttr(impl_->document, HPDF_INFO_TITLE, latin_of(title).c_str());
+  HPDF_SetInfoAttr(impl_->document, HPDF_INFO_PRODUCER, "Robosim");
+  HPDF_SetViewerPreference(impl_->document, HPDF_PRINT_SCALING_NONE);
+  impl_->font = HPDF_GetFont(impl_->document, "Helvetica", "WinAnsiEncoding");
+  impl_->check();
 }
 
 Pdf::~Pdf() = default;
 
 void Pdf::begin_page(double width, double height) {
-  in_->page = HPDF_AddPage(in_->document);
-  in_->check();
-  HPDF_Page_SetWidth(in_->page, points(width));
-  HPDF_Page_SetHeight(in_->page, points(height));
+  impl_->page = HPDF_AddPage(impl_->document);
+  impl_->check();
+  HPDF_Page_SetWidth(impl_->page, points(width));
+  HPDF_Page_SetHeight(impl_->page, points(height));
 }
 
 void Pdf::begin_part(const Box& clip) {
-  HPDF_Page_GSave(in_->page);
+  HPDF_Page_GSave(impl_->page);
   add_box(clip);
-  HPDF_Page_Clip(in_->page);
-  HPDF_Page_EndPath(in_->page);
+  HPDF_Page_Clip(impl_->page);
+  HPDF_Page_EndPath(impl_->page);
 }
 
-void Pdf::end_part() { HPDF_Page_GRestore(in_->page); }
+void Pdf::end_part() { HPDF_Page_GRestore(impl_->page); }
 
 void Pdf::set_grey(double level) {
-  HPDF_Page_SetGrayFill(in_->page, static_cast<float>(level));
-  HPDF_Page_SetGrayStroke(in_->page, static_cast<float>(level));
+  HPDF_Page_SetGrayFill(impl_->page, static_cast<float>(level));
+  HPDF_Page_SetGrayStroke(impl_->page, static_cast<float>(level));
 }
 
 void Pdf::set_colour(double red, double green, double blue) {
   const auto r = static_cast<float>(red), g = static_cast<float>(green), b = static_cast<float>(blue);
-  HPDF_Page_SetRGBFill(in_->page, r, g, b);
-  HPDF_Page_SetRGBStroke(in_->page, r, g, b);
+  HPDF_Page_SetRGBFill(impl_->page, r, g, b);
+  HPDF_Page_SetRGBStroke(impl_->page, r, g, b);
 }
 
 void Pdf::set_pen(double width, bool round_ends) {
-  HPDF_Page_SetLineWidth(in_->page, points(width));
-  HPDF_Page_SetLineCap(in_->page, round_ends ? HPDF_ROUND_END : HPDF_BUTT_END);
+  HPDF_Page_SetLineWidth(impl_->page, points(width));
+  HPDF_Page_SetLineCap(impl_->page, round_ends ? HPDF_ROUND_END : HPDF_BUTT_END);
 }
 
-void Pdf::move_to(Vec2 p) { HPDF_Page_MoveTo(in_->page, points(p.x), points(p.y)); }
+void Pdf::move_to(Vec2 p) { HPDF_Page_MoveTo(impl_->page, points(p.x), points(p.y)); }
 
-void Pdf::line_to(Vec2 p) { HPDF_Page_LineTo(in_->page, points(p.x), points(p.y)); }
+void Pdf::line_to(Vec2 p) { HPDF_Page_LineTo(impl_->page, points(p.x), points(p.y)); }
 
 // Uses a cubic curve, which is within 2e-8 of the radius of the arc.
 void Pdf::arc_to(const Line& arc) {
@@ -112,12 +112,12 @@ void Pdf::arc_to(const Line& arc) {
   const double turn = std::atan2(cross(from, to), dot(from, to));
   const double reach = 4.0 / 3.0 * std::tan(turn / 4.0);
   const Vec2 first = arc.from + left_of(from) * reach, second = arc.to - left_of(to) * reach;
-  HPDF_Page_CurveTo(in_->page, points(first.x), points(first.y), points(second.x), points(second.y),
+  HPDF_Page_CurveTo(impl_->page, points(first.x), points(first.y), points(second.x), points(second.y),
                     points(arc.to.x), points(arc.to.y));
 }
 
 void Pdf::add_box(const Box& box) {
-  HPDF_Page_Rectangle(in_->page, points(box.left), points(box.low), points(box.right - box.left),
+  HPDF_Page_Rectangle(impl_->page, points(box.left), points(box.low), points(box.right - box.left),
                       points(box.high - box.low));
 }
 
@@ -127,41 +127,42 @@ void Pdf::load_picture(const grid::FloorImage& image) {
   for (int row = 0; row < image.height(); ++row)
     for (int column = 0; column < image.width(); ++column)
       greys.push_back(static_cast<HPDF_BYTE>(255 - image.at(column, row)));
-  in_->picture = HPDF_LoadRawImageFromMem(in_->document, greys.data(), static_cast<HPDF_UINT>(image.width()),
-                                          static_cast<HPDF_UINT>(image.height()), HPDF_CS_DEVICE_GRAY, 8);
-  in_->check();
+  impl_->picture =
+      HPDF_LoadRawImageFromMem(impl_->document, greys.data(), static_cast<HPDF_UINT>(image.width()),
+                               static_cast<HPDF_UINT>(image.height()), HPDF_CS_DEVICE_GRAY, 8);
+  impl_->check();
 }
 
 void Pdf::draw_picture(const Box& box) {
-  HPDF_Page_DrawImage(in_->page, in_->picture, points(box.left), points(box.low),
+  HPDF_Page_DrawImage(impl_->page, impl_->picture, points(box.left), points(box.low),
                       points(box.right - box.left), points(box.high - box.low));
 }
 
-void Pdf::stroke() { HPDF_Page_Stroke(in_->page); }
+void Pdf::stroke() { HPDF_Page_Stroke(impl_->page); }
 
-void Pdf::fill() { HPDF_Page_Fill(in_->page); }
+void Pdf::fill() { HPDF_Page_Fill(impl_->page); }
 
 void Pdf::text(Vec2 at, double size, const std::string& utf8) {
-  HPDF_Page_BeginText(in_->page);
-  HPDF_Page_SetFontAndSize(in_->page, in_->font, points(size));
-  HPDF_Page_TextOut(in_->page, points(at.x), points(at.y), latin_of(utf8).c_str());
-  HPDF_Page_EndText(in_->page);
+  HPDF_Page_BeginText(impl_->page);
+  HPDF_Page_SetFontAndSize(impl_->page, impl_->font, points(size));
+  HPDF_Page_TextOut(impl_->page, points(at.x), points(at.y), latin_of(utf8).c_str());
+  HPDF_Page_EndText(impl_->page);
 }
 
 double Pdf::width_of(double size, const std::string& utf8) const {
   const std::string text = latin_of(utf8);
-  const HPDF_TextWidth width = HPDF_Font_TextWidth(in_->font, reinterpret_cast<const HPDF_BYTE*>(text.data()),
-                                                   static_cast<HPDF_UINT>(text.size()));
+  const HPDF_TextWidth width = HPDF_Font_TextWidth(
+      impl_->font, reinterpret_cast<const HPDF_BYTE*>(text.data()), static_cast<HPDF_UINT>(text.size()));
   return size * width.width / 1000.0;
 }
 
 std::string Pdf::bytes() {
-  HPDF_SaveToStream(in_->document);
-  in_->check();
-  HPDF_ResetStream(in_->document);
-  std::string all(HPDF_GetStreamSize(in_->document), '\0');
+  HPDF_SaveToStream(impl_->document);
+  impl_->check();
+  HPDF_ResetStream(impl_->document);
+  std::string all(HPDF_GetStreamSize(impl_->document), '\0');
   auto size = static_cast<HPDF_UINT32>(all.size());
-  HPDF_ReadFromStream(in_->document, reinterpret_cast<HPDF_BYTE*>(all.data()), &size);
+  HPDF_ReadFromStream(impl_->document, reinterpret_cast<HPDF_BYTE*>(all.data()), &size);
   all.resize(size);
   return all;
 }
@@ -172,7 +173,7 @@ std::string Pdf::bytes() {
 
 namespace robosim::print {
 
-struct Pdf::Inside {};
+struct Pdf::Impl {};
 Pdf::Pdf(const std::string&, bool) {
   throw ToolMissing(
       "this build of Robosim cannot write PDF: libhpdf has another name on each Debian, so packages are "

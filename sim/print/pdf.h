@@ -42,8 +42,8 @@ class Pdf {
   std::string bytes();
 
  private:
-  struct Inside;
-  std::unique_ptr<Inside> in_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace robosim::print

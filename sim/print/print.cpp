@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/base/counted.h"
+#include "sim/base/pluralize.h"
 #include "sim/grid/stripes.h"
 #include "sim/print/pdf.h"
 
@@ -248,9 +248,9 @@ class Printer {
                       : dark_floor_ ? "white on black"
                                     : "black on white",
                       1e3 * map_.line_m, 1.0 / scale),
-          fmt::format("{} in {} of {}, numbered row-column{}.", counted(count, "sheet"),
-                      counted(static_cast<std::size_t>(sheets_.rows), "row"),
-                      counted(static_cast<std::size_t>(sheets_.columns), "column"),
+          fmt::format("{} in {} of {}, numbered row-column{}.", pluralize(count, "sheet"),
+                      pluralize(static_cast<std::size_t>(sheets_.rows), "row"),
+                      pluralize(static_cast<std::size_t>(sheets_.columns), "column"),
                       count < all ? "; where nothing is painted there is none" : ""),
           std::string("Print at 100 %, not fitted to the page: on each sheet the bar must measure 100 mm."),
           std::string("Cut off the left and the lower edge along the marks, and lay the sheet on the flaps "

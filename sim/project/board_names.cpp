@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 
 namespace robosim::project {
 namespace {

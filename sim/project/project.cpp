@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
 #include "sim/base/json_limits.h"
-#include "sim/base/spelling.h"
 #include "sim/project/board_names.h"
 #include "sim/project/files.h"
 #include "sim/project/yaml.h"

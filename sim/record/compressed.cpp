@@ -69,7 +69,7 @@ std::string Deflater::unpacked(std::string_view packed, std::size_t unpacked_siz
   return out;
 }
 
-void Compressed::add(const KeptBytes& bytes) {
+void Compressed::add(const CompressedBytes& bytes) {
   add(bytes.packed());
   add(bytes.rest());
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/record/kept_bytes.h"
+#include "sim/record/compressed_bytes.h"
 
 struct z_stream_s;
 
@@ -36,7 +36,7 @@ using Put = std::function<void(std::string_view)>;
 class Compressed {
  public:
   explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB, fastest
-  void add(const KeptBytes& bytes);
+  void add(const CompressedBytes& bytes);
   void add(std::string_view bytes);
   /// Ends the stream.
   void finish();

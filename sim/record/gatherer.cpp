@@ -85,7 +85,7 @@ void Gatherer::add_columns(const wire::Columns& columns) {
   auto& sources = record_of(robot).sources;
   sources.insert(sources.end(), columns.sources.begin(), columns.sources.end());
   for (const wire::Rows& rows : columns.streams) {
-    KeptStream& stream = own.columns.try_emplace(rows.stream, packer_.get()).first->second;
+    CompressedStream& stream = own.columns.try_emplace(rows.stream, packer_.get()).first->second;
     stream.add(rows);
     if (rows.stream == kSamples)
       watch_line(robot, stream.specs(), rows);
@@ -155,7 +155,8 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
   own.serial_text.add(serial.text);
 }
 
-void Gatherer::finish(std::size_t robot, const wire::RunResult& result, std::vector<const KeptBytes*>& body) {
+void Gatherer::finish(std::size_t robot, const wire::RunResult& result,
+                      std::vector<const CompressedBytes*>& body) {
   RobotRecord& record = record_of(robot);
   Streams& own = streams_[robot];
   record.result = result;
@@ -171,7 +172,7 @@ void Gatherer::finish(std::size_t robot, const wire::RunResult& result, std::vec
   body.push_back(&own.serial_text);
 }
 
-std::string Gatherer::finish(const wire::RunResult& result, std::vector<const KeptBytes*>& body) {
+std::string Gatherer::finish(const wire::RunResult& result, std::vector<const CompressedBytes*>& body) {
   finish(0, result, body);
   for (std::size_t i = 1; i < streams_.size(); ++i)
     finish(i, i <= result.others.size() ? result.others[i - 1] : wire::RunResult{}, body);
@@ -179,9 +180,9 @@ std::string Gatherer::finish(const wire::RunResult& result, std::vector<const Ke
 }
 
 std::string Gatherer::content(const wire::RunResult& result) {
-  std::vector<const KeptBytes*> body;
+  std::vector<const CompressedBytes*> body;
   std::string content = finish(result, body);
-  for (const KeptBytes* bytes : body) content += bytes->all();
+  for (const CompressedBytes* bytes : body) content += bytes->all();
   return content;
 }
 

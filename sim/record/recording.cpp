@@ -42,11 +42,11 @@ RecordingHeader header_of(std::string_view line) {
 }  // namespace
 
 void Gatherer::encode(const wire::RunResult& result, const Put& put) {
-  std::vector<const KeptBytes*> body;
+  std::vector<const CompressedBytes*> body;
   put(kRecordingMagic);
   Compressed compressed(put);
   compressed.add(finish(result, body));
-  for (const KeptBytes* bytes : body) compressed.add(*bytes);
+  for (const CompressedBytes* bytes : body) compressed.add(*bytes);
   compressed.finish();
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/record/compressed.h"
-#include "sim/record/kept_stream.h"
+#include "sim/record/compressed_stream.h"
 #include "sim/record/recorder.h"
 #include "sim/record/recording_header.h"
 
@@ -53,11 +53,11 @@ class Gatherer {
   struct Streams {
     explicit Streams(Packer* packer) : serial(packer), serial_text(packer) {}
 
-    std::map<std::string, KeptStream> columns;
+    std::map<std::string, CompressedStream> columns;
     std::optional<LineColumns> line;
     wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< that are not in `serial` yet
-    KeptStream serial;
-    KeptBytes serial_text;
+    CompressedStream serial;
+    CompressedBytes serial_text;
     bool thinned = false, serial_cut = false;
   };
   RobotRecord& record_of(std::size_t robot) { return robot == 0 ? header_ : header_.others[robot - 1]; }
@@ -65,9 +65,9 @@ class Gatherer {
   LineColumns line_columns(std::size_t robot, const std::vector<wire::ColumnSpec>& columns);
   void watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns, const wire::Rows& rows);
   void add_serial(const wire::SerialText& serial);
-  void finish(std::size_t robot, const wire::RunResult& result, std::vector<const KeptBytes*>& body);
+  void finish(std::size_t robot, const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
   /// Returns the header's line; `body` is the rest.
-  std::string finish(const wire::RunResult& result, std::vector<const KeptBytes*>& body);
+  std::string finish(const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
 
   std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;

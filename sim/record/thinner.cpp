@@ -39,11 +39,11 @@ std::string Thinner::take(Ahead& ahead, std::size_t count) {
   return taken;
 }
 
-bool Thinner::read_some(const KeptRows& all, std::size_t most_rows) {
+bool Thinner::read_some(const CompressedRows& all, std::size_t most_rows) {
   std::size_t count = most_rows;
   for (std::size_t i = 0; i < ahead_.size(); ++i) {
     Ahead& ahead = ahead_[i];
-    const KeptBytes& column = all.columns[i];
+    const CompressedBytes& column = all.columns[i];
     while (ahead.numbers < count && ahead.pieces < column.pieces())
       unpack(ahead, column.piece(ahead.pieces++));
     count = std::min(count, ahead.numbers);
@@ -56,9 +56,9 @@ bool Thinner::read_some(const KeptRows& all, std::size_t most_rows) {
   return true;
 }
 
-void Thinner::follow(const KeptRows& all, std::size_t most_rows) { read_some(all, most_rows); }
+void Thinner::follow(const CompressedRows& all, std::size_t most_rows) { read_some(all, most_rows); }
 
-void Thinner::catch_up(const KeptRows& all) {
+void Thinner::catch_up(const CompressedRows& all) {
   while (read_some(all, kRowsAtOnce)) {
   }
   std::vector<std::string> bytes;

@@ -7,21 +7,21 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/record/kept_bytes.h"
+#include "sim/record/compressed_bytes.h"
 #include "sim/wire/columns.h"
 
 namespace robosim::record {
 
 /// Rows of a stream.
-struct KeptRows {
-  KeptRows(std::size_t width, Packer* packer) : columns(width, KeptBytes(packer)) {}
+struct CompressedRows {
+  CompressedRows(std::size_t width, Packer* packer) : columns(width, CompressedBytes(packer)) {}
 
   void add(const wire::Rows& rows) {
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].add(rows.bytes[i]);
     count += rows.count;
   }
 
-  std::vector<KeptBytes> columns;
+  std::vector<CompressedBytes> columns;
   std::int64_t count = 0;
 };
 
@@ -29,20 +29,20 @@ struct KeptRows {
 /// run waits. The first column is t_ns.
 class Thinner {
  public:
-  /// `packer`: as in KeptBytes.
+  /// `packer`: as in CompressedBytes.
   Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
 
   /// Takes at most `most_rows` next rows of `all`, without those that wait to be packed. Throws
   /// wire::BadValue, like the others, if the columns do not hold as many numbers as there are rows.
-  void follow(const KeptRows& all, std::size_t most_rows);
+  void follow(const CompressedRows& all, std::size_t most_rows);
   /// Takes all remaining rows of `all`.
-  void catch_up(const KeptRows& all);
+  void catch_up(const CompressedRows& all);
   /// Adds rows that come after those.
   void add(const std::vector<std::string>& bytes, std::int64_t count);
   /// Stores the last row, too.
   void finish();
 
-  const KeptRows& kept() const { return kept_; }
+  const CompressedRows& kept() const { return kept_; }
 
  private:
   /// For a column of `all`: unpacked, but unread data.
@@ -55,7 +55,7 @@ class Thinner {
   /// Takes `count` numbers.
   static std::string take(Ahead& ahead, std::size_t count);
   /// Returns false if there are none.
-  bool read_some(const KeptRows& all, std::size_t most_rows);
+  bool read_some(const CompressedRows& all, std::size_t most_rows);
   void keep_last();
 
   std::uint64_t span_ns_;
@@ -67,7 +67,7 @@ class Thinner {
   std::vector<std::int64_t> last_;  ///< a row that is not stored yet
   bool has_last_ = false;
   wire::Stream few_;
-  KeptRows kept_;
+  CompressedRows kept_;
 };
 
 }  // namespace robosim::record

@@ -33,11 +33,12 @@ Battery read_battery(const ConfigValue& table) {
   for (const BatteryKind& kind : kKinds)
     if (name == kind.name) battery.kind = &kind;
   battery.cells = static_cast<double>(reader.integer("cells", 1, 1, 12));
-  battery.resistance = read_figure(reader, "resistance", Dimension::resistance,
-                                   {battery.cells * battery.kind->ohms, 0.0}, 0.0, 20.0);
-  battery.capacity_as = read_figure(reader, "capacity_mAh", Dimension::ratio, {}, 1.0, 1e5).scaled(kPerMah);
-  battery.charge = read_figure(reader, "charge", Dimension::ratio, {1.0, 0.0}, 0.0, 1.0);
-  battery.board = read_figure(reader, "board", Dimension::current, {0.05, 0.0}, 0.0, 2.0);
+  battery.resistance = read_parameter(reader, "resistance", Dimension::resistance,
+                                      {battery.cells * battery.kind->ohms, 0.0}, 0.0, 20.0);
+  battery.capacity_as =
+      read_parameter(reader, "capacity_mAh", Dimension::ratio, {}, 1.0, 1e5).scaled(kPerMah);
+  battery.charge = read_parameter(reader, "charge", Dimension::ratio, {1.0, 0.0}, 0.0, 1.0);
+  battery.board = read_parameter(reader, "board", Dimension::current, {0.05, 0.0}, 0.0, 2.0);
   reader.finish();
   return battery;
 }

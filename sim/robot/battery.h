@@ -21,7 +21,7 @@
 #pragma once
 
 #include "sim/base/config.h"
-#include "sim/base/figure.h"
+#include "sim/base/parameter.h"
 #include "sim/world/body.h"
 
 namespace robosim::robot {
@@ -35,10 +35,10 @@ struct BatteryKind {
 struct Battery {
   const BatteryKind* kind = nullptr;  ///< null: there is none
   double cells = 0.0;
-  Number resistance;   ///< ohm, of all, with their leads
-  Number capacity_as;  ///< A s
-  Number charge;       ///< 0..1 at the start
-  Number board;        ///< A that all but the motors takes
+  Parameter resistance;   ///< ohm, of all, with their leads
+  Parameter capacity_as;  ///< A s
+  Parameter charge;       ///< 0..1 at the start
+  Parameter board;        ///< A that all but the motors takes
 };
 
 /// Reads [battery]. Throws InputError.

@@ -43,9 +43,9 @@ double usual_caster(const Chassis& chassis) {
 
 world::BodyParams body_params(const Description& robot, std::uint64_t seed, Profile profile,
                               std::uint32_t number) {
-  const Individual individual(seed, profile, number);
-  const auto chassis = [&](const Number& figure, const char* key) {
-    return individual.draw(figure, "chassis", key);
+  const ParameterSampler sampler(seed, profile, number);
+  const auto chassis = [&](const Parameter& figure, const char* key) {
+    return sampler.draw(figure, "chassis", key);
   };
   const Chassis& c = robot.chassis;
   const Motors& m = robot.motors;
@@ -55,18 +55,18 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   for (const Side side : {world::left, world::right}) {
     // A differential's motor is half on each wheel.
     const char* name = side == world::left || differential ? "left wheel" : "right wheel";
-    const auto each = [&](const Number& figure, const char* key) {
-      return individual.draw(figure, name, key);
+    const auto each = [&](const Parameter& figure, const char* key) {
+      return sampler.draw(figure, name, key);
     };
     world::WheelParams& wheel = params.wheel[side];
-    wheel.nominal_volts = individual.draw(m.voltage, "motors", "voltage");
+    wheel.nominal_volts = sampler.draw(m.voltage, "motors", "voltage");
     wheel.no_load_rate = each(m.no_load, "no_load");
     wheel.no_load_current = each(m.no_load_current, "no_load_current");
     wheel.stall_torque = each(m.stall_torque, "stall_torque");
     wheel.stall_current = each(m.stall_current, "stall_current");
     wheel.static_friction = each(m.static_friction, "static_friction");
-    wheel.gear_ratio = individual.draw(m.gear, "motors", "gear");
-    wheel.rotor_inertia_kgm2 = individual.draw(m.rotor_inertia, "motors", "rotor_inertia");
+    wheel.gear_ratio = sampler.draw(m.gear, "motors", "gear");
+    wheel.rotor_inertia_kgm2 = sampler.draw(m.rotor_inertia, "motors", "rotor_inertia");
     wheel.inductance_h = each(m.inductance, "inductance");
     if (differential) {
       wheel.no_load_current *= 0.5;
@@ -76,13 +76,12 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
       wheel.inductance_h *= 2.0;
     }
     wheel.wheel_inertia_kgm2 = chassis(c.wheel_inertia, "wheel_inertia");
-    wheel.radius_m =
-        0.5 * individual.draw(c.wheel, side == world::left ? "left wheel" : "right wheel", "wheel");
+    wheel.radius_m = 0.5 * sampler.draw(c.wheel, side == world::left ? "left wheel" : "right wheel", "wheel");
   }
-  params.supply_volts = individual.draw(m.supply, "motors", "supply");
-  params.driver_drop_volts = individual.draw(robot.driver.drop, "driver", "drop");
-  params.driver_ohms = individual.draw(robot.driver.resistance, "driver", "resistance");
-  params.driver_diode_volts = individual.draw(robot.driver.diode, "driver", "diode");
+  params.supply_volts = sampler.draw(m.supply, "motors", "supply");
+  params.driver_drop_volts = sampler.draw(robot.driver.drop, "driver", "drop");
+  params.driver_ohms = sampler.draw(robot.driver.resistance, "driver", "resistance");
+  params.driver_diode_volts = sampler.draw(robot.driver.diode, "driver", "diode");
   params.driver_both_ways = robot.driver.chip->both_ways;
   params.driver_single = std::strcmp(robot.driver.chip->name, "transistor") == 0;
   params.track_m = chassis(c.track, "track");

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
-#include "sim/base/spelling.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/bluetooth.h"

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "sim/base/config_text.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
 #include "sim/base/file_kind.h"
 #include "sim/base/robot_name.h"
-#include "sim/base/spelling.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/part_reader.h"
 #include "sim/robot/parts/mount.h"
@@ -86,10 +86,10 @@ Steering read_steering(const ConfigValue& table, TableReader& chassis) {
   steering.servo = as_string(servo, "servo");
   steering.place = servo.place;
   reader.require("base");
-  steering.base = read_figure(reader, "base", Dimension::length, {}, 0.02, 0.5);
+  steering.base = read_parameter(reader, "base", Dimension::length, {}, 0.02, 0.5);
   steering.limit =
-      read_figure(reader, "limit", Dimension::angle, {kMostSteered, 0.0}, kDegree, 75.0 * kDegree);
-  steering.ratio = read_figure(reader, "ratio", Dimension::ratio, {1.0, 0.0}, 0.05, 5.0);
+      read_parameter(reader, "limit", Dimension::angle, {kMostSteered, 0.0}, kDegree, 75.0 * kDegree);
+  steering.ratio = read_parameter(reader, "ratio", Dimension::ratio, {1.0, 0.0}, 0.05, 5.0);
   steering.ackermann = reader.integer("wheels", 1, 1, 2) == 2;
   reader.finish();
   return steering;
@@ -99,35 +99,37 @@ Chassis read_chassis(const ConfigValue& table) {
   TableReader reader(table, "[chassis]");
   for (const char* key : {"mass", "track", "wheel"}) reader.require(key);
   Chassis chassis;
-  chassis.mass = read_figure(reader, "mass", Dimension::mass, {}, 0.02, 5.0);
-  chassis.inertia = read_figure(reader, "inertia", Dimension::inertia, {}, 1e-6, 0.5);
-  chassis.load_share = read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 1.0);
-  chassis.track = read_figure(reader, "track", Dimension::length, {}, 0.02, 0.5);
-  chassis.wheel = read_figure(reader, "wheel", Dimension::length, {}, 0.01, 0.3);
-  chassis.wheel_inertia = read_figure(reader, "wheel_inertia", Dimension::inertia, {1e-6, 0.0}, 1e-9, 1e-2);
-  chassis.grip = read_figure(reader, "grip", Dimension::ratio, {0.8, 0.0}, 0.05, 3.0);
-  chassis.rolling = read_figure(reader, "rolling", Dimension::ratio, {0.02, 0.0}, 0.0, 0.5);
-  chassis.wall_friction = read_figure(reader, "wall_friction", Dimension::ratio, {0.3, 0.0}, 0.0, 2.0);
-  chassis.caster = read_figure(reader, "caster", Dimension::length, {}, -0.3, 0.3);
+  chassis.mass = read_parameter(reader, "mass", Dimension::mass, {}, 0.02, 5.0);
+  chassis.inertia = read_parameter(reader, "inertia", Dimension::inertia, {}, 1e-6, 0.5);
+  chassis.load_share = read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 1.0);
+  chassis.track = read_parameter(reader, "track", Dimension::length, {}, 0.02, 0.5);
+  chassis.wheel = read_parameter(reader, "wheel", Dimension::length, {}, 0.01, 0.3);
+  chassis.wheel_inertia =
+      read_parameter(reader, "wheel_inertia", Dimension::inertia, {1e-6, 0.0}, 1e-9, 1e-2);
+  chassis.grip = read_parameter(reader, "grip", Dimension::ratio, {0.8, 0.0}, 0.05, 3.0);
+  chassis.rolling = read_parameter(reader, "rolling", Dimension::ratio, {0.02, 0.0}, 0.0, 0.5);
+  chassis.wall_friction = read_parameter(reader, "wall_friction", Dimension::ratio, {0.3, 0.0}, 0.0, 2.0);
+  chassis.caster = read_parameter(reader, "caster", Dimension::length, {}, -0.3, 0.3);
   if (const ConfigValue* const caster = reader.find("caster");
       caster && std::abs(chassis.caster.value) < 0.005)
     throw InputError(caster->place,
                      "caster: expected at least 5 mm from the axle, ahead of it, or behind it if below 0");
-  chassis.caster_radius = read_figure(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
-  chassis.height = read_figure(reader, "height", Dimension::length, {}, 0.0, 0.3);
-  chassis.wheelbase = read_figure(reader, "wheelbase", Dimension::length, {}, 0.02, 0.5);
+  chassis.caster_radius =
+      read_parameter(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
+  chassis.height = read_parameter(reader, "height", Dimension::length, {}, 0.0, 0.3);
+  chassis.wheelbase = read_parameter(reader, "wheelbase", Dimension::length, {}, 0.02, 0.5);
   if (const ConfigValue* const tracks = reader.find("tracks")) {
     if (reader.find("wheelbase"))
       throw InputError(
           tracks->place,
           "tracks (the length of tracks) and wheelbase (of wheels) exclude each other; give one of them");
     chassis.wheelbase =
-        read_figure(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
+        read_parameter(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
   }
-  chassis.downforce = read_figure(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
+  chassis.downforce = read_parameter(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   if (const ConfigValue* const steering = reader.find("steering")) {
     chassis.steering = read_steering(*steering, reader);
-    read_figure(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // steered: the rest
+    read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // steered: the rest
   }
   read_outline(reader, chassis);
   reader.finish();
@@ -139,16 +141,17 @@ Motors read_motors(const ConfigValue& table) {
   for (const char* key : {"voltage", "no_load", "stall_torque", "supply"}) reader.require(key);
   const ConfigValue& stall_current = reader.require("stall_current");
   Motors motors;
-  motors.voltage = read_figure(reader, "voltage", Dimension::voltage, {}, 1.0, 30.0);
-  motors.no_load = read_figure(reader, "no_load", Dimension::rotation_rate, {}, 5 * kRpm, 6000 * kRpm);
-  motors.no_load_current = read_figure(reader, "no_load_current", Dimension::current, {0.0, 0.0}, 0.0, 5.0);
-  motors.stall_torque = read_figure(reader, "stall_torque", Dimension::torque, {}, 1e-4, 10.0);
-  motors.stall_current = read_figure(reader, "stall_current", Dimension::current, {}, 0.02, 50.0);
-  motors.static_friction = read_figure(reader, "static_friction", Dimension::ratio, {1.5, 0.0}, 1.0, 10.0);
-  motors.gear = read_figure(reader, "gear", Dimension::ratio, {1.0, 0.0}, 0.1, 2000.0);
-  motors.rotor_inertia = read_figure(reader, "rotor_inertia", Dimension::inertia, {1e-8, 0.0}, 0.0, 1e-3);
-  motors.inductance = read_figure(reader, "inductance", Dimension::inductance, {0.0, 0.0}, 0.0, 0.1);
-  motors.supply = read_figure(reader, "supply", Dimension::voltage, {}, 1.0, 30.0);
+  motors.voltage = read_parameter(reader, "voltage", Dimension::voltage, {}, 1.0, 30.0);
+  motors.no_load = read_parameter(reader, "no_load", Dimension::rotation_rate, {}, 5 * kRpm, 6000 * kRpm);
+  motors.no_load_current =
+      read_parameter(reader, "no_load_current", Dimension::current, {0.0, 0.0}, 0.0, 5.0);
+  motors.stall_torque = read_parameter(reader, "stall_torque", Dimension::torque, {}, 1e-4, 10.0);
+  motors.stall_current = read_parameter(reader, "stall_current", Dimension::current, {}, 0.02, 50.0);
+  motors.static_friction = read_parameter(reader, "static_friction", Dimension::ratio, {1.5, 0.0}, 1.0, 10.0);
+  motors.gear = read_parameter(reader, "gear", Dimension::ratio, {1.0, 0.0}, 0.1, 2000.0);
+  motors.rotor_inertia = read_parameter(reader, "rotor_inertia", Dimension::inertia, {1e-8, 0.0}, 0.0, 1e-3);
+  motors.inductance = read_parameter(reader, "inductance", Dimension::inductance, {0.0, 0.0}, 0.0, 0.1);
+  motors.supply = read_parameter(reader, "supply", Dimension::voltage, {}, 1.0, 30.0);
   reader.finish();
   const double most_friction = motors.no_load_current.value + motors.no_load_current.spread;
   if (most_friction * 1.25 > motors.stall_current.value - motors.stall_current.spread)
@@ -177,10 +180,10 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   Driver driver;
   for (const DriverChip& chip : driver_chips())
     if (chip.name == name) driver.chip = &chip;
-  driver.drop = read_figure(reader, "drop", Dimension::voltage, {driver.chip->drop, 0.0}, 0.0, 10.0);
+  driver.drop = read_parameter(reader, "drop", Dimension::voltage, {driver.chip->drop, 0.0}, 0.0, 10.0);
   driver.resistance =
-      read_figure(reader, "resistance", Dimension::resistance, {driver.chip->resistance, 0.0}, 0.0, 100.0);
-  driver.diode = read_figure(reader, "diode", Dimension::voltage, {driver.chip->diode, 0.0}, 0.0, 10.0);
+      read_parameter(reader, "resistance", Dimension::resistance, {driver.chip->resistance, 0.0}, 0.0, 100.0);
+  driver.diode = read_parameter(reader, "diode", Dimension::voltage, {driver.chip->diode, 0.0}, 0.0, 10.0);
   if (const ConfigValue* standby = reader.find("standby")) {
     driver.standby = as_pin(*standby, "standby", terminals, PinUse::driven);
     wires.push_back({"standby", driver.standby, standby->place});

@@ -11,7 +11,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/error.h"
-#include "sim/base/figure.h"
+#include "sim/base/parameter.h"
 #include "sim/base/vec.h"
 #include "sim/robot/battery.h"
 #include "sim/robot/electronics.h"
@@ -30,9 +30,9 @@ using world::Side;
 struct Steering {
   std::string servo;       ///< its name
   Place place;             ///< where the file says so
-  Number base;             ///< m, from the driven axle to the steered wheels; 0 = none are steered
-  Number limit;            ///< rad, of the steered wheel; of two, of the inner one
-  Number ratio;            ///< rad of the wheels for each rad of the servo
+  Parameter base;          ///< m, from the driven axle to the steered wheels; 0 = none are steered
+  Parameter limit;         ///< rad, of the steered wheel; of two, of the inner one
+  Parameter ratio;         ///< rad of the wheels for each rad of the servo
   bool ackermann = false;  ///< two steered wheels, `track` apart; else one
 
   bool exists() const { return base.value > 0.0; }
@@ -40,21 +40,21 @@ struct Steering {
 
 /// [chassis]: the rigid body.
 struct Chassis {
-  Number mass;     ///< kg, of the whole robot
-  Number inertia;  ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform plate
-                   ///< of the outline's shape
-  Number load_share;     ///< 0..1 of the weight on the driven wheels
-  Number track;          ///< m, between the two wheels' contact points
-  Number wheel;          ///< m, a wheel's diameter; drawn for each wheel
-  Number wheel_inertia;  ///< kg m2 of a wheel with its tyre
-  Number grip;           ///< coefficient of friction between tyre and floor
-  Number rolling;        ///< force / weight of tyres and caster
-  Number wall_friction;  ///< coefficient of friction between outline and wall
-  Number caster;         ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
-  Number caster_radius;  ///< m
-  Number height;         ///< m, of the mass's centre; 0 = loads do not shift
-  Number wheelbase;      ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
-  Number downforce;      ///< kg whose weight a fan presses it down with
+  Parameter mass;        ///< kg, of the whole robot
+  Parameter inertia;     ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform
+                         ///< plate of the outline's shape
+  Parameter load_share;  ///< 0..1 of the weight on the driven wheels
+  Parameter track;       ///< m, between the two wheels' contact points
+  Parameter wheel;       ///< m, a wheel's diameter; drawn for each wheel
+  Parameter wheel_inertia;  ///< kg m2 of a wheel with its tyre
+  Parameter grip;           ///< coefficient of friction between tyre and floor
+  Parameter rolling;        ///< force / weight of tyres and caster
+  Parameter wall_friction;  ///< coefficient of friction between outline and wall
+  Parameter caster;         ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
+  Parameter caster_radius;  ///< m
+  Parameter height;         ///< m, of the mass's centre; 0 = loads do not shift
+  Parameter wheelbase;      ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
+  Parameter downforce;      ///< kg whose weight a fan presses it down with
   Steering steering;
   Vec2 circle_centre;         ///< m; the outline, if it is a circle
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
@@ -63,16 +63,16 @@ struct Chassis {
 
 /// [motors]: both motors with their gears. sim/world/body.h has the formulas for these parameters.
 struct Motors {
-  Number voltage;          ///< V, at which the following four hold
-  Number no_load;          ///< rad/s at the wheel, drawn for each motor
-  Number no_load_current;  ///< A: friction in motor and gear; drawn for each motor
-  Number stall_torque;     ///< N m at the wheel, drawn for each motor
-  Number stall_current;    ///< A, drawn for each motor
-  Number static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
-  Number gear;             ///< motor turns for each turn of the wheel
-  Number rotor_inertia;    ///< kg m2 of the motor's rotor
-  Number inductance;       ///< H of the winding, drawn for each motor; 0 = it does not matter
-  Number supply;           ///< V of the battery
+  Parameter voltage;          ///< V, at which the following four hold
+  Parameter no_load;          ///< rad/s at the wheel, drawn for each motor
+  Parameter no_load_current;  ///< A: friction in motor and gear; drawn for each motor
+  Parameter stall_torque;     ///< N m at the wheel, drawn for each motor
+  Parameter stall_current;    ///< A, drawn for each motor
+  Parameter static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
+  Parameter gear;             ///< motor turns for each turn of the wheel
+  Parameter rotor_inertia;    ///< kg m2 of the motor's rotor
+  Parameter inductance;       ///< H of the winding, drawn for each motor; 0 = it does not matter
+  Parameter supply;           ///< V of the battery
 };
 
 /// The effect of one combination of a driver's inputs on the motor.
@@ -91,9 +91,9 @@ struct DriverChip {
 /// [driver]
 struct Driver {
   const DriverChip* chip = nullptr;
-  Number drop;           ///< V
-  Number resistance;     ///< ohm
-  Number diode;          ///< V
+  Parameter drop;        ///< V
+  Parameter resistance;  ///< ohm
+  Parameter diode;       ///< V
   Pin standby = kNoPin;  ///< high = working; kNoPin = tied to the supply
 };
 

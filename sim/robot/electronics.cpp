@@ -15,7 +15,7 @@ class AnalogInputs::Input final : public PinSource {
  public:
   Input(const AnalogInputs& all, PinSource& source, Scale scale, Pin pin)
       : all_(all), source_(source), scale_(scale), nominal_(all.board_.spec().supply_volts), pin_(pin) {
-    all.kept_.add(state_);
+    all.snapshots_.add(state_);
   }
 
   double volts(SimTime t) override {
@@ -46,7 +46,7 @@ class AnalogInputs::Input final : public PinSource {
 Electronics read_electronics(const ConfigValue& table) {
   TableReader reader(table, "[electronics]");
   Electronics electronics;
-  electronics.adc_noise = read_figure(reader, "adc_noise", Dimension::ratio, {0.0, 0.0}, 0.0, 50.0);
+  electronics.adc_noise = read_parameter(reader, "adc_noise", Dimension::ratio, {0.0, 0.0}, 0.0, 50.0);
   electronics.fed_by_battery = reader.boolean("fed_by_battery", false);
   reader.finish();
   return electronics;
@@ -59,8 +59,8 @@ Supply supply_at(double battery_volts, const BoardSpec& board) {
 }
 
 AnalogInputs::AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts,
-                           const NoiseStream& noise, Kept& kept)
-    : board_(board), supply_(supply), noise_volts_(noise_volts), noise_(noise), kept_(kept) {}
+                           const NoiseStream& noise, SnapshotRegistry& snapshots)
+    : board_(board), supply_(supply), noise_volts_(noise_volts), noise_(noise), snapshots_(snapshots) {}
 
 AnalogInputs::~AnalogInputs() = default;
 

@@ -20,14 +20,14 @@
 
 #include "hal/board/robot_port.h"
 #include "sim/base/config.h"
-#include "sim/base/figure.h"
-#include "sim/base/kept.h"
 #include "sim/base/noise.h"
+#include "sim/base/parameter.h"
+#include "sim/base/snapshot_registry.h"
 
 namespace robosim::robot {
 
 struct Electronics {
-  Number adc_noise;             ///< standard deviation of a conversion, in steps of the ADC
+  Parameter adc_noise;          ///< standard deviation of a conversion, in steps of the ADC
   bool fed_by_battery = false;  ///< the board's supply sinks with the motors' battery; else it never does
 };
 
@@ -50,9 +50,9 @@ enum class Scale {
 /// The ADC's inputs of a robot with [electronics].
 class AnalogInputs {
  public:
-  /// `noise_volts`: standard deviation of a conversion. `supply` and `kept` outlive this.
+  /// `noise_volts`: standard deviation of a conversion. `supply` and `snapshots` outlive this.
   AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts, const NoiseStream& noise,
-               Kept& kept);
+               SnapshotRegistry& snapshots);
   ~AnalogInputs();
 
   /// As RobotPort::connect.
@@ -65,7 +65,7 @@ class AnalogInputs {
   const Supply& supply_;
   const double noise_volts_;
   const NoiseStream noise_;
-  Kept& kept_;
+  SnapshotRegistry& snapshots_;
   std::vector<std::unique_ptr<Input>> inputs_;
 };
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hal/board/robot_port.h"
-#include "sim/base/kept.h"
+#include "sim/base/snapshot_registry.h"
 
 namespace robosim::robot {
 
@@ -43,10 +43,10 @@ static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 
 class Netlist {
  public:
-  Netlist(RobotPort& board, std::size_t registers, Kept& kept)
+  Netlist(RobotPort& board, std::size_t registers, SnapshotRegistry& snapshots)
       : board_(board), watchers_(registers * kRegisterOutputs) {
     state_.outputs.resize(watchers_.size());
-    kept.add(state_);
+    snapshots.add(state_);
   }
 
   /// How a wire is driven. A shift register's output that is switched off is not driven.

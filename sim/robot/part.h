@@ -58,26 +58,26 @@ class Receiver {
 };
 
 /// An object with text that people would see or hear.
-class Teller {
+class TextOutput {
  public:
   virtual const std::string& name() const = 0;
   /// Returns new text by `t`, the end of a tick; "" = none. Called once a tick.
-  virtual std::string tell(SimTime t) = 0;
+  virtual std::string poll_text(SimTime t) = 0;
 
  protected:
-  ~Teller() = default;
+  ~TextOutput() = default;
 };
 
 class Part;
 
 /// A sensor that detects other robots.
-struct Lookout {
+struct Sightline {
   const Mount* mount;
   double reach;  ///< m from there
 };
 
 /// The interfaces of the robot's parts. Each part registers itself.
-struct Roster {
+struct PartRegistry {
   std::vector<Part*> ticking;  ///< want begin_tick in every tick
   /// Parts that need begin_tick only while the board wants edges, and in the first tick after: most firmware
   /// polls.
@@ -86,10 +86,10 @@ struct Roster {
   std::vector<Breakable*> breakable;
   std::vector<Pressable*> pressable;
   std::vector<Receiver*> receivers;
-  std::vector<Teller*> tellers;
+  std::vector<TextOutput*> text_outputs;
   std::vector<ServoPart*> servos;
   std::vector<FanPart*> fans;
-  std::vector<Lookout> lookouts;
+  std::vector<Sightline> sightlines;
   bool has_radio = false;                     ///< hears other robots, wherever they are
   std::vector<Part*> supplied;                ///< have the board's supply, and want power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
@@ -105,9 +105,9 @@ class Part {
  public:
   virtual ~Part() = default;
   /// Registers the part. Called once, when all parts exist.
-  virtual void join(Roster&) = 0;
-  /// Finds the part that this one is mounted on. Called once, when all have joined.
-  virtual void meet(const Roster&) {}
+  virtual void register_with(PartRegistry&) = 0;
+  /// Finds the part that this one is mounted on. Called once, when all are registered.
+  virtual void resolve_mounts(const PartRegistry&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
   /// Returns whether begin_tick() does nothing until something acts on the part, or touches the body.
@@ -118,7 +118,7 @@ class Part {
   virtual void read(std::vector<Reading>&) const {}
 };
 
-inline bool Roster::idles() const {
+inline bool PartRegistry::idles() const {
   for (const Part* part : ticking)
     if (!part->idles()) return false;
   return true;

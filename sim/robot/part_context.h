@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "hal/board/robot_port.h"
-#include "sim/base/figure.h"
-#include "sim/base/kept.h"
 #include "sim/base/noise.h"
+#include "sim/base/parameter.h"
+#include "sim/base/snapshot_registry.h"
 #include "sim/robot/electronics.h"
 #include "sim/robot/netlist.h"
 #include "sim/robot/robot.h"
@@ -17,17 +17,17 @@
 
 namespace robosim::robot {
 
-/// One individual robot. It draws its parameters and its noise from (seed, number, part name). In the profile
+/// Draws the parameters and the noise of one robot from (seed, number, part name). In the profile
 /// `ideal` every parameter is the file's, and there is no noise.
-class Individual {
+class ParameterSampler {
  public:
-  Individual(std::uint64_t seed, Profile profile, std::uint32_t number)
+  ParameterSampler(std::uint64_t seed, Profile profile, std::uint32_t number)
       : seed_(seed), number_(number), profile_(profile) {}
 
   Profile profile() const { return profile_; }
   bool ideal() const { return profile_ == Profile::ideal; }
   /// Returns this robot's value of the parameter `key` of `part` ("" = the robot itself).
-  double draw(const Number& number, std::string_view part, std::string_view key) const {
+  double draw(const Parameter& number, std::string_view part, std::string_view key) const {
     return ideal() ? number.value : number.drawn(profile_, NoiseStream(seed_, number_, part, key));
   }
   NoiseStream noise(std::string_view part, std::string_view purpose) const {
@@ -49,7 +49,7 @@ struct View {
   Supply supply;         ///< the board's
   const world::World* world = nullptr;
   std::size_t body_number = 0;  ///< of `body` in it
-  world::Air* air = nullptr;
+  world::RadioChannel* radio = nullptr;
 
   /// Returns the pose at `t`, a time inside the current tick. Inlined, so that the caller need not wait for
   /// it in memory.
@@ -63,13 +63,13 @@ struct View {
 class PartContext {
  public:
   PartContext(const Description& description_, RobotPort& board_, Netlist& netlist_, const View& view_,
-              const Individual& individual_, Kept& kept_, AnalogInputs* analog = nullptr)
+              const ParameterSampler& sampler_, SnapshotRegistry& snapshots_, AnalogInputs* analog = nullptr)
       : description(description_),
         board(board_),
         netlist(netlist_),
         view(view_),
-        individual(individual_),
-        kept(kept_),
+        sampler(sampler_),
+        snapshots(snapshots_),
         analog_(analog) {}
 
   /// Connects a source that an ADC converts, as RobotPort::connect does.
@@ -84,8 +84,8 @@ class PartContext {
   RobotPort& board;
   Netlist& netlist;  ///< how a part sees what the firmware drives
   const View& view;
-  const Individual& individual;
-  Kept& kept;  ///< a part adds all of it that changes during a run, its State
+  const ParameterSampler& sampler;
+  SnapshotRegistry& snapshots;  ///< a part adds all of it that changes during a run, its State
 
  private:
   AnalogInputs* const analog_;  // null: there is nothing between the pins and the ADC

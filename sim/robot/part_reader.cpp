@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/robot/netlist.h"
 
 namespace robosim::robot {
@@ -120,33 +120,34 @@ PartReader::PartReader(const ConfigValue& table, const Terminals& terminals, con
   type_ = as_string(table_.require("type"), "type");
 }
 
-Number PartReader::volts(const char* key, Number fallback, double most) {
+Parameter PartReader::volts(const char* key, Parameter fallback, double most) {
   const double own = terminals_.written_for->supply_volts;
-  const Number volts = figure(key, Dimension::voltage, fallback.scaled(own), 0.0, std::min(most, own));
+  const Parameter volts = figure(key, Dimension::voltage, fallback.scaled(own), 0.0, std::min(most, own));
   return volts.scaled(terminals_.board->supply_volts / own);
 }
 
-std::vector<Number> PartReader::figures(const char* key, Dimension dimension, Number fallback, double least,
-                                        double most, std::size_t count) {
+std::vector<Parameter> PartReader::figures(const char* key, Dimension dimension, Parameter fallback,
+                                           double least, double most, std::size_t count) {
   const ConfigValue* value = table_.find(key);
   if (!value || value->kind != ConfigValue::Kind::array)
-    return std::vector<Number>(count, value ? as_figure(*value, key, dimension, least, most) : fallback);
+    return std::vector<Parameter>(count,
+                                  value ? as_parameter(*value, key, dimension, least, most) : fallback);
   if (value->items.size() != count)
     throw InputError(
         value->place,
         fmt::format("{}: expected {} values, one for each pin of {}, got {}; or give one for all, "
                     "without brackets",
                     key, count, name_, value->items.size()));
-  std::vector<Number> all;
-  for (const ConfigValue& item : value->items) all.push_back(as_figure(item, key, dimension, least, most));
+  std::vector<Parameter> all;
+  for (const ConfigValue& item : value->items) all.push_back(as_parameter(item, key, dimension, least, most));
   return all;
 }
 
-std::vector<Number> PartReader::volts_of_each(const char* key, Number fallback, std::size_t count) {
+std::vector<Parameter> PartReader::volts_of_each(const char* key, Parameter fallback, std::size_t count) {
   const double own = terminals_.written_for->supply_volts;
   const double share = terminals_.board->supply_volts / own;
-  std::vector<Number> all = figures(key, Dimension::voltage, fallback.scaled(own), 0.0, own, count);
-  for (Number& volts : all) volts = volts.scaled(share);
+  std::vector<Parameter> all = figures(key, Dimension::voltage, fallback.scaled(own), 0.0, own, count);
+  for (Parameter& volts : all) volts = volts.scaled(share);
   return all;
 }
 

@@ -8,7 +8,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/config.h"
-#include "sim/base/figure.h"
+#include "sim/base/parameter.h"
 #include "sim/robot/description.h"
 #include "sim/robot/netlist.h"
 
@@ -47,19 +47,19 @@ class PartReader {
   const Driver& driver() const { return driver_; }
   TableReader& table() { return table_; }
 
-  Number figure(const char* key, Dimension dimension, Number fallback, double least, double most) {
-    return read_figure(table_, key, dimension, fallback, least, most);
+  Parameter figure(const char* key, Dimension dimension, Parameter fallback, double least, double most) {
+    return read_parameter(table_, key, dimension, fallback, least, most);
   }
   /// Reads a voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the
   /// supply. With a replaced board, it keeps its share of the supply.
-  Number volts(const char* key, Number fallback = {}, double most = 1e3);
+  Parameter volts(const char* key, Parameter fallback = {}, double most = 1e3);
   /// Reads the parameter of each of `count` elements: one for all of them, or a list of that length.
-  std::vector<Number> figures(const char* key, Dimension dimension, Number fallback, double least,
-                              double most, std::size_t count);
+  std::vector<Parameter> figures(const char* key, Dimension dimension, Parameter fallback, double least,
+                                 double most, std::size_t count);
   /// Reads such voltages.
-  std::vector<Number> volts_of_each(const char* key, Number fallback, std::size_t count);
+  std::vector<Parameter> volts_of_each(const char* key, Parameter fallback, std::size_t count);
   /// Reads PinSource::source_ohms() of a source that an ADC converts.
-  Number source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }
+  Parameter source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }
   Vec2 point(const char* key, Vec2 fallback);
   /// Reads an angle in rad; the bounds are inclusive.
   double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
-#include "sim/base/spelling.h"
 #include "sim/base/units.h"
 #include "sim/robot/description.h"
 #include "sim/robot/part.h"
@@ -36,38 +36,37 @@ auto find_named(const Things& things, const std::string& name) {
 
 }  // namespace
 
-struct Robot::Inside {
-  Inside(const Description& d, world::World& world, std::size_t body_number, RobotPort& board,
-         std::uint64_t seed, Profile profile, std::uint32_t number)
+struct Robot::Impl {
+  Impl(const Description& d, world::World& world, std::size_t body_number, RobotPort& board,
+       std::uint64_t seed, Profile profile, std::uint32_t number)
       : description(d),
         body(world.body(body_number)),
-        individual(seed, profile, number),
-        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number, &world.air()},
-        netlist(board, d.registers.size(), kept),
+        sampler(seed, profile, number),
+        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number, &world.radio()},
+        netlist(board, d.registers.size(), snapshots),
         analog(analog_inputs(board)),
-        context(d, board, netlist, view, individual, kept, analog.get()) {
+        context(d, board, netlist, view, sampler, snapshots, analog.get()) {
     begin_battery();
     find_supply();
-    kept.add(view);
-    kept.add(state);
+    snapshots.add(view);
+    snapshots.add(state);
   }
 
   // Returns null if nothing lies between the pins and the ADC.
   std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
-    const double steps = individual.ideal()
-                             ? 0.0
-                             : individual.draw(description.electronics.adc_noise, "electronics", "adc_noise");
+    const double steps =
+        sampler.ideal() ? 0.0 : sampler.draw(description.electronics.adc_noise, "electronics", "adc_noise");
     if (steps == 0.0 && !description.electronics.fed_by_battery) return nullptr;
     board.feed(view.supply.share);
     return std::make_unique<AnalogInputs>(board, view.supply,
                                           steps * board.spec().supply_volts / board.spec().adc_steps,
-                                          individual.noise("electronics", "adc"), kept);
+                                          sampler.noise("electronics", "adc"), snapshots);
   }
   void begin_battery() {
     const Battery& battery = description.battery;
     if (!battery.kind) return;
-    const auto own = [this](const Number& figure, const char* key) {
-      return individual.draw(figure, "battery", key);
+    const auto own = [this](const Parameter& figure, const char* key) {
+      return sampler.draw(figure, "battery", key);
     };
     cells = {battery.kind, battery.cells, own(battery.resistance, "resistance"),
              own(battery.capacity_as, "capacity"), own(battery.board, "board")};
@@ -88,20 +87,20 @@ struct Robot::Inside {
     const Steering& steering = chassis.steering;
     if (!steering.exists()) return;
     const world::BodyParams& params = body.params();
-    const double inner = individual.draw(steering.limit, "chassis", "steering.limit");
+    const double inner = sampler.draw(steering.limit, "chassis", "steering.limit");
     const double most =
         steering.ackermann ? world::steered_middle(inner, params.track_m, params.steer_base_m) : inner;
-    const double ratio = individual.draw(steering.ratio, "chassis", "steering.ratio");
-    for (ServoPart* servo : roster.servos) {
+    const double ratio = sampler.draw(steering.ratio, "chassis", "steering.ratio");
+    for (ServoPart* servo : registry.servos) {
       if (servo->name() != steering.servo) continue;
       servo->turn_wheels(body, ratio, most);
-      roster.ticking.push_back(servo);
+      registry.ticking.push_back(servo);
     }
   }
   bool feeds() const { return cells.kind && !state.is_forced; }
   bool is_steady() const {
     const auto steady = [](const WheelMotor* motor) { return !motor || motor->steady(); };
-    return steady(roster.motor[world::left]) && steady(roster.motor[world::right]);
+    return steady(registry.motor[world::left]) && steady(registry.motor[world::right]);
   }
   void find_supply() {
     if (description.electronics.fed_by_battery)
@@ -128,36 +127,36 @@ struct Robot::Inside {
 
   const Description& description;
   world::Body& body;
-  const Individual individual;
+  const ParameterSampler sampler;
   Cells cells;  // empty without [battery]; values drawn for this robot
-  Kept kept;
+  SnapshotRegistry snapshots;
   View view;
   Netlist netlist;
   const std::unique_ptr<AnalogInputs> analog;
   PartContext context;
   std::vector<std::unique_ptr<Part>> parts;
-  Roster roster;
+  PartRegistry registry;
   State state;
 };
 
-void Robot::Inside::refuse_name(const char* what, const std::string& name,
-                                const std::vector<std::string>& known) const {
+void Robot::Impl::refuse_name(const char* what, const std::string& name,
+                              const std::vector<std::string>& known) const {
   const std::string unknown = fmt::format("unknown {} of robot “{}”", what, description.name);
   if (known.empty()) throw InputError(fmt::format("{}: it has none, got “{}”", unknown, name));
   throw InputError(fmt::format("{}: {}", unknown, expected_one_of(name, known)));
 }
 
-Pressable& Robot::Inside::pressable(const std::string& name) const {
-  if (Pressable* thing = find_named(roster.pressable, name)) return *thing;
-  refuse_name("button", name, list_of(roster.pressable));
+Pressable& Robot::Impl::pressable(const std::string& name) const {
+  if (Pressable* thing = find_named(registry.pressable, name)) return *thing;
+  refuse_name("button", name, list_of(registry.pressable));
 }
 
-Receiver& Robot::Inside::receiver(const std::string& name) const {
-  if (Receiver* part = find_named(roster.receivers, name)) return *part;
-  refuse_name("receiver", name, list_of(roster.receivers));
+Receiver& Robot::Impl::receiver(const std::string& name) const {
+  if (Receiver* part = find_named(registry.receivers, name)) return *part;
+  refuse_name("receiver", name, list_of(registry.receivers));
 }
 
-void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
+void Robot::Impl::hold(const std::string& name, bool down, SimTime t) {
   Pressable& thing = pressable(name);
   thing.hold(down, t);
   ButtonPart* const button = thing.bounces();
@@ -166,21 +165,21 @@ void Robot::Inside::hold(const std::string& name, bool down, SimTime t) {
   state.bouncing.push_back(button);
 }
 
-std::vector<Sensor*> Robot::Inside::covered_by(const std::string& name) const {
+std::vector<Sensor*> Robot::Impl::covered_by(const std::string& name) const {
   std::vector<Sensor*> sensors;
-  for (Sensor* sensor : roster.sensors)
+  for (Sensor* sensor : registry.sensors)
     if (sensor->name() == name || sensor->part() == name) sensors.push_back(sensor);
   if (!sensors.empty()) return sensors;
-  refuse_name("reflectance sensor", name, list_of(roster.sensors));
+  refuse_name("reflectance sensor", name, list_of(registry.sensors));
 }
 
-Breakable& Robot::Inside::breakable(const std::string& name) const {
-  if (Breakable* thing = find_named(roster.breakable, name)) return *thing;
-  refuse_name("part for a fault", name, list_of(roster.breakable));
+Breakable& Robot::Impl::breakable(const std::string& name) const {
+  if (Breakable* thing = find_named(registry.breakable, name)) return *thing;
+  refuse_name("part for a fault", name, list_of(registry.breakable));
 }
 
-PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_name,
-                                    const std::vector<std::string>& arguments) const {
+PartFault Robot::Impl::read_fault(Breakable& thing, const std::string& kind_name,
+                                  const std::vector<std::string>& arguments) const {
   using enum FaultKind::Argument;
   const auto kinds = thing.fault_kinds();
   const auto kind = std::find_if(kinds.begin(), kinds.end(),
@@ -205,9 +204,9 @@ PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_na
                                    kind->least, kind->most, kind->meaning, arguments[0]));
     fault.number = *value;
   } else if (kind->argument == sensor) {
-    fault.sensor = find_named(roster.sensors, arguments[0]);
+    fault.sensor = find_named(registry.sensors, arguments[0]);
     if (!fault.sensor || fault.sensor->name() == thing.name()) {
-      std::vector<std::string> others = list_of(roster.sensors);
+      std::vector<std::string> others = list_of(registry.sensors);
       std::erase(others, thing.name());
       throw InputError(
           others.empty()
@@ -220,53 +219,53 @@ PartFault Robot::Inside::read_fault(Breakable& thing, const std::string& kind_na
 
 Robot::Robot(const Description& description, world::World& world, std::size_t body, RobotPort& board,
              std::uint64_t seed, Profile profile, std::uint32_t number)
-    : in_(std::make_unique<Inside>(description, world, body, board, seed, profile, number)) {
-  for (const auto& spec : description.parts) in_->parts.push_back(spec->make(in_->context));
-  for (const auto& part : in_->parts) part->join(in_->roster);
-  for (const auto& part : in_->parts) part->meet(in_->roster);
-  for (FanPart* fan : in_->roster.fans) fan->press_on(in_->body);
-  in_->find_steering();
-  command_ = in_->state.command;
-  has_battery_ = in_->cells.kind;
-  has_tellers_ = !in_->roster.tellers.empty();
+    : impl_(std::make_unique<Impl>(description, world, body, board, seed, profile, number)) {
+  for (const auto& spec : description.parts) impl_->parts.push_back(spec->make(impl_->context));
+  for (const auto& part : impl_->parts) part->register_with(impl_->registry);
+  for (const auto& part : impl_->parts) part->resolve_mounts(impl_->registry);
+  for (FanPart* fan : impl_->registry.fans) fan->press_on(impl_->body);
+  impl_->find_steering();
+  command_ = impl_->state.command;
+  has_battery_ = impl_->cells.kind;
+  has_text_outputs_ = !impl_->registry.text_outputs.empty();
 }
 
 Robot::~Robot() = default;
 
-void Robot::begin_idle_tick(SimTime t) { in_->view.tick_start = t; }
+void Robot::begin_idle_tick(SimTime t) { impl_->view.tick_start = t; }
 
 void Robot::begin_tick(SimTime t) {
-  in_->view.tick_start = t;
-  for (Part* part : in_->roster.ticking) part->begin_tick(t);
-  const bool edges = in_->context.board.wants_any_edges();
-  if (edges || in_->state.edges)
-    for (Part* part : in_->roster.edge_makers) part->begin_tick(t);
-  in_->state.edges = edges;
-  if (in_->state.bouncing.empty()) return;
-  for (ButtonPart* part : in_->state.bouncing) part->begin_tick(t);
-  std::erase_if(in_->state.bouncing, [](const ButtonPart* part) { return part->settled(); });
+  impl_->view.tick_start = t;
+  for (Part* part : impl_->registry.ticking) part->begin_tick(t);
+  const bool edges = impl_->context.board.wants_any_edges();
+  if (edges || impl_->state.edges)
+    for (Part* part : impl_->registry.edge_makers) part->begin_tick(t);
+  impl_->state.edges = edges;
+  if (impl_->state.bouncing.empty()) return;
+  for (ButtonPart* part : impl_->state.bouncing) part->begin_tick(t);
+  std::erase_if(impl_->state.bouncing, [](const ButtonPart* part) { return part->settled(); });
 }
 
-bool Robot::end_tick(SimTime t) { return (!in_->is_steady() || has_battery_) && take_commands(t); }
+bool Robot::end_tick(SimTime t) { return (!impl_->is_steady() || has_battery_) && take_commands(t); }
 
 bool Robot::idles() const {
-  const Inside& in = *in_;
+  const Impl& in = *impl_;
   return !has_battery_ && !in.state.edges && in.state.bouncing.empty() && in.is_steady() &&
-         !in.context.board.wants_any_edges() && in.roster.idles();
+         !in.context.board.wants_any_edges() && in.registry.idles();
 }
 
 [[gnu::noinline]] bool Robot::take_commands(SimTime t) {
-  Inside& in = *in_;
+  Impl& in = *impl_;
   bool changed = false;
   for (const Side side : {world::left, world::right}) {
-    WheelMotor* motor = in.roster.motor[side];
+    WheelMotor* motor = in.registry.motor[side];
     if (!motor || motor->steady()) continue;
     const world::WheelCommand command = motor->take(in.view.tick_start, t);
     if (command == in.state.command[side]) continue;
     changed = true;
     in.state.command[side] = command;
     in.body.command(side, command);
-    if (!in.roster.differential) continue;
+    if (!in.registry.differential) continue;
     in.state.command[world::right] = command;
     in.body.command(world::right, command);
   }
@@ -274,30 +273,31 @@ bool Robot::idles() const {
   return changed;
 }
 
-double Robot::sight() const { return in_->roster.sight(); }
+double Robot::sight() const { return impl_->registry.sight(); }
 
 std::optional<double> Robot::fed_volts() const {
-  if (!in_->feeds()) return std::nullopt;
+  if (!impl_->feeds()) return std::nullopt;
   return volts();
 }
 
-double Robot::volts() const { return in_->view.battery * battery(); }
+double Robot::volts() const { return impl_->view.battery * battery(); }
 
 std::optional<double> Robot::charge() const {
-  if (!in_->cells.kind) return std::nullopt;
-  return in_->state.charge;
+  if (!impl_->cells.kind) return std::nullopt;
+  return impl_->state.charge;
 }
 
-Kept::Copy Robot::save() const { return in_->kept.copy(); }
+SnapshotRegistry::Snapshot Robot::save() const { return impl_->snapshots.save(); }
 
-void Robot::restore(const Kept::Copy& saved) { in_->kept.put_back(saved); }
+void Robot::restore(const SnapshotRegistry::Snapshot& saved) { impl_->snapshots.restore(saved); }
 
 bool Robot::sees_line() const {
-  const auto& sensors = in_->roster.sensors;
-  if (in_->state.last_seen < sensors.size() && sensors[in_->state.last_seen]->coverage() > 0.0) return true;
+  const auto& sensors = impl_->registry.sensors;
+  if (impl_->state.last_seen < sensors.size() && sensors[impl_->state.last_seen]->coverage() > 0.0)
+    return true;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (sensors[i]->coverage() <= 0.0) continue;
-    in_->state.last_seen = i;
+    impl_->state.last_seen = i;
     return true;
   }
   return false;
@@ -305,7 +305,7 @@ bool Robot::sees_line() const {
 
 double Robot::line_side() const {
   double sum = 0.0, weight = 0.0;
-  for (const auto& sensor : in_->roster.sensors) {
+  for (const auto& sensor : impl_->registry.sensors) {
     const double coverage = sensor->coverage();
     sum += coverage * sensor->at().y;
     weight += coverage;
@@ -313,12 +313,12 @@ double Robot::line_side() const {
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
-bool Robot::has_line_sensors() const { return !in_->roster.sensors.empty(); }
+bool Robot::has_line_sensors() const { return !impl_->registry.sensors.empty(); }
 
 Vec2 Robot::sensor_midpoint() const {
   Vec2 sum;
   double count = 0.0;
-  for (const auto& part : in_->description.parts)
+  for (const auto& part : impl_->description.parts)
     for (const SensorPlace& sensor : part->sensors()) {
       sum = sum + sensor.at;
       count += 1.0;
@@ -326,40 +326,41 @@ Vec2 Robot::sensor_midpoint() const {
   return count > 0.0 ? sum * (1.0 / count) : Vec2{};
 }
 
-void Robot::press(const std::string& part, SimTime t) { in_->hold(part, true, t); }
+void Robot::press(const std::string& part, SimTime t) { impl_->hold(part, true, t); }
 
-void Robot::release(const std::string& part, SimTime t) { in_->hold(part, false, t); }
+void Robot::release(const std::string& part, SimTime t) { impl_->hold(part, false, t); }
 
 void Robot::send(const std::string& part, const Message& message, SimTime t) {
-  in_->receiver(part).send(message, t);
+  impl_->receiver(part).send(message, t);
 }
 
-void Robot::tell(SimTime t, std::vector<Told>& told) {
-  for (Teller* teller : in_->roster.tellers)
-    if (std::string text = teller->tell(t); !text.empty()) told.push_back({teller->name(), std::move(text)});
+void Robot::poll_text(SimTime t, std::vector<PartText>& told) {
+  for (TextOutput* output : impl_->registry.text_outputs)
+    if (std::string text = output->poll_text(t); !text.empty())
+      told.push_back({output->name(), std::move(text)});
 }
 
 void Robot::power(bool on, SimTime t) {
-  for (Part* part : in_->roster.supplied) part->power(on, t);
+  for (Part* part : impl_->registry.supplied) part->power(on, t);
 }
 
-double Robot::battery() const { return in_->body.params().supply_volts; }
+double Robot::battery() const { return impl_->body.params().supply_volts; }
 
 void Robot::set_battery(std::optional<double> volts) {
-  in_->state.is_forced = volts.has_value();
-  in_->view.battery = volts.value_or(battery()) / battery();
-  in_->find_supply();
-  in_->body.supply(volts.value_or(battery()));
+  impl_->state.is_forced = volts.has_value();
+  impl_->view.battery = volts.value_or(battery()) / battery();
+  impl_->find_supply();
+  impl_->body.supply(volts.value_or(battery()));
 }
 
 std::vector<std::string> Robot::breakable() const {
   std::vector<std::string> names;
-  for (const Breakable* thing : in_->roster.breakable) names.push_back(thing->name());
+  for (const Breakable* thing : impl_->registry.breakable) names.push_back(thing->name());
   return names;
 }
 
 void Robot::cover(const std::string& part, bool covered) {
-  for (Sensor* sensor : in_->covered_by(part)) sensor->cover(covered);
+  for (Sensor* sensor : impl_->covered_by(part)) sensor->cover(covered);
 }
 
 void Robot::fault(const std::string& part, const std::string& kind,
@@ -369,40 +370,40 @@ void Robot::fault(const std::string& part, const std::string& kind,
 
 PartFault Robot::read_fault(const std::string& part, const std::string& kind,
                             const std::vector<std::string>& arguments) const {
-  return in_->read_fault(in_->breakable(part), kind, arguments);
+  return impl_->read_fault(impl_->breakable(part), kind, arguments);
 }
 
 void Robot::fault(const PartFault& fault) {
   fault.part->fail(fault.fault);
   for (const Side side : {world::left, world::right})
-    if (const WheelMotor* motor = in_->roster.motor[in_->roster.differential ? world::left : side])
-      in_->body.block(side, motor->blocked());
+    if (const WheelMotor* motor = impl_->registry.motor[impl_->registry.differential ? world::left : side])
+      impl_->body.block(side, motor->blocked());
 }
 
-void Robot::check_press(const std::string& part) const { in_->pressable(part); }
+void Robot::check_press(const std::string& part) const { impl_->pressable(part); }
 
 void Robot::check_send(const std::string& part, const Message& message) const {
-  in_->receiver(part).check(message);
+  impl_->receiver(part).check(message);
 }
 
 void Robot::check_tells(const std::string& part) const {
-  if (!find_named(in_->roster.tellers, part))
-    in_->refuse_name("part that shows or reports something", part, list_of(in_->roster.tellers));
+  if (!find_named(impl_->registry.text_outputs, part))
+    impl_->refuse_name("part that shows or reports something", part, list_of(impl_->registry.text_outputs));
 }
 
-void Robot::check_cover(const std::string& part) const { in_->covered_by(part); }
+void Robot::check_cover(const std::string& part) const { impl_->covered_by(part); }
 
 void Robot::read(std::vector<Reading>& readings) const {
-  for (const Sensor* sensor : in_->roster.sensors) readings.push_back({sensor->name(), sensor->shown()});
-  for (const auto& part : in_->parts) part->read(readings);
+  for (const Sensor* sensor : impl_->registry.sensors) readings.push_back({sensor->name(), sensor->shown()});
+  for (const auto& part : impl_->parts) part->read(readings);
 }
 
 std::vector<WiredPin> Robot::wiring() const {
   std::vector<WiredPin> pins;
-  if (in_->description.driver.standby != kNoPin)
+  if (impl_->description.driver.standby != kNoPin)
     pins.push_back(
-        {"driver", in_->description.driver.chip->name, "standby", in_->description.driver.standby});
-  for (const auto& part : in_->description.parts)
+        {"driver", impl_->description.driver.chip->name, "standby", impl_->description.driver.standby});
+  for (const auto& part : impl_->description.parts)
     for (const Wire& wire : part->wires) pins.push_back({part->name, part->type, wire.role, wire.pin});
   return pins;
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hal/board/robot_port.h"
-#include "sim/base/kept.h"
 #include "sim/base/profile.h"
+#include "sim/base/snapshot_registry.h"
 #include "sim/base/vec.h"
 #include "sim/robot/fault.h"
 #include "sim/world/body.h"
@@ -50,7 +50,7 @@ struct Message {
 };
 
 /// The output of a part: a line received by Bluetooth, the text of a display.
-struct Told {
+struct PartText {
   std::string part;
   std::string text;
 };
@@ -91,9 +91,9 @@ class Robot {
   /// grip, and so its possible speed.
   double sight() const;
   /// Returns whether it has parts that report text.
-  bool has_tellers() const { return has_tellers_; }
+  bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that its parts report at `t`, the end of a tick.
-  void tell(SimTime t, std::vector<Told>& told);
+  void poll_text(SimTime t, std::vector<PartText>& told);
   /// Returns whether the last tick's commands drive a motor.
   bool driven() const { return command_[0].drive != 0.0 || command_[1].drive != 0.0; }
 
@@ -116,9 +116,9 @@ class Robot {
   std::optional<double> charge() const;
 
   /// Saves all state that changes during a run, except its body and its board.
-  Kept::Copy save() const;
+  SnapshotRegistry::Snapshot save() const;
   /// Restores a result of this robot's save().
-  void restore(const Kept::Copy& saved);
+  void restore(const SnapshotRegistry::Snapshot& saved);
 
   // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
   /// Press and release a button from `t` on, which is not before the current tick.
@@ -163,12 +163,12 @@ class Robot {
   double right_command() const { return command_[1].drive; }
 
  private:
-  struct Inside;
+  struct Impl;
   bool take_commands(SimTime t);
 
-  std::unique_ptr<Inside> in_;
+  std::unique_ptr<Impl> impl_;
   const world::WheelCommand* command_ = nullptr;  // of the last tick, by world::Side
-  bool has_battery_ = false, has_tellers_ = false;
+  bool has_battery_ = false, has_text_outputs_ = false;
 };
 
 }  // namespace robosim::robot

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
-#include "sim/base/spelling.h"
 #include "sim/robot/description.h"
 
 namespace robosim::robot {

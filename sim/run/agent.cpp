@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hal/board/board_spec.h"
-#include "sim/judge/usage.h"
+#include "sim/judge/wiring_usage.h"
 #include "sim/robot/describe.h"
 
 namespace robosim::run {
@@ -40,30 +40,30 @@ Listener& nobody() {
 }  // namespace
 
 Agent::Agent(const AgentSetup& own, const Stage& stage, int number)
-    : Agent(own, stage, number, stage.scenery.task(static_cast<std::size_t>(number), {own.start, own.goal})) {
-}
+    : Agent(own, stage, number,
+            stage.prepared_map.resolve(static_cast<std::size_t>(number), {own.start, own.goal})) {}
 
-Agent::Agent(const AgentSetup& own, const Stage& stage, int number, Task&& task)
+Agent::Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMission&& resolved_mission)
     : own_(own),
       setup_(stage.setup),
       number_(number),
       executor_(*own.executor),
       crash_(executor_.crash()),
-      start_(task.start),
-      network_(std::move(task.network)),
-      goal_(std::move(task.goal)),
-      progress_(std::move(task.progress)),
-      world_(stage.scenery.world()),
-      body_number_(stage.scenery.world().add_body(
+      start_(resolved_mission.start),
+      network_(std::move(resolved_mission.network)),
+      goal_(std::move(resolved_mission.goal)),
+      progress_(std::move(resolved_mission.progress)),
+      world_(stage.prepared_map.world()),
+      body_number_(stage.prepared_map.world().add_body(
           robot::body_params(*own.robot, setup_.seed, setup_.profile, static_cast<std::uint32_t>(number)),
-          stage.scenery.stripes().pose_of(start_))),
-      body_(stage.scenery.world().body(body_number_)),
+          stage.prepared_map.stripes().pose_of(start_))),
+      body_(stage.prepared_map.world().body(body_number_)),
       board_(executor_.board()),
-      robot_(*own.robot, stage.scenery.world(), body_number_, board_, setup_.seed, setup_.profile,
+      robot_(*own.robot, stage.prepared_map.world(), body_number_, board_, setup_.seed, setup_.profile,
              static_cast<std::uint32_t>(number)),
       player_(own.scenario,
-              {*setup_.map, stage.scenery.stripes(), robot_, stage.scenery.world(), body_, executor_,
-               setup_.seed, static_cast<std::uint32_t>(number), setup_.profile},
+              {*setup_.map, stage.prepared_map.stripes(), robot_, stage.prepared_map.world(), body_,
+               executor_, setup_.seed, static_cast<std::uint32_t>(number), setup_.profile},
               progress_),
       judge_(robot_.has_line_sensors()),
       sensor_midpoint_(robot_.sensor_midpoint()),
@@ -145,9 +145,9 @@ std::vector<std::uint8_t> Agent::eeprom() const {
 }
 
 void Agent::hear_parts(SimTime t) {
-  std::vector<robot::Told> told;
-  robot_.tell(t, told);
-  for (robot::Told& one : told) {
+  std::vector<robot::PartText> told;
+  robot_.poll_text(t, told);
+  for (robot::PartText& one : told) {
     player_.hear(one);
     state_.happened.push_back(wire::PartTold{std::move(one.part), std::move(one.text)});
   }
@@ -179,8 +179,8 @@ void Agent::look_to_the_side() {
 }
 
 // Reads the sensors that are due; does nothing if called early.
-void Agent::sense(SimTime end) {
-  const Look& due = look_at(end);
+void Agent::sample_sensors(SimTime end) {
+  const DueChecks& due = checks_at(end);
   if (due.at_sensors) state_.sees_line = robot_.sees_line();
   if (state_.sees_line && due.aside) look_to_the_side();
   state_.senses_at = end + due.next * kTick;
@@ -228,7 +228,7 @@ void Agent::begin_leg(const Leg& leg, SimTime t) {
   state_.shown.worst_at = body_.pose().position;
 }
 
-void Agent::stand_still(SimTime t, int stop_met) {
+void Agent::publish_pause_state(SimTime t, int stop_met) {
   run::State& shown = state_.shown;
   shown.t = t;
   shown.stop = stop_met;
@@ -283,20 +283,20 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
 }
 
 // Separate, as most ticks need no stack frame for it.
-bool Agent::pass_places(SimTime end) { return pass(end, true); }
+bool Agent::pass_places(SimTime end) { return undisturbed_tick(end, true); }
 
-bool Agent::look_closely(SimTime end) {
+bool Agent::evaluate_in_full(SimTime end) {
   hash_.pose(body_.pose());
   progress_.update(body_, end, state_.happened);
   measure(end);
-  sense(end);
+  sample_sensors(end);
   count_tick(end);
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
     state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
   }
   if (steering_) watch_steering(end);
-  if (robot_.has_tellers()) hear_parts(end);
+  if (robot_.has_text_outputs()) hear_parts(end);
   if (!state_.happened.empty()) tell_events(end, end - kTick, 4);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) {
     if (untold_)
@@ -312,7 +312,7 @@ bool Agent::look_closely(SimTime end) {
 
 // Returns when it must look closely next, in any case.
 inline SimTime Agent::next_report(SimTime end) const {
-  if (robot_.has_tellers() || progress_.contest()) return 0;
+  if (robot_.has_text_outputs() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
   const SimTime next = after(kBudgetEvery), every = setup_.samples_every;
   return every > 0 ? std::min(next, after(every)) : next;
@@ -339,7 +339,7 @@ void Agent::time_out(SimTime limit) {
   finish(goal_.kind == judge::Goal::Kind::none ? judge::Verdict::reached : judge::Verdict::timeout, limit);
 }
 
-void Agent::leave(SimTime t) {
+void Agent::detach(SimTime t) {
   state_.listener = &nobody();
   if (player_.powered()) executor_.power_off(t);
 }

@@ -14,10 +14,10 @@
 #include "sim/judge/explain.h"
 #include "sim/judge/judge.h"
 #include "sim/judge/steering_detectors.h"
+#include "sim/run/append_only_text.h"
 #include "sim/run/board_detectors.h"
-#include "sim/run/kept_text.h"
-#include "sim/run/looks.h"
-#include "sim/run/scenery.h"
+#include "sim/run/check_schedule.h"
+#include "sim/run/prepared_map.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
 #include "sim/scenario/scenario_player.h"
@@ -33,7 +33,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// The parts of a simulation that all agents share.
   struct Stage {
     const Setup& setup;
-    Scenery& scenery;
+    PreparedMap& prepared_map;
   };
 
   /// `number` counts from 0: the order in which agents act, and part of the address of their noise. Throws
@@ -59,10 +59,10 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool run_firmware(SimTime end);
   /// 1 to 3, for the tick at `t`. Returns the time until which they have no work again. `wakes` is that time
   /// from the previous tick; 0 = unknown.
-  SimTime go(SimTime t, SimTime wakes);
+  SimTime step_or_sleep(SimTime t, SimTime wakes);
   /// 4: goal and judge examine the world at `end`. Returns whether that gave a verdict: the agent is then
   /// finished.
-  bool look(SimTime end);
+  bool evaluate(SimTime end);
 
   // --- turns of several ticks, while it is apart from others ---
   /// A report that waits until all agents have reached its time.
@@ -81,10 +81,10 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Collects its events and samples in `untold` from now on, instead of reporting them; null: reports them.
   void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
-  // --- ticks of a robot at rest (resting.cpp) ---
+  // --- ticks of a robot at rest (rest_optimization.cpp) ---
   /// Returns until when the agent rests. In ticks that begin between `end` and that time, act(), except its
-  /// parts, and look() would have the same results. That holds while the world is still and nothing happens.
-  /// Call it directly after look() at `end`. Returns `end` if it does not rest.
+  /// parts, and evaluate() would have the same results. That holds while the world is still and nothing
+  /// happens. Call it directly after evaluate() at `end`. Returns `end` if it does not rest.
   SimTime rests_until(SimTime end) const;
   /// 1, in such a tick.
   void begin_rest(SimTime t) {
@@ -105,7 +105,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool finished() const { return state_.outcome.has_value(); }
   /// Leaves a finished agent on the floor while others continue: the firmware is off, and nothing is reported
   /// any more.
-  void leave(SimTime t);
+  void detach(SimTime t);
   const judge::Outcome* outcome() const { return finished() ? &*state_.outcome : nullptr; }
   judge::Outcome take_outcome() { return std::move(*state_.outcome); }
 
@@ -117,7 +117,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
   /// Returns its state when the run pauses at `t`; stop_met: of all agents.
-  void stand_still(SimTime t, int stop_met);
+  void publish_pause_state(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }
   std::vector<std::uint8_t> eeprom() const;
@@ -152,14 +152,14 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// All state that changes during a run, except its body's.
   struct Saved {
     State own;
-    KeptText::Copy serial;
+    AppendOnlyText::Copy serial;
     judge::Progress progress;
     judge::Judge judge;
     std::optional<judge::SteeringDetectors> steering;
     std::optional<BoardDetectors::State> board_detectors;
     trace::TraceHash hash;
     StopConditions::State stops;
-    Kept::Copy robot;
+    SnapshotRegistry::Snapshot robot;
     scenario::ScenarioPlayer::Saved player;
     std::any executor;
   };
@@ -167,7 +167,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void restore(const Saved& saved);
 
  private:
-  Agent(const AgentSetup& own, const Stage& stage, int number, Task&& task);
+  Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMission&& resolved_mission);
 
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
@@ -185,12 +185,12 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   SimTime wakes_at(SimTime end) const;
   bool is_undisturbed(SimTime end) const;
   bool is_silent(SimTime end) const { return end - executor_.last_call() >= judge::kSilentAfter; }
-  bool pass(SimTime end, bool checks_progress);
+  bool undisturbed_tick(SimTime end, bool checks_progress);
   bool pass_places(SimTime end);
-  bool look_closely(SimTime end);
+  bool evaluate_in_full(SimTime end);
   SimTime next_report(SimTime end) const;
   void measure(SimTime end);
-  void sense(SimTime end);
+  void sample_sensors(SimTime end);
   void watch_steering(SimTime end);
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
@@ -223,7 +223,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
-  KeptText serial_;
+  AppendOnlyText serial_;
   Sample sample_;                         ///< reused for every sample
   std::vector<robot::Reading> readings_;  ///< for it
   StopConditions stops_;
@@ -246,7 +246,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   return std::exchange(state_.stirred, false) || steered;
 }
 
-inline SimTime Agent::go(SimTime t, SimTime wakes) {
+inline SimTime Agent::step_or_sleep(SimTime t, SimTime wakes) {
   if (t < wakes && !body_.in_contact()) {
     robot_.begin_idle_tick(t);
     executor_.sleep_until(t + kTick);
@@ -271,28 +271,28 @@ inline void Agent::measure(SimTime end) {
   }
 }
 
-// Returns whether the tick that ends at `end` only moved the body, and no periodic work of look_closely() is
-// due.
+// Returns whether the tick that ends at `end` only moved the body, and no periodic work of evaluate_in_full()
+// is due.
 inline bool Agent::is_undisturbed(SimTime end) const {
   return end < state_.reports_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
          body_.collisions() == state_.collisions_told;
 }
 
 // Most ticks are undisturbed. Hanging firmware is detected in the others.
-[[gnu::always_inline]] inline bool Agent::look(SimTime end) {
-  if (!is_undisturbed(end)) return look_closely(end);
+[[gnu::always_inline]] inline bool Agent::evaluate(SimTime end) {
+  if (!is_undisturbed(end)) return evaluate_in_full(end);
   const bool checks_progress = !progress_.passes_by(body_);
   if ((checks_progress || end >= state_.senses_at) && is_silent(end)) [[unlikely]]
-    return look_closely(end);
-  return checks_progress ? pass_places(end) : pass(end, false);
+    return evaluate_in_full(end);
+  return checks_progress ? pass_places(end) : undisturbed_tick(end, false);
 }
 
-// Does the part of look_closely() that an undisturbed tick needs.
-[[gnu::always_inline]] inline bool Agent::pass(SimTime end, bool checks_progress) {
+// Does the part of evaluate_in_full() that an undisturbed tick needs.
+[[gnu::always_inline]] inline bool Agent::undisturbed_tick(SimTime end, bool checks_progress) {
   hash_.pose(body_.pose());
   if (checks_progress) progress_.look(body_, end, state_.happened);
   measure(end);
-  if (end >= state_.senses_at) sense(end);
+  if (end >= state_.senses_at) sample_sensors(end);
   count_tick(end);
   if (steering_) [[unlikely]]
     watch_steering(end);

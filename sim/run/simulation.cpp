@@ -5,27 +5,27 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/run/inside.h"
+#include "sim/run/simulation_impl.h"
 
 namespace robosim::run {
 struct Simulation::Snapshot::Saved {
-  const Inside* of = nullptr;
-  Inside::Clock clock;
+  const Impl* of = nullptr;
+  Impl::Clock clock;
   world::World::State world;
   std::vector<Agent::Saved> agents;
 };
 
 namespace {
 
-std::unique_ptr<Scenery> scenery_of(const Setup& setup) {
-  if (setup.scenery && *setup.scenery) return std::move(*setup.scenery);
-  return std::make_unique<Scenery>(*setup.map);
+std::unique_ptr<PreparedMap> scenery_of(const Setup& setup) {
+  if (setup.prepared_map && *setup.prepared_map) return std::move(*setup.prepared_map);
+  return std::make_unique<PreparedMap>(*setup.map);
 }
 
 }  // namespace
 
-Simulation::Inside::Inside(const Setup& from)
-    : setup(from), scenery(scenery_of(from)), world(scenery->world()) {
+Simulation::Impl::Impl(const Setup& from)
+    : setup(from), prepared_map(scenery_of(from)), world(prepared_map->world()) {
   if (setup.profile != Profile::ideal) {
     const double usual = world::typical_variation(setup.profile);
     world.vary_floor(NoiseStream(setup.seed, 0, "floor", "brightness"), setup.map->variation.value_or(usual));
@@ -39,10 +39,10 @@ Simulation::Inside::Inside(const Setup& from)
   for (const auto& one : agents) sights.push_back(one->sight());
 }
 
-void Simulation::Inside::add_agent(const AgentSetup& own) {
+void Simulation::Impl::add_agent(const AgentSetup& own) {
   const int number = agent_count();
   try {
-    agents.push_back(std::make_unique<Agent>(own, Agent::Stage{setup, *scenery}, number));
+    agents.push_back(std::make_unique<Agent>(own, Agent::Stage{setup, *prepared_map}, number));
   } catch (const InputError& error) {
     if (setup.agents.size() == 1) throw;
     throw BadAgent(error, number);
@@ -54,38 +54,38 @@ void Simulation::Inside::add_agent(const AgentSetup& own) {
   }
 }
 
-const Agent& Simulation::Inside::agent(int number) const {
+const Agent& Simulation::Impl::agent(int number) const {
   if (number < 0 || number >= agent_count())
     throw InputError(
         fmt::format("unknown robot: expected a number from 0 to {}, got {}", agent_count() - 1, number));
   return *agents[static_cast<std::size_t>(number)];
 }
 
-void Simulation::Inside::check(const Leg& leg) const {
+void Simulation::Impl::check(const Leg& leg) const {
   for (const Stop& stop : leg.stops) agent(stop.agent);
   for (const auto& agent : agents) agent->check(leg);
 }
 
 // Runs the controller. Returns false if the run should end here.
-bool Simulation::Inside::stand_still(SimTime t) {
+bool Simulation::Impl::stand_still(SimTime t) {
   int met = -1;
   for (const auto& agent : agents)
     if (agent->met() >= 0 && (met < 0 || agent->met() < met)) met = agent->met();
-  for (const auto& agent : agents) agent->stand_still(t, met);
+  for (const auto& agent : agents) agent->publish_pause_state(t, met);
   const Leg leg = setup.controller->next(*this);
   if (leg.end) return false;
   for (const auto& agent : agents) agent->begin_leg(leg, t);
   return true;
 }
 
-inline bool Simulation::Inside::leg_ends(SimTime t) {
+inline bool Simulation::Impl::leg_ends(SimTime t) {
   bool ends = false;
   for (const auto& agent : agents) ends |= agent->leg_ends(t);
   return ends;
 }
 
 // Returns whether an agent left while others continue.
-inline bool Simulation::Inside::tick(SimTime t) {
+inline bool Simulation::Impl::tick(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
   for (const auto& agent : agents) agent->act(t);
@@ -100,7 +100,7 @@ inline bool Simulation::Inside::tick(SimTime t) {
 
 // Runs ticks of a single robot without controller, from clock.t up to the next check for rest, or fewer.
 // clock.t is then the last of them.
-void Simulation::Inside::go_alone(SimTime end) {
+void Simulation::Impl::go_alone(SimTime end) {
   Agent& agent = *agents.front();
   SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
   if (const SimTime every = setup.samples_every; every > 0)
@@ -112,18 +112,18 @@ void Simulation::Inside::go_alone(SimTime end) {
   SimTime wakes = 0;
   for (;; clock.t += kTick) {
     if (reached) reached->store(clock.t, std::memory_order_relaxed);
-    wakes = agent.go(clock.t, wakes);
+    wakes = agent.step_or_sleep(clock.t, wakes);
     if (plane)
       world.step_alone(0);
     else
       world.step();
-    if (agent.look(clock.t + kTick) || clock.t + kTick >= until || wants_to_stop()) break;
+    if (agent.evaluate(clock.t + kTick) || clock.t + kTick >= until || wants_to_stop()) break;
   }
   if (clock.t + kTick == until) rests_until = rest_from(until);
 }
 
 // Runs a tick of agents at rest. Returns whether an agent left while others continue.
-bool Simulation::Inside::rest(SimTime t) {
+bool Simulation::Impl::rest(SimTime t) {
   const SimTime end = t + kTick;
   for (const auto& agent : agents) agent->begin_rest(t);
   bool happens = false;
@@ -140,7 +140,7 @@ bool Simulation::Inside::rest(SimTime t) {
 }
 
 // Handles an event in the tick at `t`. Returns whether an agent left while others continue.
-bool Simulation::Inside::stir(SimTime t) {
+bool Simulation::Impl::stir(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
   const bool left = look(end);
@@ -148,25 +148,25 @@ bool Simulation::Inside::stir(SimTime t) {
   return left;
 }
 
-void Simulation::Inside::catch_up(SimTime t) {
+void Simulation::Impl::catch_up(SimTime t) {
   rested = false;
   for (const auto& agent : agents) agent->catch_up(t);
 }
 
-SimTime Simulation::Inside::rest_from(SimTime end) const {
+SimTime Simulation::Impl::rest_from(SimTime end) const {
   if (!setup.leaves_rest_out || !world.is_still()) return end;
   SimTime until = kNever;
   for (const auto& agent : agents) until = std::min(until, agent->rests_until(end));
   return until;
 }
 
-void Simulation::Inside::interrupt(SimTime t) {
+void Simulation::Impl::interrupt(SimTime t) {
   for (const auto& agent : agents)
     if (!agent->finished()) agent->finish(judge::Verdict::interrupted, t);
 }
 
 // Runs the ticks after a tick of rest, while they are of rest, too.
-void Simulation::Inside::rest_on(SimTime end) {
+void Simulation::Impl::rest_on(SimTime end) {
   const SimTime until = std::min(rests_until, end - kTick);
   Agent* const lone = agents.size() == 1 ? agents.front().get() : nullptr;
   std::atomic<SimTime>* const reached = setup.reached;
@@ -186,7 +186,7 @@ void Simulation::Inside::rest_on(SimTime end) {
   }
 }
 
-void Simulation::Inside::run_until(SimTime end) {
+void Simulation::Impl::run_until(SimTime end) {
   end = std::min(end, setup.limit);
   for (; clock.t < end && !over(); clock.t += kTick) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
@@ -211,27 +211,27 @@ void Simulation::Inside::run_until(SimTime end) {
   }
 }
 
-Simulation::Simulation(const Setup& setup) : in_(std::make_unique<Inside>(setup)) {
+Simulation::Simulation(const Setup& setup) : impl_(std::make_unique<Impl>(setup)) {
   if (setup.reached) setup.reached->store(kLoading, std::memory_order_relaxed);
-  for (std::size_t i = 0; i < in_->agents.size(); ++i) {
-    in_->note_acting(i);
-    in_->agents[i]->begin();
+  for (std::size_t i = 0; i < impl_->agents.size(); ++i) {
+    impl_->note_acting(i);
+    impl_->agents[i]->begin();
   }
 }
 
 Simulation::~Simulation() = default;
 
-SimTime Simulation::now() const { return in_->clock.t; }
+SimTime Simulation::now() const { return impl_->clock.t; }
 
-bool Simulation::is_over() const { return in_->clock.t >= in_->setup.limit || in_->over(); }
+bool Simulation::is_over() const { return impl_->clock.t >= impl_->setup.limit || impl_->over(); }
 
-void Simulation::run_until(SimTime t) { in_->run_until(t); }
+void Simulation::run_until(SimTime t) { impl_->run_until(t); }
 
-void Simulation::add(std::vector<scenario::Step> steps) { in_->add(std::move(steps), 0); }
+void Simulation::add(std::vector<scenario::Step> steps) { impl_->add(std::move(steps), 0); }
 
 std::vector<judge::Outcome> Simulation::end() {
   std::vector<judge::Outcome> all;
-  for (const auto& agent : in_->agents) {
+  for (const auto& agent : impl_->agents) {
     if (!agent->finished()) agent->time_out(now());
     all.push_back(agent->take_outcome());
   }
@@ -240,9 +240,9 @@ std::vector<judge::Outcome> Simulation::end() {
 
 Simulation::Snapshot Simulation::save() const {
   auto saved = std::make_shared<Snapshot::Saved>();
-  *saved = {in_.get(), in_->clock, in_->world.save(), {}};
-  saved->agents.reserve(in_->agents.size());
-  for (const auto& agent : in_->agents) saved->agents.push_back(agent->save());
+  *saved = {impl_.get(), impl_->clock, impl_->world.save(), {}};
+  saved->agents.reserve(impl_->agents.size());
+  for (const auto& agent : impl_->agents) saved->agents.push_back(agent->save());
   Snapshot snapshot;
   snapshot.saved_ = std::move(saved);
   return snapshot;
@@ -250,12 +250,12 @@ Simulation::Snapshot Simulation::save() const {
 
 void Simulation::restore(const Snapshot& snapshot) {
   const Snapshot::Saved& saved = *snapshot.saved_;
-  if (saved.of != in_.get()) throw std::logic_error("a snapshot of another simulation");
-  in_->clock = saved.clock;
-  in_->rests_until = in_->turns_from = 0;
-  in_->rested = false;  // a run that ended within a tick may have been at rest
-  in_->world.restore(saved.world);
-  for (std::size_t i = 0; i < in_->agents.size(); ++i) in_->agents[i]->restore(saved.agents[i]);
+  if (saved.of != impl_.get()) throw std::logic_error("a snapshot of another simulation");
+  impl_->clock = saved.clock;
+  impl_->rests_until = impl_->turns_from = 0;
+  impl_->rested = false;  // a run that ended within a tick may have been at rest
+  impl_->world.restore(saved.world);
+  for (std::size_t i = 0; i < impl_->agents.size(); ++i) impl_->agents[i]->restore(saved.agents[i]);
 }
 
 std::vector<judge::Outcome> simulate(const Setup& setup) {

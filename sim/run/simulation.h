@@ -89,22 +89,23 @@ struct AgentSetup {
   Listener* listener = nullptr;  ///< may be null
 };
 
-class Scenery;
+class PreparedMap;
 
 /// The value of Setup::reached while firmware is loaded and begins.
 constexpr SimTime kLoading = -1;
 
 struct Setup {
   const grid::Map* map = nullptr;
-  /// The map's scenery. The first simulation takes it, and the next ones make their own. May be null.
-  std::unique_ptr<Scenery>* scenery = nullptr;
+  /// The prepared map. The first simulation takes it, and the next ones make their own. May be null.
+  std::unique_ptr<PreparedMap>* prepared_map = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one
   SimTime limit = kDefaultLimit;   ///< simulated
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
   SimTime samples_every = 0;    ///< a multiple of the tick; 0 = no samples
   bool detect = false;          ///< turns on detectors
-  bool leaves_rest_out = true;  ///< for robots at rest, with equal results (resting.cpp); tests turn it off
+  bool leaves_rest_out = true;  ///< for robots at rest, with equal results (rest_optimization.cpp); tests
+                                ///< turn it off
   bool takes_turns = true;      ///< for robots that are apart, with equal results; likewise
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
@@ -156,8 +157,8 @@ class Simulation {
   void restore(const Snapshot& snapshot);
 
  private:
-  struct Inside;
-  std::unique_ptr<Inside> in_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Runs until each agent has its verdict; returns them in the order of the agents. A finished agent stays

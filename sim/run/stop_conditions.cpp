@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hal/board/board_spec.h"
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 
 namespace robosim::run {
 namespace {

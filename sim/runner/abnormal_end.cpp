@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
-#include "sim/base/machine_fault.h"
+#include "sim/base/system_error.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/exec/host/host_fault.h"
 #include "sim/grid/map.h"
@@ -78,7 +78,7 @@ wire::RunResult result_of_crash(const wire::RunRequest& request, const std::stri
 wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t guilty, SimTime time) {
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
-  if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", fault_of_machine(std::bad_alloc())};
+  if (limit.rlim_cur != RLIM_INFINITY) return wire::ErrorAnswer{"tool", system_error_of(std::bad_alloc())};
   return result_of_crash(
       request,
       fmt::format("it took more than {} MB of memory, which is its limit", exec::kConfinedMemory >> 20),

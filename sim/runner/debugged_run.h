@@ -7,8 +7,8 @@
 
 #include "sim/exec/gdb/history.h"
 #include "sim/run/simulation.h"
-#include "sim/runner/moments.h"
-#include "sim/runner/told_once.h"
+#include "sim/runner/dedup_listener.h"
+#include "sim/runner/snapshot_index.h"
 
 namespace robosim::runner {
 
@@ -35,11 +35,11 @@ class DebuggedRun final : exec::gdb::History {
   bool is_left_alone() const { return !server_.attached() || (interrupted_ && *interrupted_); }
 
   exec::gdb::Server& server_;
-  ToldOnce told_;
+  DedupListener told_;
   const std::atomic<bool>* const interrupted_;
   run::Setup setup_;
   run::Simulation simulation_;
-  Moments moments_;
+  SnapshotIndex moments_;
   bool end_shown_ = false;
 };
 

@@ -3,13 +3,13 @@
 #include <map>
 
 #include "sim/base/file.h"
-#include "sim/runner/stamp.h"
+#include "sim/runner/file_identity.h"
 
 namespace robosim::runner {
 namespace {
 
 struct Known {
-  Stamp stamp;
+  FileIdentity identity;
   std::string sha256;
 };
 
@@ -17,9 +17,9 @@ struct Known {
 
 const std::string& known_sha256(const std::filesystem::path& file) {
   static std::map<std::filesystem::path, Known> all;
-  const Stamp stamp = stamp_of(file);
+  const FileIdentity identity = identity_of(file);
   Known& known = all[file];
-  if (known.sha256.empty() || known.stamp != stamp) known = {stamp, sha256_of_file(file)};
+  if (known.sha256.empty() || known.identity != identity) known = {identity, sha256_of_file(file)};
   return known.sha256;
 }
 

@@ -40,9 +40,9 @@ bool is_as_read(const robot::Description& robot) {
 }
 
 ImageAhead image_in(const std::filesystem::path& file, ImageAhead last, long long now) {
-  const Stamp stamp = stamp_of(file);
-  if (last.content && last.stamp == stamp && stamp != Stamp{}) return last;
-  ImageAhead image{std::move(last.content), is_settled(stamp, now) ? stamp : Stamp{}};
+  const FileIdentity identity = identity_of(file);
+  if (last.content && last.identity == identity && identity != FileIdentity{}) return last;
+  ImageAhead image{std::move(last.content), is_settled(identity, now) ? identity : FileIdentity{}};
   if (!image.content || !image.content->is_like(file))
     image.content = std::make_shared<const exec::ImageContent>(file);
   return image;
@@ -52,43 +52,44 @@ std::filesystem::path picture_of(const grid::Map& map) {
   return map.image ? std::filesystem::path(map.file).parent_path() / map.image->name() : "";
 }
 
-bool is_as_read(const MapAhead& ahead, const Stamp& stamp) {
-  if (ahead.stamp != stamp || stamp == Stamp{}) return false;
+bool is_as_read(const MapAhead& ahead, const FileIdentity& identity) {
+  if (ahead.identity != identity || identity == FileIdentity{}) return false;
   const std::filesystem::path picture = picture_of(ahead.read->map);
-  return picture.empty() || (ahead.picture != Stamp{} && stamp_of(picture) == ahead.picture);
+  return picture.empty() || (ahead.picture != FileIdentity{} && identity_of(picture) == ahead.picture);
 }
 
-MapAhead map_in(const std::string& name, const grid::Draw& draw, const Stamp& stamp, long long now) {
-  MapAhead ahead{name, draw, is_settled(stamp, now) ? stamp : Stamp{}};
+MapAhead map_in(const std::string& name, const grid::Draw& draw, const FileIdentity& identity,
+                long long now) {
+  MapAhead ahead{name, draw, is_settled(identity, now) ? identity : FileIdentity{}};
   ahead.read = std::make_shared<ReadMap>(name, draw);
-  ahead.read->scenery = std::make_unique<run::Scenery>(ahead.read->map);
+  ahead.read->prepared_map = std::make_unique<run::PreparedMap>(ahead.read->map);
   if (const std::filesystem::path picture = picture_of(ahead.read->map); !picture.empty()) {
-    const Stamp of_picture = stamp_of(picture);
+    const FileIdentity of_picture = identity_of(picture);
     if (is_settled(of_picture, now)) ahead.picture = of_picture;
   }
   return ahead;
 }
 
 void prepare_errands(ReadMap& read, const wire::RunRequest& request) {
-  const std::vector<run::Errand> errands = errands_of(request, read.map);
-  for (std::size_t i = 0; i < errands.size(); ++i) read.scenery->prepare(i, errands[i]);
+  const std::vector<run::Mission> missions = missions_of(request, read.map);
+  for (std::size_t i = 0; i < missions.size(); ++i) read.prepared_map->prepare(i, missions[i]);
 }
 
 /// Puts the request's map first in `maps`.
 std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<MapAhead>& maps,
                                  long long now) {
   try {
-    const Stamp stamp = stamp_of(request.map);
-    if (size_in(stamp) > kLargestMap) return nullptr;
+    const FileIdentity identity = identity_of(request.map);
+    if (size_in(identity) > kLargestMap) return nullptr;
     const grid::Draw draw = draw_of(request);
     const auto known = std::find_if(maps.begin(), maps.end(), [&](const MapAhead& one) {
       return one.name == request.map && one.draw.profile == draw.profile &&
-             (!one.read->map.differs || one.draw.seed == draw.seed) && is_as_read(one, stamp);
+             (!one.read->map.differs || one.draw.seed == draw.seed) && is_as_read(one, identity);
     });
     if (known != maps.end())
       std::rotate(maps.begin(), known, known + 1);
     else
-      maps.insert(maps.begin(), map_in(request.map, draw, stamp, now));
+      maps.insert(maps.begin(), map_in(request.map, draw, identity, now));
     if (maps.size() > kMaps) maps.resize(kMaps);
     prepare_errands(*maps.front().read, request);
     return maps.front().read;

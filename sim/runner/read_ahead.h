@@ -9,21 +9,21 @@
 #include <vector>
 
 #include "sim/exec/host/image_file.h"
+#include "sim/runner/file_identity.h"
 #include "sim/runner/requested_run.h"
-#include "sim/runner/stamp.h"
 
 namespace robosim::runner {
 
 struct ImageAhead {
   std::shared_ptr<const exec::ImageContent> content;
-  Stamp stamp{};  ///< of the file, if that alone proves that it is unchanged
+  FileIdentity identity{};  ///< of the file, if that alone proves that it is unchanged
 };
 
 struct MapAhead {
-  std::string name;  ///< as in the request
-  grid::Draw draw;   ///< its random choices
-  Stamp stamp{};     ///< of the file, if that alone proves that it is unchanged
-  Stamp picture{};   ///< likewise of the floor's picture, if it has one
+  std::string name;         ///< as in the request
+  grid::Draw draw;          ///< its random choices
+  FileIdentity identity{};  ///< of the file, if that alone proves that it is unchanged
+  FileIdentity picture{};   ///< likewise of the floor's picture, if it has one
   std::shared_ptr<ReadMap> read;
 };
 

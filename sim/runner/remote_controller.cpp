@@ -7,7 +7,7 @@
 #include "sim/base/error.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/runner/answers.h"
-#include "sim/runner/lines.h"
+#include "sim/runner/line_io.h"
 
 namespace robosim::runner {
 

@@ -11,8 +11,8 @@
 #include "sim/robot/describe.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/debugged_run.h"
-#include "sim/runner/inquiry.h"
 #include "sim/runner/known_hash.h"
+#include "sim/runner/verdict_trace.h"
 #include "sim/scenario/scenario.h"
 
 namespace robosim::runner {
@@ -42,11 +42,11 @@ void check_why(const wire::RunRequest& request) {
     throw InputError("tracing the cause of a verdict requires a run without a driver or debugger");
 }
 
-run::Errand errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
-  run::Errand errand;
-  if (!asked.start.empty()) errand.start = grid::parse_start(map, asked.start);
-  if (!asked.goal.empty()) errand.goal = judge::parse_goal(asked.goal);
-  return errand;
+run::Mission errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
+  run::Mission mission;
+  if (!asked.start.empty()) mission.start = grid::parse_start(map, asked.start);
+  if (!asked.goal.empty()) mission.goal = judge::parse_goal(asked.goal);
+  return mission;
 }
 
 /// Adds the name of the robot that the error is about.
@@ -69,10 +69,10 @@ grid::Draw draw_of(const wire::RunRequest& request) { return {request.seed, prof
 ReadMap::ReadMap(const std::filesystem::path& file, grid::Draw draw)
     : map(grid::read_map(file, draw)), sha256(grid::sha256_of(map)) {}
 
-std::vector<run::Errand> errands_of(const wire::RunRequest& request, const grid::Map& map) {
-  std::vector<run::Errand> errands;
-  for (const wire::AgentRequest& agent : agents_of(request)) errands.push_back(errand_of(agent, map));
-  return errands;
+std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map) {
+  std::vector<run::Mission> missions;
+  for (const wire::AgentRequest& agent : agents_of(request)) missions.push_back(errand_of(agent, map));
+  return missions;
 }
 
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot) {
@@ -99,8 +99,8 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
   check_several(request);
   check_why(request);
   if (request.batches) {
-    bundler_ = std::make_unique<Bundler>(std::move(tell), std::move(batches));
-    tell = [bundler = bundler_.get()](wire::Event event) { bundler->tell(std::move(event)); };
+    batcher_ = std::make_unique<EventBatcher>(std::move(tell), std::move(batches));
+    tell = [batcher = batcher_.get()](wire::Event event) { batcher->tell(std::move(event)); };
   }
   for (wire::AgentRequest& asked : agents_of(request)) {
     try {
@@ -111,7 +111,7 @@ RequestedRun::RequestedRun(const MakeExecutor& make, const wire::RunRequest& req
     }
   }
   setup_.map = &map_->map;
-  setup_.scenery = &map_->scenery;
+  setup_.prepared_map = &map_->prepared_map;
   setup_.limit = request.for_ns;
   setup_.seed = request.seed;
   setup_.profile = profile_of(request.profile);
@@ -134,8 +134,8 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   const BoardSpec& board = *member.robot->board;
   member.executor = make(agent.target, board, agent.image);
   member.inputs = inputs_of(map_->sha256, agent.image, *member.robot);
-  member.narrator =
-      std::make_unique<Narrator>(request_, number, board, *member.executor, tell, bundler_.get());
+  member.encoder =
+      std::make_unique<EventEncoder>(request_, number, board, *member.executor, tell, batcher_.get());
   if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
   if (!agent.late.empty()) member.executor->set_lateness(agent.late);
   if (!request_.counters.empty()) member.executor->count_lines();
@@ -144,19 +144,19 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   run::AgentSetup& setup = setup_.agents.emplace_back();
   setup.robot = member.robot;
   setup.executor = member.executor.get();
-  setup.listener = member.narrator.get();
-  const run::Errand errand = errand_of(agent, map_->map);
-  setup.start = errand.start;
-  setup.goal = errand.goal;
+  setup.listener = member.encoder.get();
+  const run::Mission mission = errand_of(agent, map_->map);
+  setup.start = mission.start;
+  setup.goal = mission.goal;
   setup.scenario = scenario::parse_scenario(agent.script, agent.script_file);
 }
 
 void RequestedRun::flush(SimTime t) {
   for (const Member& member : members_) {
-    member.narrator->flush_serial(t);
-    member.narrator->flush_columns();
+    member.encoder->flush_serial(t);
+    member.encoder->flush_columns();
   }
-  if (bundler_) bundler_->flush();
+  if (batcher_) batcher_->flush();
 }
 
 void RequestedRun::debug_with(exec::gdb::Server& server) {

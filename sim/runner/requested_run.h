@@ -14,10 +14,10 @@
 #include "sim/grid/map.h"
 #include "sim/judge/outcome.h"
 #include "sim/robot/description.h"
-#include "sim/run/scenery.h"
+#include "sim/run/prepared_map.h"
 #include "sim/run/simulation.h"
-#include "sim/runner/bundler.h"
-#include "sim/runner/narrator.h"
+#include "sim/runner/event_batcher.h"
+#include "sim/runner/event_encoder.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::runner {
@@ -47,11 +47,11 @@ struct ReadMap {
   ReadMap(const std::filesystem::path& file, grid::Draw draw);
   const grid::Map map;
   const std::string sha256;
-  std::unique_ptr<run::Scenery> scenery;  ///< for one simulation; null = it makes its own
+  std::unique_ptr<run::PreparedMap> prepared_map;  ///< for one simulation; null = it makes its own
 };
 
-/// Returns the errands of a request's robots on a map. Throws InputError if one of them is invalid.
-std::vector<run::Errand> errands_of(const wire::RunRequest& request, const grid::Map& map);
+/// Returns the missions of a request's robots on a map. Throws InputError if one of them is invalid.
+std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map);
 
 /// By their names in a request.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
@@ -84,7 +84,7 @@ class RequestedRun {
     const robot::Description* robot = nullptr;
     std::unique_ptr<exec::Executor> executor;
     Inputs inputs;
-    std::unique_ptr<Narrator> narrator;
+    std::unique_ptr<EventEncoder> encoder;
   };
 
   void add(const MakeExecutor& make, wire::AgentRequest asked, const Tell& tell);
@@ -95,7 +95,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const std::shared_ptr<ReadMap> map_;
   Robots robots_;
-  std::unique_ptr<Bundler> bundler_;  ///< null = each event is passed on by itself
+  std::unique_ptr<EventBatcher> batcher_;  ///< null = each event is passed on by itself
   std::deque<Member> members_;
   run::Setup setup_;
   exec::gdb::Server* debugger_ = nullptr;

@@ -15,23 +15,23 @@
 #include <sstream>
 
 #include "hal/board/board_spec.h"
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/child.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/machine_fault.h"
+#include "sim/base/system_error.h"
 #include "sim/exec/gdb/server.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/robot/description.h"
 #include "sim/runner/abnormal_end.h"
 #include "sim/runner/answers.h"
+#include "sim/runner/fork_runs.h"
 #include "sim/runner/known_hash.h"
-#include "sim/runner/lines.h"
+#include "sim/runner/line_io.h"
 #include "sim/runner/read_ahead.h"
-#include "sim/runner/relay.h"
 #include "sim/runner/remote_controller.h"
 #include "sim/runner/requested_run.h"
-#include "sim/runner/ways.h"
+#include "sim/runner/sandbox_proxy.h"
 #include "sim/wire/protocol.h"
 
 namespace robosim::runner {
@@ -129,21 +129,21 @@ std::string serve_ask(const wire::RunRequest& request, char what, const std::str
   return "";
 }
 
-void keep_counters(const wire::RunRequest& request, const std::string& counters, const Relay* relay) {
-  if (!relay) return write_file(request.counters, counters);
-  if (const std::string fault = relay->ask(kAskToKeepCounters, counters); !fault.empty())
+void keep_counters(const wire::RunRequest& request, const std::string& counters, const SandboxProxy* proxy) {
+  if (!proxy) return write_file(request.counters, counters);
+  if (const std::string fault = proxy->ask(kAskToKeepCounters, counters); !fault.empty())
     throw InputError(fault);
 }
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
-                            const wire::Id& id, Relay* relay, const ReadAhead& ahead) {
+                            const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
   // Never destroyed: its process ends, and frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
       },
       request, [&id](wire::Event event) { write_line(wire::to_line(id, std::move(event))); },
-      relay ? SharedBatches{relay->waiting(), [relay] { return &relay->hand_on(); }} : SharedBatches{},
+      proxy ? SharedBatches{proxy->waiting(), [proxy] { return &proxy->hand_on(); }} : SharedBatches{},
       ahead.robots, ahead.map);
   std::optional<exec::gdb::Server> debugger;
   if (request.gdb_port > 0) {
@@ -151,29 +151,29 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
     run.debug_with(*debugger);
   }
   run.setup().interrupted = &interrupted;
-  run.setup().reached = relay ? &relay->reached() : &reached;
-  if (!request.agents.empty()) run.setup().acting = relay ? &relay->acting() : &acting_robot;
-  if (!debugger && !relay) start_watchdog();  // a chip never hangs within a tick
+  run.setup().reached = proxy ? &proxy->reached() : &reached;
+  if (!request.agents.empty()) run.setup().acting = proxy ? &proxy->acting() : &acting_robot;
+  if (!debugger && !proxy) start_watchdog();  // a chip never hangs within a tick
 
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
-  if (relay) {
+  if (proxy) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
     for (const std::size_t agent : to_confine(factory, request))
       factory_of(factory, agents[agent].target)
           .prepare_for_confinement(
               run.executor(agent),
-              [relay, agent](const auto&, const auto& offsets) {
-                return relay->ask(kAskLines, text_of(agent, offsets));
+              [proxy, agent](const auto&, const auto& offsets) {
+                return proxy->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
     // The chips of a fleet were made after the fork, and so was a map that was not read ahead.
     const bool has_grown = !request.agents.empty() || !ahead.map;
-    if (exec::why_not_confined().empty()) relay->confine(has_grown);
+    if (exec::why_not_confined().empty()) proxy->confine(has_grown);
   }
-  if (request.ways) return go_all_ways(run, request, relay ? std::function<void()>() : start_watchdog);
+  if (request.ways) return run_all_branches(run, request, proxy ? std::function<void()>() : start_watchdog);
   wire::RunResult result = run.go();
-  if (!request.counters.empty()) keep_counters(request, pack(run.executor().counters()), relay);
+  if (!request.counters.empty()) keep_counters(request, pack(run.executor().counters()), proxy);
   if (debugger) debugger->ended(result.status);
   return result;
 }
@@ -188,7 +188,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const ToolMissing& error) {
     return wire::ErrorAnswer{"tool", error.what()};
   } catch (const std::exception& error) {
-    const std::string fault = fault_of_machine(error);
+    const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
       exec::keyed_exit(exec::kNoMemoryStatus);  // all else it has already
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
@@ -198,20 +198,20 @@ std::optional<wire::Answer> answer_of(Serve serve) {
 
 // Runs in the fork.
 int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
-                 pid_t runner, Relay* relay, const ReadAhead& ahead) {
+                 pid_t runner, SandboxProxy* proxy, const ReadAhead& ahead) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != runner) return 0;  // it had ended before that
-  if (relay) {
-    relay->enter(sealed_images(ahead));
-    go_through(*relay);
+  if (proxy) {
+    proxy->enter(sealed_images(ahead));
+    route_through(*proxy);
   }
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   ::sigaction(SIGINT, &action, nullptr);
   const std::string answer =
-      wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, relay, ahead); }));
-  if (relay) {
-    relay->answer(answer);
+      wire::to_line(id, *answer_of([&] { return run_request(factory, request, id, proxy, ahead); }));
+  if (proxy) {
+    proxy->answer(answer);
     exec::keyed_exit(0);
   }
   write_line(answer);
@@ -253,26 +253,26 @@ double share_of(const wire::RunRequest& request) {
 std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                const wire::RunRequest& request, const wire::Id& id,
                                                pid_t self, const ReadAhead& ahead) {
-  Relay relay(request.batches, request.interactive);
-  Child child([&] { return run_in_child(factory, request, id, self, &relay, ahead); });
+  SandboxProxy proxy(request.batches, request.interactive);
+  Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
   bool finds_lines = true;  // an image with which that takes too long once is not asked about again
-  const Relay::Told told = relay.serve(child,
-                                       [&](char what, const std::string& question) {
-                                         if (what == kAskLines && !finds_lines) return std::string();
-                                         const std::string answer = serve_ask(request, what, question);
-                                         if (what == kAskLines) finds_lines = !answer.empty();
-                                         return answer;
-                                       },
-                                       id, {request.for_ns, share_of(request)});
-  if (request.batches && !told.answer) tell_rest(request, id, relay.waiting());
-  const auto guilty = [&] { return guilty_robot(request, to_confine(factory, request), relay.acting()); };
-  const SimTime time = relay.time();
+  const SandboxProxy::Told told = proxy.serve(child,
+                                              [&](char what, const std::string& question) {
+                                                if (what == kAskLines && !finds_lines) return std::string();
+                                                const std::string answer = serve_ask(request, what, question);
+                                                if (what == kAskLines) finds_lines = !answer.empty();
+                                                return answer;
+                                              },
+                                              id, {request.for_ns, share_of(request)});
+  if (request.batches && !told.answer) tell_rest(request, id, proxy.waiting());
+  const auto guilty = [&] { return guilty_robot(request, to_confine(factory, request), proxy.acting()); };
+  const SimTime time = proxy.time();
   const auto refused = [&](const std::string& cause) {
     return result_of_crash(request, cause, exec::kSandboxCheck, guilty(), time);
   };
   if (told.forged) return refused("it wrote to the place of its verdict");
   if (told.found == RunWatch::Found::loops)
-    return result_of_crash(request, relay.reached() == run::kLoading ? kNeverLoads : kLoops, "", guilty(),
+    return result_of_crash(request, proxy.reached() == run::kLoading ? kNeverLoads : kLoops, "", guilty(),
                            time);
   if (told.found == RunWatch::Found::exhausts)
     return refused(fmt::format(

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hal/board/board_spec.h"
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/units.h"
 #include "sim/scenario/script_line.h"
 
@@ -40,7 +40,7 @@ BoardFault read_brown_out(const Words&, std::size_t) { return PowerFault{PowerFa
 std::optional<std::uint64_t> parse_ordinal(std::string_view text) {
   for (const char* ending : {"st", "nd", "rd", "th"}) {
     if (!text.ends_with(ending)) continue;
-    const auto number = parse_whole(text.substr(0, text.size() - 2));
+    const auto number = parse_unsigned(text.substr(0, text.size() - 2));
     return number && *number > 0 ? number : std::nullopt;
   }
   return std::nullopt;
@@ -59,8 +59,8 @@ BoardFault read_bytes(const Words& words, std::size_t) {
 }
 
 BoardFault read_flip(const Words& words, std::size_t eeprom_bytes) {
-  const auto address = parse_whole(words[1]);
-  const auto bit = parse_whole(words[2]);
+  const auto address = parse_unsigned(words[1]);
+  const auto bit = parse_unsigned(words[2]);
   if (!address || *address >= eeprom_bytes || !bit || *bit > 7)
     throw InputError(
         fmt::format("fault eeprom flip: expected an address from 0 to {} and a bit from 0 to 7, got “{} {}”",
@@ -253,7 +253,7 @@ void BoardFaults::update_power(SimTime t) {
   }
 }
 
-judge::Power BoardFaults::power() const {
+judge::SupplySummary BoardFaults::power() const {
   const BoardSpec& spec = executor_.board().spec();
   return {state_.powered,
           state_.switched_on,

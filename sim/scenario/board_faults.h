@@ -20,7 +20,7 @@
 #include "hal/board/robot_port.h"
 #include "sim/base/noise.h"
 #include "sim/exec/core/executor.h"
-#include "sim/judge/power.h"
+#include "sim/judge/supply_summary.h"
 #include "sim/robot/robot.h"
 #include "sim/scenario/scenario.h"
 #include "sim/wire/events.h"
@@ -90,7 +90,7 @@ class BoardFaults final : EepromWatcher {
   /// Returns whether the chip runs: it is switched on and has its voltage.
   bool powered() const { return state_.powered; }
   /// Returns the present and past state of the supply.
-  judge::Power power() const;
+  judge::SupplySummary power() const;
   /// Determines the byte that is being written at `t`; returns nothing if none is.
   std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 

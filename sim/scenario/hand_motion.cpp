@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 
 namespace robosim::scenario {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/parse_unsigned.h"
 #include "sim/base/units.h"
-#include "sim/base/whole.h"
 
 namespace robosim::scenario {
 
@@ -16,8 +16,8 @@ grid::CellAt parse_cell(const grid::Map& map, const std::string& text) {
   const auto width = static_cast<std::uint64_t>(map.width), height = static_cast<std::uint64_t>(map.height);
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string_view row = std::string_view(text).substr(std::min(comma + 1, text.size()));
-  const std::uint64_t x = parse_whole(text.substr(0, comma)).value_or(width);
-  const std::uint64_t y = parse_whole(row).value_or(height);
+  const std::uint64_t x = parse_unsigned(text.substr(0, comma)).value_or(width);
+  const std::uint64_t y = parse_unsigned(row).value_or(height);
   if (x >= width || y >= height)
     throw InputError(fmt::format("invalid cell: expected COLUMN,ROW from 0,0 to {},{}, got \"{}\"", width - 1,
                                  height - 1, text));

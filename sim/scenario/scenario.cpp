@@ -6,8 +6,8 @@
 #include <array>
 #include <numbers>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/file_kind.h"
-#include "sim/base/spelling.h"
 #include "sim/base/utf8.h"
 #include "sim/scenario/script_line.h"
 
@@ -134,7 +134,7 @@ void parse_power(ScriptLine& line, Action& action) {
   if (what == "new") return;
   byte.kind = what == "old" ? HalfWritten::Kind::before : HalfWritten::Kind::value;
   if (what == "old" || what == "erased") return;
-  const std::uint64_t value = parse_whole(what).value_or(256);
+  const std::uint64_t value = parse_unsigned(what).value_or(256);
   if (value > 255)
     line.refuse(
         fmt::format("the half-written byte: expected old, new, erased or a value from 0 to 255, got “{}”{}",

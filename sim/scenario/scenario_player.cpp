@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/noise.h"
-#include "sim/base/spelling.h"
 #include "sim/scenario/places.h"
 
 namespace robosim::scenario {
@@ -137,7 +137,7 @@ void ScenarioPlayer::hear(std::uint8_t byte) {
       pending.heard = true;
 }
 
-void ScenarioPlayer::hear(const robot::Told& told) {
+void ScenarioPlayer::hear(const robot::PartText& told) {
   for (Pending& pending : state_.awaiting) {
     const Trigger& trigger = pending.step.trigger;
     if (trigger.kind == Trigger::Kind::told && trigger.part == told.part &&

@@ -66,11 +66,11 @@ class ScenarioPlayer {
   /// Sets the battery's voltage at the beginning of a tick, which sags and recovers by itself.
   void feed(double volts, SimTime t, judge::Events& events);
   /// Receives what a part shows or sends for people.
-  void hear(const robot::Told& told);
+  void hear(const robot::PartText& told);
   /// Receives a byte from the firmware.
   void hear(std::uint8_t byte);
   bool powered() const { return board_.powered(); }
-  judge::Power power() const { return board_.power(); }
+  judge::SupplySummary power() const { return board_.power(); }
   /// Returns the faults of the script so far, by time.
   const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
   /// Returns how often the chip has started.

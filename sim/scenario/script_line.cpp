@@ -113,7 +113,7 @@ double ScriptLine::quantity(const char* what, Dimension dimension, double least,
 
 std::uint64_t ScriptLine::whole(const char* what, std::uint64_t least, std::uint64_t most) {
   const Word& word = take(what);
-  const auto number = parse_whole(word.text);
+  const auto number = parse_unsigned(word.text);
   if (!number || word.quoted || *number < least || *number > most)
     refuse(fmt::format("expected {} from {} to {}, got \"{}\"", what, least, most, word.text));
   return *number;

@@ -9,8 +9,8 @@
 
 #include "hal/board/sim_time.h"
 #include "sim/base/error.h"
+#include "sim/base/parse_unsigned.h"
 #include "sim/base/units.h"
-#include "sim/base/whole.h"
 #include "sim/scenario/spread.h"
 
 namespace robosim::scenario {

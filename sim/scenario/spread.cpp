@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/parse_unsigned.h"
 #include "sim/base/units.h"
-#include "sim/base/whole.h"
 
 namespace robosim::scenario {
 namespace {
@@ -34,7 +34,7 @@ std::optional<std::pair<std::string, std::string>> split(const std::string& word
 }
 
 std::string drawn(const std::string& value, const std::string& spread, double share) {
-  const auto whole = parse_whole(value), wide = parse_whole(spread);
+  const auto whole = parse_unsigned(value), wide = parse_unsigned(spread);
   if (whole && wide && *whole <= INT32_MAX && *wide <= INT32_MAX) {
     const auto most = static_cast<double>(*wide);
     const double step = std::floor((share + 1.0) * 0.5 * (2.0 * most + 1.0)) - most;  // all equally likely

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
-#include "sim/base/whole.h"
+#include "sim/base/parse_unsigned.h"
 #include "sim/scenario/places.h"
 
 namespace robosim::scenario {
@@ -88,7 +88,7 @@ void WorldChanges::move_obstacles(SimTime t) {
 std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const {
   std::vector<std::size_t> lights;
   const std::size_t count = map_.lights.size();
-  const std::uint64_t number = parse_whole(text).value_or(0);
+  const std::uint64_t number = parse_unsigned(text).value_or(0);
   if (count == 0) throw InputError("the map has no light to switch; [[light]] in the map makes one");
   if (text != "all" && (number == 0 || number > count))
     throw InputError(fmt::format("unknown light: expected 1 to {} or all, got \"{}\"", count, text));

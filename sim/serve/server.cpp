@@ -10,12 +10,12 @@
 
 #include "sim/base/error.h"
 #include "sim/record/page_text.h"
-#include "sim/serve/bench_text.h"
+#include "sim/serve/embedded_page.h"
+#include "sim/serve/file_store.h"
 #include "sim/serve/folder.h"
-#include "sim/serve/guard.h"
-#include "sim/serve/patience.h"
-#include "sim/serve/shelf.h"
-#include "sim/serve/workshop.h"
+#include "sim/serve/job_manager.h"
+#include "sim/serve/origin_check.h"
+#include "sim/serve/request_deadline.h"
 #include "sim/wire/json_parse.h"
 
 namespace robosim::serve {
@@ -59,7 +59,7 @@ std::string all_of(const Request& request, const char* header) {
   return all;
 }
 
-Asked asked_of(const Request& request) {
+RequestHead asked_of(const Request& request) {
   return {request.method,
           request.target.substr(0, request.target.find('?')),
           all_of(request, "Host"),
@@ -80,9 +80,9 @@ void refuse(Response& response, const Refusal& refusal) {
 }
 
 /// Returns the complete answer.
-std::string too_slow(std::chrono::milliseconds patience) {
+std::string too_slow(std::chrono::milliseconds deadline) {
   const std::string sentence = fmt::format("the request is too slow: expected all of it within {} s",
-                                           1e-3 * static_cast<double>(patience.count()));
+                                           1e-3 * static_cast<double>(deadline.count()));
   const std::string body = json_text({{"error", sentence}});
   return fmt::format(
       "HTTP/1.1 408 Request Timeout\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
@@ -114,16 +114,16 @@ int number_of(std::string_view name) {
 /// returns whether there was room, in others nothing. The library's own pool may be final.
 class Threads : public httplib::TaskQueue {
  public:
-  explicit Threads(Patience& patience) : patience_(patience), pool_(kThreads) {}
+  explicit Threads(RequestDeadline& deadline) : deadline_(deadline), pool_(kThreads) {}
   auto enqueue(std::function<void()> work) -> decltype(TaskQueue::enqueue(work)) override {
-    return pool_.enqueue([this, connection = patience_.accepted(), work = std::move(work)] {
-      patience_.answer(connection, work);
+    return pool_.enqueue([this, connection = deadline_.accepted(), work = std::move(work)] {
+      deadline_.answer(connection, work);
     });
   }
   void shutdown() override { pool_.shutdown(); }
 
  private:
-  Patience& patience_;
+  RequestDeadline& deadline_;
   httplib::ThreadPool pool_;
 };
 
@@ -148,18 +148,18 @@ int bind(httplib::Server& server, const Settings& settings) {
 
 }  // namespace
 
-struct Server::Inside {
-  explicit Inside(const Settings& settings)
-      : workshop(settings.robosim, settings.folder),
+struct Server::Impl {
+  explicit Impl(const Settings& settings)
+      : jobs(settings.robosim, settings.folder),
         port(bind(http, settings)),
-        guard(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
-        patience(port, settings.patience, too_slow(settings.patience)) {
-    http.new_task_queue = [this] { return new Threads(patience); };
+        origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
+        deadline(port, settings.deadline, too_slow(settings.deadline)) {
+    http.new_task_queue = [this] { return new Threads(deadline); };
     // The library leaves the body of a refused request unread, and would treat it as the next one. Then a
     // page of another site could send in such a body what its own headers cannot.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
-      if (request.body.empty() && has_body(request)) patience.read_away();
+      if (request.body.empty() && has_body(request)) deadline.read_away();
     });
     http.set_payload_max_length(kLongestImage);
     http.set_read_timeout(kPatience_s);
@@ -190,16 +190,16 @@ struct Server::Inside {
     post(R"(/api/live/([0-9]{1,9}))",
          [this](const Request& request, Response& response) { ask(request, response); });
     act("/api/map", [this](const Offered& offered) {
-      return Json{{"text", map_text(workshop.folder(), offered.name)}};
+      return Json{{"text", map_text(jobs.folder(), offered.name)}};
     });
     act("/api/floor", [](const Offered& offered) { return Json{{"floor", Json::parse(floor_of(offered))}}; });
-    act(kFiles, [this](const Offered& offered) { return Json{{"saved", keep(workshop.folder(), offered)}}; });
+    act(kFiles, [this](const Offered& offered) { return Json{{"saved", keep(jobs.folder(), offered)}}; });
     http.Get("/live.html", [](const Request&, Response& response) {
       const std::string_view page = record::page_text();
       response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
     });
     http.Get(R"(/recording/([0-9]+\.html))", [this](const Request& request, Response& response) {
-      const std::string page = workshop.page_of(number_of(request.matches[1].str()));
+      const std::string page = jobs.page_of(number_of(request.matches[1].str()));
       if (page.empty()) return refuse(response, {404, "this run is no longer stored: run it again"});
       response.set_content(page, "text/html; charset=utf-8");
     });
@@ -208,7 +208,7 @@ struct Server::Inside {
   /// `answer` is called with the complete body.
   void post(const char* path, httplib::Server::Handler answer) {
     http.Post(path, [this, answer = std::move(answer)](const Request& request, Response& response) {
-      patience.is_here();
+      deadline.is_here();
       answer(request, response);
     });
   }
@@ -229,9 +229,9 @@ struct Server::Inside {
   }
 
   httplib::Server::HandlerResponse check(const Request& request, Response& response) {
-    patience.head_is_here();
-    if (request.method != "POST") patience.is_here();
-    auto refusal = guard.refuse(asked_of(request));
+    deadline.head_is_here();
+    if (request.method != "POST") deadline.is_here();
+    auto refusal = origin_check.refuse(asked_of(request));
     const auto length = std::strtoull(request.get_header_value("Content-Length").c_str(), nullptr, 10);
     if (!refusal && length > (request.path == kFiles ? kLongestImage : kLongestBody)) refusal = kTooLong;
     if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
@@ -250,15 +250,16 @@ struct Server::Inside {
         "Content-Security-Policy",
         "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; frame-src 'self'; "
         "img-src data:; base-uri 'none'; form-action 'none'");
-    if (!guard.token().empty())
-      response.set_header("Set-Cookie", kCookie + guard.token() + "; HttpOnly; SameSite=Strict; Path=/");
+    if (!origin_check.token().empty())
+      response.set_header("Set-Cookie",
+                          kCookie + origin_check.token() + "; HttpOnly; SameSite=Strict; Path=/");
     const std::string_view page = bench_html();
     response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
   }
 
   void list(Response& response) const {
-    const Choices choices = choices_in(workshop.folder());
-    response.set_content(json_text({{"folder", workshop.folder().path().filename().string()},
+    const Choices choices = choices_in(jobs.folder());
+    response.set_content(json_text({{"folder", jobs.folder().path().filename().string()},
                                     {"sketches", choices.sketches},
                                     {"robots", choices.robots},
                                     {"maps", choices.maps}}),
@@ -266,40 +267,40 @@ struct Server::Inside {
   }
 
   /// Returns nothing, after an answer with the reason, for an invalid request.
-  std::optional<Wanted> wanted_by(const Request& request, Response& response) const {
+  std::optional<RunForm> wanted_by(const Request& request, Response& response) const {
     try {
-      return read_wanted(request.body, choices_in(workshop.folder()));
+      return read_run_form(request.body, choices_in(jobs.folder()));
     } catch (const InputError& error) {
       refuse(response, {400, error.what()});
       return std::nullopt;
     }
   }
 
-  static Json json_of(const Workshop::Done& done) {
+  static Json json_of(const JobManager::Done& done) {
     return {{"done", {{"status", done.status}, {"recording", done.recording}, {"sentence", done.sentence}}}};
   }
 
   void run(const Request& request, Response& response) {
-    const auto wanted = wanted_by(request, response);
-    if (!wanted) return;
+    const auto form = wanted_by(request, response);
+    if (!form) return;
     response.set_chunked_content_provider(
-        "application/x-ndjson", [this, wanted = *wanted](std::size_t, httplib::DataSink& sink) {
+        "application/x-ndjson", [this, form = *form](std::size_t, httplib::DataSink& sink) {
           const auto line = [&](const Json& json) {
             const std::string text = json_text(json) + "\n";
             return sink.write(text.data(), text.size());
           };
-          const auto done = workshop.run(wanted, [&](const std::string& text) {
+          const auto done = jobs.run(form, [&](const std::string& text) {
             return text.empty() ? sink.is_writable() : line({{"say", text}});
           });
-          line(json_of(done.value_or(Workshop::busy())));
+          line(json_of(done.value_or(JobManager::busy())));
           sink.done();
           return true;
         });
   }
 
   void prepare(const Request& request, Response& response) {
-    if (const auto wanted = wanted_by(request, response))
-      response.set_content(json_text({{"live", workshop.prepare(*wanted)}}), "application/json");
+    if (const auto form = wanted_by(request, response))
+      response.set_content(json_text({{"live", jobs.prepare(*form)}}), "application/json");
   }
 
   // The run begins when its page listens, and ends when it stops listening.
@@ -312,14 +313,14 @@ struct Server::Inside {
             return sink.write(text.data(), text.size());
           };
           bool heard = true;
-          const auto done = workshop.watch(number, [&](Workshop::Said said, const std::string& text) {
+          const auto done = jobs.watch(number, [&](JobManager::Said said, const std::string& text) {
             heard = text.empty()
                         ? sink.is_writable()
-                        : event(said == Workshop::Said::lines ? text : json_text({{"say", text}}) + "\n");
+                        : event(said == JobManager::Said::lines ? text : json_text({{"say", text}}) + "\n");
             return heard;
           });
-          if (!heard || workshop.ending()) return false;  // the closed stream is the page's signal
-          event(json_text(json_of(done.value_or(Workshop::Done{5, 0, "no such run to watch"}))) + "\n");
+          if (!heard || jobs.ending()) return false;  // the closed stream is the page's signal
+          event(json_text(json_of(done.value_or(JobManager::Done{5, 0, "no such run to watch"}))) + "\n");
           sink.done();
           return true;
         });
@@ -329,25 +330,25 @@ struct Server::Inside {
     const Json json = wire::parsed_json(request.body);
     if (!json.is_object() || request.body.size() > kLongestRequest)
       return refuse(response, {400, "the request: expected a JSON object of at most 4000 bytes"});
-    if (!workshop.ask(std::stoi(request.matches[1].str()), json_text(json) + "\n"))
+    if (!jobs.ask(std::stoi(request.matches[1].str()), json_text(json) + "\n"))
       return refuse(response, {409, "this run accepts no requests: it is over or has too many"});
     response.set_content("{}", "application/json");
   }
 
   httplib::Server http;
-  Workshop workshop;
+  JobManager jobs;
   const int port;
-  const Guard guard;
-  Patience patience;
+  const OriginCheck origin_check;
+  RequestDeadline deadline;
 };
 
-Server::Server(const Settings& settings) : in_(std::make_unique<Inside>(settings)) {}
+Server::Server(const Settings& settings) : impl_(std::make_unique<Impl>(settings)) {}
 Server::~Server() = default;
-std::string Server::url() const { return in_->guard.url(); }
-void Server::serve() { in_->http.listen_after_bind(); }
+std::string Server::url() const { return impl_->origin_check.url(); }
+void Server::serve() { impl_->http.listen_after_bind(); }
 void Server::stop() {
-  in_->workshop.end();
-  in_->http.stop();
+  impl_->jobs.end();
+  impl_->http.stop();
 }
 
 }  // namespace robosim::serve

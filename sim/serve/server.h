@@ -11,7 +11,7 @@
 //   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}
 //   POST /api/map             {"name"}: a map's text
 //   POST /api/floor           {"text"}: the floor of a map's text, or its error
-//   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (shelf.h)
+//   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (file_store.h)
 //   GET  /live.html           the page of a run, empty
 #pragma once
 
@@ -28,7 +28,7 @@ struct Settings {
   std::filesystem::path robosim;      ///< the program
   std::string address = "127.0.0.1";  ///< an IP address of this machine; other than loopback requires a token
   int port = 0;                       ///< 0 = 8080, or any free one
-  std::chrono::milliseconds patience{10'000};  ///< for a request, head and body
+  std::chrono::milliseconds deadline{10'000};  ///< for a request, head and body
 };
 
 class Server {
@@ -45,8 +45,8 @@ class Server {
   void stop();
 
  private:
-  struct Inside;
-  const std::unique_ptr<Inside> in_;
+  struct Impl;
+  const std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace robosim::serve

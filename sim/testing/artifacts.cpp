@@ -13,7 +13,7 @@
 #include "sim/base/profile.h"
 #include "sim/base/shell_word.h"
 #include "sim/record/recorder.h"
-#include "sim/testing/rehearsal.h"
+#include "sim/testing/silent_run.h"
 
 namespace robosim::testing {
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ std::string of_another_run(const std::string& folder) {
 }  // namespace
 
 std::string artifact_folder() {
-  if (is_rehearsal()) return "";
+  if (is_silent_run()) return "";
   const char* chosen = std::getenv("ROBOSIM_ARTIFACTS");
   if (chosen && std::string(chosen) == "none") return "";
   const fs::path base = chosen && *chosen ? chosen : "robosim-artifacts";
@@ -47,30 +47,32 @@ std::string artifact_folder() {
   return (base / (number == 1 ? name : fmt::format("{}-{}", name, number))).string();
 }
 
-std::string replay_command(const Stage& stage, const std::string& folder, bool script) {
-  const wire::RunRequest& r = stage.request;
+std::string replay_command(const ResolvedTrial& resolved_trial, const std::string& folder, bool script) {
+  const wire::RunRequest& r = resolved_trial.request;
   const fs::path kept = folder;
-  std::string text = "robosim run " + shell_word(stage.sketch);
-  text += " --map " + shell_word(stage.map_is_text ? (kept / "map.map").string() : stage.map);
-  text += " --robot " + shell_word(stage.robot_is_text ? (kept / "robot.toml").string() : stage.robot_name);
-  text += " --target " + stage.target;
+  std::string text = "robosim run " + shell_word(resolved_trial.sketch);
+  text +=
+      " --map " + shell_word(resolved_trial.map_is_text ? (kept / "map.map").string() : resolved_trial.map);
+  text += " --robot " + shell_word(resolved_trial.robot_is_text ? (kept / "robot.toml").string()
+                                                                : resolved_trial.robot_name);
+  text += " --target " + resolved_trial.target;
   text += fmt::format(" --seed {}", r.seed);
   if (profile_of(r.profile) != Profile::typical) text += " --profile " + r.profile;
   if (!r.start.empty()) text += " --start " + shell_word(r.start);
   if (!r.goal.empty()) text += " --goal " + shell_word(r.goal);
   if (r.clock_ns > 0) text += fmt::format(" --clock {}ns", r.clock_ns);
-  for (const std::string& folder_of_libraries : stage.libraries)
+  for (const std::string& folder_of_libraries : resolved_trial.libraries)
     text += " --libraries " + shell_word(folder_of_libraries);
   if (script) text += " --script " + shell_word((kept / "script.txt").string());
   return text;
 }
 
-void keep_inputs(const std::string& name, const Stage& stage, const std::string& script) {
+void keep_inputs(const std::string& name, const ResolvedTrial& resolved_trial, const std::string& script) {
   if (name.empty()) return;
   const fs::path folder = name;
   fs::create_directories(folder);
-  write_file(folder / "map.map", read_file(stage.request.map));
-  write_file(folder / "robot.toml", read_file(stage.robot.file));
+  write_file(folder / "map.map", read_file(resolved_trial.request.map));
+  write_file(folder / "robot.toml", read_file(resolved_trial.robot.file));
   if (!script.empty()) write_file(folder / "script.txt", script);
 }
 
@@ -89,11 +91,11 @@ std::string replay_command(const FleetTrial& trial, const std::string& folder) {
   return text;
 }
 
-void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std::vector<Stage>& stages,
-                 const std::vector<std::string>& scripts) {
+void keep_inputs(const std::string& name, const launch::Fleet& fleet,
+                 const std::vector<ResolvedTrial>& resolved_trials, const std::vector<std::string>& scripts) {
   const fs::path folder = name;
   fs::create_directories(folder);
-  write_file(folder / "map.map", read_file(stages.front().request.map));
+  write_file(folder / "map.map", read_file(resolved_trials.front().request.map));
   std::string text = "map = \"./map.map\"\n";
   const auto add = [&](const char* key, const std::string& value) {
     if (!value.empty()) text += fmt::format("{} = \"{}\"\n", key, escaped(value));
@@ -101,18 +103,18 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std:
   const auto resolved = [](const std::string& word, bool is_path) {
     return is_path ? fs::absolute(word).lexically_normal().string() : word;
   };
-  for (std::size_t i = 0; i < stages.size(); ++i) {
+  for (std::size_t i = 0; i < resolved_trials.size(); ++i) {
     const launch::Member& member = fleet.members[i];
     text += "\n[[agent]]\n";
     add("name", member.name);
-    add("sketch", resolved(stages[i].sketch, build::is_sketch_path(stages[i].sketch)));
-    if (stages[i].robot_is_text) {
-      write_file(folder / (member.name + ".toml"), read_file(stages[i].robot.file));
+    add("sketch", resolved(resolved_trials[i].sketch, build::is_sketch_path(resolved_trials[i].sketch)));
+    if (resolved_trials[i].robot_is_text) {
+      write_file(folder / (member.name + ".toml"), read_file(resolved_trials[i].robot.file));
       add("robot", "./" + member.name + ".toml");
     } else {
-      add("robot", resolved(stages[i].robot_name, launch::is_path(stages[i].robot_name)));
+      add("robot", resolved(resolved_trials[i].robot_name, launch::is_path(resolved_trials[i].robot_name)));
     }
-    add("target", stages[i].target);
+    add("target", resolved_trials[i].target);
     add("start", member.launch.request.start);
     add("goal", member.launch.request.goal);
     if (member.launch.request.clock_ns > 0) add("clock", fmt::format("{}ns", member.launch.request.clock_ns));
@@ -121,7 +123,7 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std:
       add("script", "./" + member.name + ".txt");
     }
     std::string folders;
-    for (const std::string& library : stages[i].libraries)
+    for (const std::string& library : resolved_trials[i].libraries)
       folders += fmt::format("{}\"{}\"", folders.empty() ? "" : ", ",
                              escaped(resolved(library, launch::is_path(library))));
     if (!folders.empty()) text += fmt::format("libraries = [{}]\n", folders);
@@ -129,11 +131,11 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet, const std:
   write_file(folder / kFleetFile, text);
 }
 
-std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& stages,
+std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedTrial>& resolved_trials,
                          const std::vector<std::string>& scripts, const wire::RunResult* expected,
                          std::int64_t until_ns, const std::string& name, client::Runner& runner) {
   const fs::path folder = name;
-  const Stage& first = stages.front();
+  const ResolvedTrial& first = resolved_trials.front();
   wire::RunRequest request = first.request;
   request.script = scripts.front();
   for (std::size_t i = 1; i < scripts.size(); ++i) request.agents[i - 1].script = scripts[i];
@@ -143,9 +145,10 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& s
   const std::string map_name = first.map_is_text ? "the test's map" : fs::path(first.map).stem().string();
   record::RecordedRun recorded{runner.hello().version, first.sketch_title, map_name, first.robot.name,
                                first.target,           first.robot,        request};
-  for (std::size_t i = 0; i < stages.size(); ++i)
-    recorded.robots.push_back({fleet.members[i].name, stages[i].sketch_title, stages[i].robot.name,
-                               stages[i].target, stages[i].robot});
+  for (std::size_t i = 0; i < resolved_trials.size(); ++i)
+    recorded.robots.push_back({fleet.members[i].name, resolved_trials[i].sketch_title,
+                               resolved_trials[i].robot.name, resolved_trials[i].target,
+                               resolved_trials[i].robot});
   recorders.begin(recorded);
   const wire::RunResult again = runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
   recorders.finish(again);
@@ -153,22 +156,23 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<Stage>& s
   return of_another_run(name);
 }
 
-std::string keep(const RunLog& log, const Stage& stage, const std::string& script, client::Runner& runner) {
+std::string keep(const RunLog& log, const ResolvedTrial& resolved_trial, const std::string& script,
+                 client::Runner& runner) {
   try {
     const fs::path folder = log.artifacts;
-    keep_inputs(log.artifacts, stage, script);
+    keep_inputs(log.artifacts, resolved_trial, script);
     keep_texts(log, folder, "");
     const std::int64_t until_ns = log.legs.empty() ? 0 : log.legs.back().end_ns;
     write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", log.replay, until_ns / 1'000'000));
     if (until_ns == 0) return "";
-    wire::RunRequest request = stage.request;
+    wire::RunRequest request = resolved_trial.request;
     request.script = script;
     request.for_ns = until_ns;
     request.counters.clear();
     record::Recorders recorders({folder / "run.csv", folder / "run.vcd", folder / kPage});
     recorders.ask(request);
     recorders.begin({runner.hello().version, log.sketch_name, log.map_name, log.robot_name, log.trial.target,
-                     stage.robot, request});
+                     resolved_trial.robot, request});
     const wire::RunResult again =
         runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
     recorders.finish(again);

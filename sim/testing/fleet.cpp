@@ -6,22 +6,22 @@
 #include <cstdio>
 #include <limits>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/spelling.h"
 #include "sim/testing/artifacts.h"
-#include "sim/testing/inside.h"
-#include "sim/testing/rehearsal.h"
 #include "sim/testing/reports.h"
+#include "sim/testing/silent_run.h"
+#include "sim/testing/simulation_impl.h"
 
 namespace robosim::testing {
 namespace fs = std::filesystem;
 
-struct Fleet::Inside {
+struct Fleet::Impl {
   FleetTrial trial;
-  FleetStage all;
+  ResolvedFleetTrial all;
   std::shared_ptr<SharedRun> run;
-  std::vector<Stage> stages;
+  std::vector<ResolvedTrial> resolved_trials;
   std::vector<std::shared_ptr<RunLog>> logs;
   std::string artifacts, replay;
 
@@ -29,31 +29,31 @@ struct Fleet::Inside {
   void keep() const;
 };
 
-Fleet::Fleet(FleetTrial trial) : in_(std::make_unique<Inside>()) {
+Fleet::Fleet(FleetTrial trial) : impl_(std::make_unique<Impl>()) {
   report_to_github();
-  in_->trial = std::move(trial);
+  impl_->trial = std::move(trial);
   try {
-    in_->all = choose_stage(in_->trial);
-    scratch_ = in_->all.scratch;
-    in_->run = std::make_shared<SharedRun>(in_->all.chosen.runner);
-    in_->run->of_fleet = true;
-    in_->stages = set_stages(in_->trial, in_->all, *in_->run->runner);
-    in_->artifacts = artifact_folder();
-    in_->replay = robosim::testing::replay_command(in_->trial, in_->artifacts);
-    for (std::size_t i = 0; i < in_->stages.size(); ++i) {
-      names_.push_back(in_->all.fleet.members[i].name);
-      Trial alone = in_->all.trials[i];
-      auto inside = std::make_unique<Simulation::Inside>(alone, in_->run, in_->stages[i]);
+    impl_->all = resolve_fleet_trial(impl_->trial);
+    scratch_ = impl_->all.scratch;
+    impl_->run = std::make_shared<SharedRun>(impl_->all.chosen.runner);
+    impl_->run->of_fleet = true;
+    impl_->resolved_trials = resolve_trials(impl_->trial, impl_->all, *impl_->run->runner);
+    impl_->artifacts = artifact_folder();
+    impl_->replay = robosim::testing::replay_command(impl_->trial, impl_->artifacts);
+    for (std::size_t i = 0; i < impl_->resolved_trials.size(); ++i) {
+      names_.push_back(impl_->all.fleet.members[i].name);
+      Trial alone = impl_->all.trials[i];
+      auto inside = std::make_unique<Simulation::Impl>(alone, impl_->run, impl_->resolved_trials[i]);
       inside->log->name = names_.back();
-      inside->log->artifacts = in_->artifacts;
-      inside->log->replay = in_->replay;
-      in_->logs.push_back(inside->log);
+      inside->log->artifacts = impl_->artifacts;
+      inside->log->replay = impl_->replay;
+      impl_->logs.push_back(inside->log);
       robots_.push_back(std::unique_ptr<Simulation>(new Simulation(std::move(alone), std::move(inside))));
     }
-    in_->run->begin(in_->stages.front().request);
+    impl_->run->begin(impl_->resolved_trials.front().request);
   } catch (...) {
     std::error_code ignored;
-    if (!in_->all.scratch.empty()) fs::remove_all(in_->all.scratch, ignored);
+    if (!impl_->all.scratch.empty()) fs::remove_all(impl_->all.scratch, ignored);
     throw;
   }
 }
@@ -68,12 +68,12 @@ Simulation& Fleet::robot(const std::string& name) {
 void Fleet::run_for(Duration time, const char* file, int line) { robots_.front()->run_for(time, file, line); }
 
 void Fleet::run_to_the_end(const char* file, int line) {
-  while (!over()) in_->run->go_on(std::numeric_limits<std::int64_t>::max(), {}, {file, line});
+  while (!over()) impl_->run->go_on(std::numeric_limits<std::int64_t>::max(), {}, {file, line});
 }
 
-Duration Fleet::now() const { return Duration(in_->run->now_ns); }
+Duration Fleet::now() const { return Duration(impl_->run->now_ns); }
 
-bool Fleet::over() const { return in_->run->over(); }
+bool Fleet::over() const { return impl_->run->over(); }
 
 std::vector<std::string> Fleet::verdicts() const {
   std::vector<std::string> all;
@@ -97,37 +97,38 @@ std::vector<std::string> Fleet::verdicts() const {
 }
 
 std::string Fleet::replay_command() const {
-  return fmt::format("{} --for {}ms", in_->replay, in_->run->now_ns / 1'000'000);
+  return fmt::format("{} --for {}ms", impl_->replay, impl_->run->now_ns / 1'000'000);
 }
 
-void Fleet::Inside::keep() const {
+void Fleet::Impl::keep() const {
   const fs::path folder = artifacts;
   std::vector<std::string> scripts;
-  for (std::size_t i = 0; i < stages.size(); ++i) scripts.push_back(run->run->script(i));
-  keep_inputs(artifacts, all.fleet, stages, scripts);
+  for (std::size_t i = 0; i < resolved_trials.size(); ++i) scripts.push_back(run->run->script(i));
+  keep_inputs(artifacts, all.fleet, resolved_trials, scripts);
   for (const auto& log : logs) keep_texts(*log, artifacts, log->name + "-");
   write_file(folder / "command.txt", fmt::format("{} --for {}ms\n", replay, run->now_ns / 1'000'000));
   record_kept(artifacts);
   if (run->now_ns == 0) return;
   const bool whole = run->over() && logs.front()->result && logs.front()->result->verdict != "interrupted";
-  const std::string problem = record_again(all.fleet, stages, scripts, whole ? &run->result(0) : nullptr,
-                                           run->now_ns, artifacts, *run->runner);
+  const std::string problem =
+      record_again(all.fleet, resolved_trials, scripts, whole ? &run->result(0) : nullptr, run->now_ns,
+                   artifacts, *run->runner);
   if (!problem.empty()) std::fputs(fmt::format("robosim: {}\n", problem).c_str(), stderr);
 }
 
 Fleet::~Fleet() {
   try {
-    in_->run->run->end();
+    impl_->run->run->end();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const wire::RunResult& result = in_->run->result(i);
-      robots_[i]->in_->complain_unasked(result);
-      robots_[i]->in_->complain_detected(result);
+      const wire::RunResult& result = impl_->run->result(i);
+      robots_[i]->impl_->complain_unasked(result);
+      robots_[i]->impl_->complain_detected(result);
       record_trace(result.trace_hash);
-      if (i == 0 && !is_rehearsal()) record_figures(*in_->logs[i], result);
+      if (i == 0 && !is_silent_run()) record_figures(*impl_->logs[i], result);
     }
-    if (::testing::Test::HasFailure() && !in_->artifacts.empty()) in_->keep();
+    if (::testing::Test::HasFailure() && !impl_->artifacts.empty()) impl_->keep();
   } catch (const std::exception& problem) {
-    in_->run->runner.condemn();
+    impl_->run->runner.condemn();
     ADD_FAILURE() << problem.what();
   }
   std::error_code ignored;

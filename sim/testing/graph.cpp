@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <ostream>
 
-#include "sim/base/counted.h"
+#include "sim/base/pluralize.h"
 
 namespace robosim::testing {
 namespace {
 
 std::string sizes(const Graph& graph) {
-  return counted(static_cast<std::size_t>(graph.stations()), "station") + ", " +
-         counted(static_cast<std::size_t>(graph.junctions()), "junction");
+  return pluralize(static_cast<std::size_t>(graph.stations()), "station") + ", " +
+         pluralize(static_cast<std::size_t>(graph.junctions()), "junction");
 }
 
 /// Returns whether the graphs agree if arm 0 of `found`'s node 0 is arm `arm` of `truth`'s node `node`. Walks

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/client/power_cuts.h"
-#include "sim/testing/rehearsal.h"
+#include "sim/testing/silent_run.h"
 
 namespace robosim::testing {
 
@@ -17,7 +17,7 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
     writes = robot.eeprom_writes();
   };
   if (fails_in(trial, counted)) {
-    run_for_all_to_see(trial, body, kWithoutCut, file, line);
+    rerun_and_report(trial, body, kWithoutCut, file, line);
     return;
   }
   if (writes == 0) {
@@ -26,7 +26,7 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
       ADD_FAILURE_AT(file, line)
           << "the sketch wrote nothing to its EEPROM, so that there is no moment for a power cut";
     };
-    run_for_all_to_see(trial, complain, kWithoutCut, file, line);
+    rerun_and_report(trial, complain, kWithoutCut, file, line);
     return;
   }
   for (const client::PowerCut& cut : client::all_power_cuts(writes)) {
@@ -34,7 +34,7 @@ void AtEveryPowerCut(const Trial& trial, const std::function<void(Simulation&)>&
     if (!with_cut.script.empty() && with_cut.script.back() != '\n') with_cut.script += '\n';
     with_cut.script += cut.script();
     if (!fails_in(with_cut, body)) continue;
-    run_for_all_to_see(with_cut, body, "in a run with a " + cut.text(), file, line);
+    rerun_and_report(with_cut, body, "in a run with a " + cut.text(), file, line);
     return;
   }
 }

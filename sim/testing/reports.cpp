@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-#include "sim/testing/standing.h"
+#include "sim/testing/failure_context.h"
 
 namespace robosim::testing {
 namespace {
@@ -64,7 +64,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
   void OnTestPartResult(const ::testing::TestPartResult& part) override {
     if (!part.failed()) return;
     // Google Test holds a lock here, so its functions for the current test would deadlock.
-    const std::string then = robots_then(part);
+    const std::string then = state_at_failure(part);
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
                part.line_number() > 0 ? part.line_number() : 1, test_,
                annotation(std::string(part.message()) + (then.empty() ? "" : "\n" + then)));

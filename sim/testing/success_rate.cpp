@@ -13,7 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/client/pool.h"
 #include "sim/testing/artifacts.h"
-#include "sim/testing/stage.h"
+#include "sim/testing/request_builder.h"
 
 namespace robosim::testing {
 namespace {
@@ -28,10 +28,10 @@ std::size_t workers() {
 
 /// Removes the files that were written for texts.
 struct Cleaner {
-  const Stage& stage;
+  const ResolvedTrial& resolved_trial;
   ~Cleaner() {
     std::error_code ignored;
-    if (!stage.scratch.empty()) std::filesystem::remove_all(stage.scratch, ignored);
+    if (!resolved_trial.scratch.empty()) std::filesystem::remove_all(resolved_trial.scratch, ignored);
   }
 };
 
@@ -55,14 +55,14 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
   check(demand, static_cast<std::int64_t>(seeds.size()));
   Trial trial = given;
   trial.target = target_of(given);
-  Stage stage = [&] {
+  ResolvedTrial resolved_trial = [&] {
     Borrowed runner(trial.target);
-    return set_stage(trial, *runner);
+    return resolve_trial(trial, *runner);
   }();
-  const Cleaner cleaner{stage};
-  stage.request.samples_every_ns = 0;
-  stage.request.counters.clear();  // these runs do not count for coverage
-  stage.request.serial = stage.request.notes = false;
+  const Cleaner cleaner{resolved_trial};
+  resolved_trial.request.samples_every_ns = 0;
+  resolved_trial.request.counters.clear();  // these runs do not count for coverage
+  resolved_trial.request.serial = resolved_trial.request.notes = false;
 
   analysis::Tally tally(static_cast<std::int64_t>(seeds.size()), demand);
   std::string failures, problem;
@@ -71,7 +71,7 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
   client::Batch batch;
   batch.count = seeds.size();
   batch.task = [&](std::size_t i) {
-    wire::RunRequest request = stage.request;
+    wire::RunRequest request = resolved_trial.request;
     request.seed = seeds[i];
     return client::Task{trial.target, request};
   };
@@ -87,12 +87,12 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
     failures +=
         fmt::format("\n  seed {}: {} at {:.3f} s: {}", seeds[i], result.verdict, result.time_s, result.why);
     if (failed > 1) return;
-    stage.request.seed = seeds[i];
+    resolved_trial.request.seed = seeds[i];
     const std::string folder = artifact_folder();
-    keep_inputs(folder, stage, trial.script);
-    failures +=
-        fmt::format("\n    replay: {} --for {}ms", replay_command(stage, folder, !trial.script.empty()),
-                    trial.limit.count() / 1'000'000);
+    keep_inputs(folder, resolved_trial, trial.script);
+    failures += fmt::format("\n    replay: {} --for {}ms",
+                            replay_command(resolved_trial, folder, !trial.script.empty()),
+                            trial.limit.count() / 1'000'000);
   };
   pool.run(batch);
   if (!problem.empty()) throw std::runtime_error(problem);
@@ -107,9 +107,9 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
       100.0 * interval.low, 100.0 * interval.high);
   if (tally.met()) return ::testing::AssertionSuccess() << found;
   return ::testing::AssertionFailure()
-         << fmt::format("{} on {}, target {}: {}; expected at least {:g} %", stage.sketch_title,
-                        stage.map_is_text ? "the test's map" : stage.map, trial.target, found,
-                        100.0 * least.rate)
+         << fmt::format("{} on {}, target {}: {}; expected at least {:g} %", resolved_trial.sketch_title,
+                        resolved_trial.map_is_text ? "the test's map" : resolved_trial.map, trial.target,
+                        found, 100.0 * least.rate)
          << failures;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "sim/base/counted.h"
+#include "sim/base/pluralize.h"
 #include "sim/tui/text.h"
 
 namespace robosim::tui {
@@ -131,12 +131,12 @@ const char* direction_word(grid::Direction d) {
 
 std::string graph_summary(const TrueGraph& graph) {
   std::string text =
-      fmt::format("{}, {}, {}", counted(graph.stations.size(), "station"),
-                  counted(graph.junctions.size(), "junction"), counted(line_count(graph), "link"));
+      fmt::format("{}, {}, {}", pluralize(graph.stations.size(), "station"),
+                  pluralize(graph.junctions.size(), "junction"), pluralize(line_count(graph), "link"));
   const std::size_t cycles = cycle_count(graph);
-  text += cycles == 0 ? "; a tree" : "; " + counted(cycles, "cycle");
+  text += cycles == 0 ? "; a tree" : "; " + pluralize(cycles, "cycle");
   if (!graph.unreachable.empty()) {
-    text += fmt::format("; not to be reached: {} (", counted(graph.unreachable.size(), "dead end"));
+    text += fmt::format("; not to be reached: {} (", pluralize(graph.unreachable.size(), "dead end"));
     constexpr std::size_t kNamed = 5;
     for (std::size_t i = 0; i < std::min(graph.unreachable.size(), kNamed); ++i)
       text += fmt::format("{}{},{}", i ? " " : "", graph.unreachable[i].x, graph.unreachable[i].y);

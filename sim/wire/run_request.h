@@ -128,7 +128,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
     {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
   v("counters", r.counters,
-    "file that the runner writes at the end: how often lines ran (`sim/base/bundle.h`); on the host only an "
+    "file that the runner writes at the end: how often lines ran (`sim/base/archive.h`); on the host only an "
     "image that was built for coverage counts",
     {.otherwise = "none", .presence = when(!r.counters.empty())});
   v("detect", r.detect, "`true`: [detectors](../howto/sanitizers.md#detectors) watch the sketches",

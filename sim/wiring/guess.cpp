@@ -22,88 +22,88 @@ std::string use_of(const PinFacts& facts) {
   return text;
 }
 
-void add_pin_part(Clues& clues, RobotDraft& draft, const Clue& clue, const char* type, const char* otherwise,
-                  std::vector<std::pair<std::string, std::string>> keys = {}) {
+void add_pin_part(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue, const char* type,
+                  const char* otherwise, std::vector<std::pair<std::string, std::string>> keys = {}) {
   PartDraft part{part_name(draft, clue.name.empty() || clue.in_array ? otherwise : clue.name),
                  type,
-                 {{"pin", clues.toml(clue.pin)}},
-                 clues.where(clue.pin),
+                 {{"pin", evidence.toml(clue.pin)}},
+                 evidence.where(clue.pin),
                  {}};
   part.keys.insert(part.keys.end(), keys.begin(), keys.end());
   draft.parts.push_back(std::move(part));
-  clues.take(clue.pin);
+  evidence.take(clue.pin);
 }
 
-void guess_input(Clues& clues, RobotDraft& draft, const Clue& clue) {
+void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
   const bool low = clue.facts->pulled_up;
   if (says(clue.words, {"enc"}) ||
-      (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) &&
+      (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) &&
        !says(clue.words, {"butt", "btn", "start", "sw"}))) {
     PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
                    "encoder",
-                   {{"pins", fmt::format("{{ a = {} }}", clues.toml(clue.pin))}, {"periods", "20"}},
-                   clues.where(clue.pin),
+                   {{"pins", fmt::format("{{ a = {} }}", evidence.toml(clue.pin))}, {"periods", "20"}},
+                   evidence.where(clue.pin),
                    {}};
     if (part.name.find("left") == std::string::npos && part.name.find("right") == std::string::npos)
       part.keys.emplace_back("wheel", side_of(clue.words) == Side::right ? "\"right\"" : "\"left\"");
     part.doubts.push_back("periods: the periods of one channel for each turn of the wheel");
     draft.parts.push_back(std::move(part));
-    clues.take(clue.pin);
+    evidence.take(clue.pin);
   } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
-    low ? add_pin_part(clues, draft, clue, "bumper", "bumper")
-        : add_pin_part(clues, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
+    low ? add_pin_part(evidence, draft, clue, "bumper", "bumper")
+        : add_pin_part(evidence, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
   } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode"})) {
-    low ? add_pin_part(clues, draft, clue, "button", "button")
-        : add_pin_part(clues, draft, clue, "button", "button", {{"resistor", "true"}});
+    low ? add_pin_part(evidence, draft, clue, "button", "button")
+        : add_pin_part(evidence, draft, clue, "button", "button", {{"resistor", "true"}});
     if (!low)
       draft.parts.back().doubts.push_back(
           "LOW when pressed, with its own resistor; if it is HIGH when pressed, add active = \"high\"");
   }
 }
 
-void guess_measured(Clues& clues, RobotDraft& draft, const Clue& clue) {
+void guess_measured(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
   if (says(clue.words, {"batt", "vbat", "volt"})) {
-    add_pin_part(clues, draft, clue, "voltage", "battery", {{"share", "0.5"}});
+    add_pin_part(evidence, draft, clue, "voltage", "battery", {{"share", "0.5"}});
     draft.parts.back().doubts.push_back("share: the ratio of the voltage divider");
   } else if (says(clue.words, {"dist", "sharp"})) {
-    add_pin_part(clues, draft, clue, "ir-distance", "distance");
+    add_pin_part(evidence, draft, clue, "ir-distance", "distance");
   } else if (says(clue.words, {"curr"})) {
-    add_pin_part(clues, draft, clue, "current-sensor", "current");
+    add_pin_part(evidence, draft, clue, "current-sensor", "current");
   } else if (says(clue.words, {"pot", "trim", "knob"})) {
-    add_pin_part(clues, draft, clue, "voltage", "knob", {{"volts", "\"2.5 V\""}});
+    add_pin_part(evidence, draft, clue, "voltage", "knob", {{"volts", "\"2.5 V\""}});
   }
 }
 
-void guess_output(Clues& clues, RobotDraft& draft, const Clue& clue) {
+void guess_output(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
   if (clue.facts->toned || says(clue.words, {"buzz", "beep", "speak", "piezo", "tone"})) {
-    clue.facts->toned ? add_pin_part(clues, draft, clue, "buzzer", "buzzer")
-                      : add_pin_part(clues, draft, clue, "buzzer", "buzzer", {{"passive", "false"}});
-  } else if (clue.pin == clues.board().led_builtin || says(clue.words, {"led", "light", "lamp"})) {
-    add_pin_part(clues, draft, clue, "led", "LED");
+    clue.facts->toned ? add_pin_part(evidence, draft, clue, "buzzer", "buzzer")
+                      : add_pin_part(evidence, draft, clue, "buzzer", "buzzer", {{"passive", "false"}});
+  } else if (clue.pin == evidence.board().led_builtin || says(clue.words, {"led", "light", "lamp"})) {
+    add_pin_part(evidence, draft, clue, "led", "LED");
   }
 }
 
 // Returns "pin 5", "pin A0"
-std::string shown(const Clues& clues, Pin pin) {
-  const std::string name = clues.board().pins[pin].name;
+std::string shown(const Evidence& evidence, Pin pin) {
+  const std::string name = evidence.board().pins[pin].name;
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
 
 // Wire pulls its two pins up, and never reads them as pins.
-void ask_for_the_bus(Clues& clues, RobotDraft& draft) {
-  const TwiSpec& bus = clues.board().chip->twi;
+void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
+  const TwiSpec& bus = evidence.board().chip->twi;
   if (bus.address == 0) return;
-  const Pin data = find_pin(clues.board(), bus.data), clock = find_pin(clues.board(), bus.clock);
+  const Pin data = find_pin(evidence.board(), bus.data), clock = find_pin(evidence.board(), bus.clock);
   for (const Pin pin : {data, clock}) {
-    const PinFacts& facts = *clues.of(pin).facts;
-    if (!clues.is_free(pin) || !facts.pulled_up || facts.looked || facts.driven || facts.measured) return;
+    const PinFacts& facts = *evidence.of(pin).facts;
+    if (!evidence.is_free(pin) || !facts.pulled_up || facts.looked || facts.driven || facts.measured) return;
   }
-  clues.take(data);
-  clues.take(clock);
+  evidence.take(data);
+  evidence.take(clock);
   draft.questions.push_back(fmt::format(
       "{} and {} are used as the two-wire bus (Wire): what is connected to it? Parts for it are lcd-i2c, "
       "ssd1306, mpu-6050, vl53l0x, tcs34725 and pca9685",
-      shown(clues, data), shown(clues, clock)));
+      shown(evidence, data), shown(evidence, clock)));
 }
 
 }  // namespace
@@ -118,25 +118,25 @@ std::string part_name(const RobotDraft& draft, const std::string& wanted) {
   return name;
 }
 
-void guess_the_rest(Clues& clues, RobotDraft& draft) {
-  ask_for_the_bus(clues, draft);
-  for (const Clue* clue : clues.left()) {
+void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
+  ask_for_the_bus(evidence, draft);
+  for (const PinEvidence* clue : evidence.left()) {
     if (clue->facts->driven)
-      guess_output(clues, draft, *clue);
+      guess_output(evidence, draft, *clue);
     else if (clue->facts->measured)
-      guess_measured(clues, draft, *clue);
+      guess_measured(evidence, draft, *clue);
     else
-      guess_input(clues, draft, *clue);
+      guess_input(evidence, draft, *clue);
   }
-  for (const Clue* clue : clues.left()) {
-    if (is_of_serial(clues.board(), clue->pin)) continue;
-    const std::string where = clues.where(clue->pin);
-    draft.questions.push_back(fmt::format("{}{} is {}: what is wired to it?", shown(clues, clue->pin),
+  for (const PinEvidence* clue : evidence.left()) {
+    if (is_of_serial(evidence.board(), clue->pin)) continue;
+    const std::string where = evidence.where(clue->pin);
+    draft.questions.push_back(fmt::format("{}{} is {}: what is wired to it?", shown(evidence, clue->pin),
                                           where.empty() ? "" : " (" + where + ")", use_of(*clue->facts)));
   }
-  for (const Clue* clue : clues.never_used())
+  for (const PinEvidence* clue : evidence.never_used())
     draft.questions.push_back(fmt::format("{} ({}) was not used in the runs: when does the sketch use it?",
-                                          shown(clues, clue->pin), clues.where(clue->pin)));
+                                          shown(evidence, clue->pin), evidence.where(clue->pin)));
 }
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
@@ -145,12 +145,12 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
   draft.board = board.name;
   draft.base = "uno3";
   draft.driver = "l298n";
-  Clues clues(board, names, history);
-  guess_shields(clues, ways, draft);
-  guess_by_libraries(clues, draft);
-  guess_sensors(clues, ways, draft);
-  guess_motors(clues, ways, draft);
-  guess_the_rest(clues, draft);
+  Evidence evidence(board, names, history);
+  guess_shields(evidence, ways, draft);
+  guess_by_libraries(evidence, draft);
+  guess_sensors(evidence, ways, draft);
+  guess_motors(evidence, ways, draft);
+  guess_the_rest(evidence, draft);
   const auto rank = [](const PartDraft& part) {
     return part.type.find("motor") != std::string::npos || part.type == "wheel-servo" ? 0
            : part.type.rfind("reflect", 0) == 0                                       ? 1

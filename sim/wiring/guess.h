@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/wiring/clues.h"
+#include "sim/wiring/pin_evidence.h"
 
 namespace robosim::wiring {
 
@@ -50,13 +50,13 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
 // The guesses, one for each kind of part; each takes the pins of its parts.
 
 /// Guesses parts by libraries: servos, distance sensors, displays, serial modules, encoders.
-void guess_by_libraries(Clues& clues, RobotDraft& draft);
+void guess_by_libraries(Evidence& evidence, RobotDraft& draft);
 /// Guesses motors on shields with libraries of their own, and devices on the two-wire bus.
-void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft);
-void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft);
-void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft);
+void guess_shields(Evidence& evidence, const Ways& ways, RobotDraft& draft);
+void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
+void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
 /// Guesses buttons, encoders, LEDs, buzzers; adds a question about each remaining pin.
-void guess_the_rest(Clues& clues, RobotDraft& draft);
+void guess_the_rest(Evidence& evidence, RobotDraft& draft);
 
 /// Returns a name for a part from the sketch's: letters, digits, `_` and `-`, different from other parts'
 /// names.

@@ -8,20 +8,20 @@
 namespace robosim::wiring {
 namespace {
 
-std::string pins_table(const Clues& clues, const std::vector<std::pair<const char*, Pin>>& uses) {
+std::string pins_table(const Evidence& evidence, const std::vector<std::pair<const char*, Pin>>& uses) {
   std::string text;
   for (const auto& [use, pin] : uses)
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", use, clues.toml(pin));
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", use, evidence.toml(pin));
   return "{ " + text + " }";
 }
 
-bool all_free(const Clues& clues, const std::vector<std::pair<const char*, Pin>>& uses) {
-  return std::all_of(uses.begin(), uses.end(), [&](const auto& use) { return clues.is_free(use.second); });
+bool all_free(const Evidence& evidence, const std::vector<std::pair<const char*, Pin>>& uses) {
+  return std::all_of(uses.begin(), uses.end(), [&](const auto& use) { return evidence.is_free(use.second); });
 }
 
 class Libraries {
  public:
-  Libraries(Clues& clues, RobotDraft& draft) : clues_(clues), draft_(draft) {}
+  Libraries(Evidence& evidence, RobotDraft& draft) : clues_(evidence), draft_(draft) {}
 
   void look(const Given& given) {
     const auto pin = [&](std::size_t i) { return i < given.pins.size() ? given.pins[i] : kNoPin; };
@@ -133,7 +133,7 @@ class Libraries {
   void shift_register(const Given& given, Pin data, Pin clock) {
     if (!clues_.is_free(data) || !clues_.is_free(clock)) return;
     Pin latch = kNoPin;
-    for (const Clue* clue : clues_.left())
+    for (const PinEvidence* clue : clues_.left())
       if (clue->facts->driven && clue->pin != data && clue->pin != clock && latch == kNoPin &&
           says(clue->words, {"latch", "rclk", "rck", "st", "stcp", "strobe", "load", "cs", "ss"}))
         latch = clue->pin;
@@ -149,7 +149,7 @@ class Libraries {
   // pulseIn() on a pin: the trigger is the pin with short pulses.
   void echo(const Given& given, Pin pin) {
     Pin trigger = kNoPin;
-    for (const Clue* clue : clues_.left()) {
+    for (const PinEvidence* clue : clues_.left()) {
       if (clue->pin == pin || !clue->facts->driven) continue;
       if (says(clue->words, {"trig"})) trigger = clue->pin;
       if (clue->facts->pulses && trigger == kNoPin) trigger = clue->pin;
@@ -158,16 +158,16 @@ class Libraries {
     part(given, "hc-sr04", {{"trig", trigger}, {"echo", pin}});
   }
 
-  Clues& clues_;
+  Evidence& clues_;
   RobotDraft& draft_;
   bool found_ = false;
 };
 
 }  // namespace
 
-void guess_by_libraries(Clues& clues, RobotDraft& draft) {
-  Libraries libraries(clues, draft);
-  for (const Given& given : clues.names().given) libraries.look(given);
+void guess_by_libraries(Evidence& evidence, RobotDraft& draft) {
+  Libraries libraries(evidence, draft);
+  for (const Given& given : evidence.names().given) libraries.look(given);
 }
 
 }  // namespace robosim::wiring

@@ -7,9 +7,9 @@
 namespace robosim::wiring {
 namespace {
 
-using Pins = std::vector<const Clue*>;
+using Pins = std::vector<const PinEvidence*>;
 
-bool is_motor_like(const Clue& clue) {
+bool is_motor_like(const PinEvidence& clue) {
   if (!clue.facts->driven || clue.facts->toned || clue.facts->discharged || clue.in_array)
     return clue.in_array && clue.facts->driven && says(clue.words, {"mot", "wheel"});
   if (says(clue.words, {"led", "light", "lamp", "buzz", "beep", "speak", "piezo", "trig", "echo", "emit",
@@ -20,20 +20,20 @@ bool is_motor_like(const Clue& clue) {
 }
 
 // analogWrite(pin, 0) makes a level: so the source counts, too.
-bool is_pwm(const Clues& clues, const Clue& clue) {
-  return clue.facts->pwm || clues.is_given_to({"analogWrite"}, clue.pin);
+bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
+  return clue.facts->pwm || evidence.is_given_to({"analogWrite"}, clue.pin);
 }
 
 // High all the time, with a name without a side: the driver's enable, or standby.
-bool is_enable_of_both(const Clues& clues, const Clue& clue) {
+bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
   constexpr double kMostly = 0.45;  // of 0.5
-  return clue.facts->driven && !is_pwm(clues, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
+  return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
          !says(clue.words, {"enc"}) && side_of(clue.words) == Side::unknown &&
-         clues.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
+         evidence.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
 }
 
 // Matches rmf, lf: a side and a direction in one word. The B of motorB is not a direction.
-bool is_short_for(const Clue& clue, char direction) {
+bool is_short_for(const PinEvidence& clue, char direction) {
   constexpr std::size_t kLongest = 4;
   const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
                           side_of(clue.words) != Side::unknown &&
@@ -43,17 +43,17 @@ bool is_short_for(const Clue& clue, char direction) {
          (clue.words.back().size() == 1 || side_of({clue.words.back()}) != Side::unknown);
 }
 
-bool is_forward(const Clue& clue) {
+bool is_forward(const PinEvidence& clue) {
   return says(clue.words, {"fwd", "forw", "fow", "front", "ahead", "avan", "cw", "plus", "pos"}) ||
          is_short_for(clue, 'f') || is_short_for(clue, 'p');
 }
 
-bool is_backward(const Clue& clue) {
+bool is_backward(const PinEvidence& clue) {
   return says(clue.words, {"bwd", "back", "rev", "ccw", "retro", "minus", "neg"}) ||
          is_short_for(clue, 'b') || is_short_for(clue, 'n');
 }
 
-int number_of(const Clue& clue) {
+int number_of(const PinEvidence& clue) {
   return clue.words.empty() || clue.words.back().empty() ||
                  std::isdigit(static_cast<unsigned char>(clue.words.back()[0])) == 0
              ? -1
@@ -61,7 +61,7 @@ int number_of(const Clue& clue) {
 }
 
 // Returns 1 if a is the input for forward, -1 if b is; 0 = their names do not show it.
-int named_order(const Clue& a, const Clue& b) {
+int named_order(const PinEvidence& a, const PinEvidence& b) {
   if (is_forward(a) != is_forward(b)) return is_forward(a) ? 1 : -1;
   if (is_backward(a) != is_backward(b)) return is_backward(a) ? -1 : 1;
   if (number_of(a) >= 0 && number_of(b) >= 0 && number_of(a) != number_of(b))
@@ -73,8 +73,8 @@ int named_order(const Clue& a, const Clue& b) {
 // The pins of one motor, and their functions.
 class Motor {
  public:
-  Motor(const Clues& clues, Pins pins) : clues_(clues) {
-    for (const Clue* clue : pins) (is_pwm(clues, *clue) ? pwm_ : level_).push_back(clue);
+  Motor(const Evidence& evidence, Pins pins) : clues_(evidence) {
+    for (const PinEvidence* clue : pins) (is_pwm(evidence, *clue) ? pwm_ : level_).push_back(clue);
     if (pwm_.size() == 1 && level_.size() == 2) {
       en_ = pwm_[0];
       inputs(level_[0], level_[1]);
@@ -87,7 +87,7 @@ class Motor {
       else
         phase();
     } else if (pwm_.empty() && level_.size() == 3) {
-      std::stable_sort(level_.begin(), level_.end(), [](const Clue* a, const Clue* b) {
+      std::stable_sort(level_.begin(), level_.end(), [](const PinEvidence* a, const PinEvidence* b) {
         return says(a->words, {"en", "pwm", "speed"}) > says(b->words, {"en", "pwm", "speed"});
       });
       en_ = level_[0];
@@ -113,7 +113,7 @@ class Motor {
 
   std::string pins() const {
     std::string text;
-    const auto add = [&](const char* use, const Clue* clue) {
+    const auto add = [&](const char* use, const PinEvidence* clue) {
       if (clue) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", use, clues_.toml(clue->pin));
     };
     add("en", en_);
@@ -125,13 +125,13 @@ class Motor {
 
   std::string why() const {
     std::string text;
-    for (const Clue* clue : {en_, phase_, in1_, in2_})
+    for (const PinEvidence* clue : {en_, phase_, in1_, in2_})
       if (clue && text.find(clue->name) == std::string::npos) text += (text.empty() ? "" : ", ") + clue->name;
     return text;
   }
 
  private:
-  void inputs(const Clue* a, const Clue* b) {
+  void inputs(const PinEvidence* a, const PinEvidence* b) {
     const int order = named_order(*a, *b);
     named_ = order != 0;
     in1_ = order < 0 ? b : a;
@@ -144,12 +144,12 @@ class Motor {
     named_ = true;
   }
 
-  const Clues& clues_;
+  const Evidence& clues_;
   Pins pwm_, level_;
-  const Clue* en_ = nullptr;
-  const Clue* phase_ = nullptr;
-  const Clue* in1_ = nullptr;
-  const Clue* in2_ = nullptr;
+  const PinEvidence* en_ = nullptr;
+  const PinEvidence* phase_ = nullptr;
+  const PinEvidence* in1_ = nullptr;
+  const PinEvidence* in2_ = nullptr;
   bool named_ = false;
 };
 
@@ -161,10 +161,10 @@ struct Sides {
 };
 
 // Pins of one object belong to one motor: Motor(5, 7, 8).
-Pins given_together(const Clues& clues, const Pins& pins, std::size_t number) {
-  for (const Given& given : clues.names().given) {
+Pins given_together(const Evidence& evidence, const Pins& pins, std::size_t number) {
+  for (const Given& given : evidence.names().given) {
     Pins group;
-    for (const Clue* clue : pins)
+    for (const PinEvidence* clue : pins)
       if (std::count(given.pins.begin(), given.pins.end(), clue->pin) != 0) group.push_back(clue);
     const bool one =
         group.size() == given.pins.size() && group.size() >= 2 && group.size() <= kMostPinsOfAMotor;
@@ -179,15 +179,15 @@ void put_half(const Pins& pins, Sides& sides) {
 }
 
 // Six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6): those of one motor, then those of the other.
-Sides given_as_pair(const Clues& clues, const Pins& pins) {
-  for (const Given& given : clues.names().given) {
+Sides given_as_pair(const Evidence& evidence, const Pins& pins) {
+  for (const Given& given : evidence.names().given) {
     Sides sides{{}, {}, false};
     const std::size_t half = pins.size() / 2;
-    for (const Clue* clue : pins) {
+    for (const PinEvidence* clue : pins) {
       const auto at = std::find(given.pins.begin(), given.pins.end(), clue->pin) - given.pins.begin();
       (static_cast<std::size_t>(at) < half ? sides.left : sides.right).push_back(clue);
     }
-    const bool all = std::all_of(pins.begin(), pins.end(), [&](const Clue* clue) {
+    const bool all = std::all_of(pins.begin(), pins.end(), [&](const PinEvidence* clue) {
       return std::count(given.pins.begin(), given.pins.end(), clue->pin) != 0;
     });
     if (all && sides.left.size() == half && pins.size() == 2 * half) return sides;
@@ -195,64 +195,64 @@ Sides given_as_pair(const Clues& clues, const Pins& pins) {
   return {};
 }
 
-Sides divide(const Clues& clues, const Pins& pins) {
+Sides divide(const Evidence& evidence, const Pins& pins) {
   Sides sides;
   Pins unknown;
-  for (const Clue* clue : pins) {
+  for (const PinEvidence* clue : pins) {
     const Side side = side_of(clue->words);
     (side == Side::left ? sides.left : side == Side::right ? sides.right : unknown).push_back(clue);
   }
   if (!sides.left.empty() && !sides.right.empty()) return sides;
-  sides = {given_together(clues, pins, 0), given_together(clues, pins, 1), false};
+  sides = {given_together(evidence, pins, 0), given_together(evidence, pins, 1), false};
   if (!sides.left.empty() && !sides.right.empty()) return sides;
-  sides = given_as_pair(clues, pins);
+  sides = given_as_pair(evidence, pins);
   if (!sides.left.empty()) return sides;
   sides = {{}, {}, false};
   Pins pwm, level;
-  for (const Clue* clue : pins) (is_pwm(clues, *clue) ? pwm : level).push_back(clue);
+  for (const PinEvidence* clue : pins) (is_pwm(evidence, *clue) ? pwm : level).push_back(clue);
   put_half(pwm, sides);
   put_half(level, sides);
   return sides;
 }
 
 // Four inputs with PWM and one pin that stays high: that one enables the driver.
-void take_enable_without_name(Clues& clues, Pins& pins, RobotDraft& draft) {
+void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft) {
   constexpr double kMostly = 0.45;  // of 0.5
-  const auto is_level = [&](const Clue* clue) { return !is_pwm(clues, *clue); };
+  const auto is_level = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };
   if (pins.size() != 5 || std::count_if(pins.begin(), pins.end(), is_level) != 1) return;
   const auto enable = std::find_if(pins.begin(), pins.end(), is_level);
-  if (!(*enable)->name.empty() || clues.history().lean(kNoPin, (*enable)->pin, kNoPin) < kMostly) return;
-  draft.standby = clues.toml((*enable)->pin);
-  clues.take((*enable)->pin);
+  if (!(*enable)->name.empty() || evidence.history().lean(kNoPin, (*enable)->pin, kNoPin) < kMostly) return;
+  draft.standby = evidence.toml((*enable)->pin);
+  evidence.take((*enable)->pin);
   pins.erase(enable);
 }
 
 }  // namespace
 
-void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
+void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   if (std::any_of(draft.parts.begin(), draft.parts.end(),
                   [](const PartDraft& p) { return p.type == "motor"; }))
     return;  // a shield's
   Pins pins;
   bool has_standby = false;
-  for (const Clue* clue : clues.left()) {
+  for (const PinEvidence* clue : evidence.left()) {
     const bool is_standby =
         clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"});
     has_standby |= is_standby;
-    if (is_standby || is_enable_of_both(clues, *clue)) {
-      draft.standby = clues.toml(clue->pin);
-      clues.take(clue->pin);
-    } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == clues.board().led_builtin)) {
+    if (is_standby || is_enable_of_both(evidence, *clue)) {
+      draft.standby = evidence.toml(clue->pin);
+      evidence.take(clue->pin);
+    } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == evidence.board().led_builtin)) {
       pins.push_back(clue);
     }
   }
-  take_enable_without_name(clues, pins, draft);
-  const auto has_name = [](const Clue* clue) { return !clue->name.empty(); };
+  take_enable_without_name(evidence, pins, draft);
+  const auto has_name = [](const PinEvidence* clue) { return !clue->name.empty(); };
   if (std::count_if(pins.begin(), pins.end(), has_name) >= 2)
     pins.erase(std::stable_partition(pins.begin(), pins.end(), has_name), pins.end());
   if (pins.empty()) return;
-  const Sides sides = divide(clues, pins);
-  const Motor left(clues, sides.left), right(clues, sides.right);
+  const Sides sides = divide(evidence, pins);
+  const Motor left(evidence, sides.left), right(evidence, sides.right);
   for (const auto* side : {&sides.left, &sides.right}) {
     if (side->size() <= kMostPinsOfAMotor) continue;
     draft.questions.push_back(
@@ -276,8 +276,8 @@ void guess_motors(Clues& clues, const Ways& ways, RobotDraft& draft) {
     }
     draft.parts.push_back(std::move(part));
   }
-  for (const Clue* clue : pins) clues.take(clue->pin);
-  const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const Clue* clue) {
+  for (const PinEvidence* clue : pins) evidence.take(clue->pin);
+  const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const PinEvidence* clue) {
                          return says(clue->words, {"ain", "bin", "pwma", "pwmb"});
                        });
   draft.driver = left.is_transistor() ? "transistor"

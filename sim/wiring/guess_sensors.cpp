@@ -7,10 +7,10 @@
 namespace robosim::wiring {
 namespace {
 
-using Pins = std::vector<const Clue*>;
+using Pins = std::vector<const PinEvidence*>;
 
 // int pins[] = {2, 3, 13}: a name without information.
-bool is_named(const Clue& clue) {
+bool is_named(const PinEvidence& clue) {
   const auto says_nothing = [](const std::string& word) {
     return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
            word == "inputs" || word == "port" || word == "ports" || word == "all";
@@ -19,10 +19,10 @@ bool is_named(const Clue& clue) {
          !(clue.in_array && std::all_of(clue.words.begin(), clue.words.end(), says_nothing));
 }
 
-bool is_sensor_like(const Clues& clues, const Clue& clue) {
+bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
   // Encoders, buttons and remote controls' receivers use these. Edges of a line sensor are useless.
-  if (clues.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
+  if (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
   if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
                         "trig",  "enc",   "batt",   "vbat", "volt",  "pot",  "dist", "sharp",
@@ -35,7 +35,7 @@ bool is_sensor_like(const Clues& clues, const Clue& clue) {
 }
 
 // Returns the position from left to right by the name: far left, left, middle, right, far right.
-int place_of(const Clue& clue) {
+int place_of(const PinEvidence& clue) {
   const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
   switch (side_of(clue.words)) {
     case Side::left:
@@ -49,9 +49,9 @@ int place_of(const Clue& clue) {
 }
 
 const char* kind_of(const Pins& sensors) {
-  if (std::all_of(sensors.begin(), sensors.end(), [](const Clue* c) { return c->facts->measured; }))
+  if (std::all_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return c->facts->measured; }))
     return "analog";
-  if (std::all_of(sensors.begin(), sensors.end(), [](const Clue* c) { return c->facts->discharged; }))
+  if (std::all_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return c->facts->discharged; }))
     return "rc";
   return "digital";
 }
@@ -72,21 +72,21 @@ constexpr std::size_t kMostElements = 16;
 
 }  // namespace
 
-void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft) {
+void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   Pins sensors;
-  for (const Clue* clue : clues.left())
-    if (is_sensor_like(clues, *clue)) sensors.push_back(clue);
+  for (const PinEvidence* clue : evidence.left())
+    if (is_sensor_like(evidence, *clue)) sensors.push_back(clue);
   if (sensors.empty() || sensors.size() > kMostElements) return;
   const bool placed =
-      std::any_of(sensors.begin(), sensors.end(), [](const Clue* c) { return place_of(*c) != 0; });
+      std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return place_of(*c) != 0; });
   std::stable_sort(sensors.begin(), sensors.end(),
-                   [](const Clue* a, const Clue* b) { return place_of(*a) < place_of(*b); });
+                   [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
 
   const std::string kind = kind_of(sensors);
   const Layout layout = layout_of(sensors.size(), ways.close);
   std::string pins, why;
-  for (const Clue* clue : sensors) {
-    pins += (pins.empty() ? "" : ", ") + clues.toml(clue->pin);
+  for (const PinEvidence* clue : sensors) {
+    pins += (pins.empty() ? "" : ", ") + evidence.toml(clue->pin);
     if (why.find(clue->name) == std::string::npos) why += (why.empty() ? "" : ", ") + clue->name;
   }
   PartDraft part{
@@ -108,13 +108,13 @@ void guess_sensors(Clues& clues, const Ways& ways, RobotDraft& draft) {
   if (draft.open.order && ways.other_order) part.keys.emplace_back("first", "\"right\"");
   if (draft.open.black && ways.black_low) part.keys.emplace_back("black", "\"low\"");
 
-  for (const Clue* clue : clues.left()) {
+  for (const PinEvidence* clue : evidence.left()) {
     if (!clue->facts->driven || !says(clue->words, {"emit", "irled", "ledon"})) continue;
-    part.keys.emplace_back("emitter", clues.toml(clue->pin));
-    clues.take(clue->pin);
+    part.keys.emplace_back("emitter", evidence.toml(clue->pin));
+    evidence.take(clue->pin);
     break;
   }
-  for (const Clue* clue : sensors) clues.take(clue->pin);
+  for (const PinEvidence* clue : sensors) evidence.take(clue->pin);
   draft.parts.push_back(std::move(part));
   draft.base = kind == "digital" || sensors.size() < 4 ? "uno3" : "uno5";
 }

@@ -31,9 +31,9 @@ struct Numbered {
 };
 
 /// Returns the motors of a type whose first argument is 1 to 4, each number once.
-std::vector<Numbered> motors_of(const Clues& clues, const char* type) {
+std::vector<Numbered> motors_of(const Evidence& evidence, const char* type) {
   std::vector<Numbered> motors;
-  for (const Given& given : clues.names().given) {
+  for (const Given& given : evidence.names().given) {
     if (given.type != type || given.arguments.empty() || given.arguments[0].size() != 1) continue;
     const int number = given.arguments[0][0] - '1';
     const bool known =
@@ -106,11 +106,11 @@ bool is_address(const std::string& argument) {
 
 }  // namespace
 
-void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft) {
+void guess_shields(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   const auto take = [&](std::initializer_list<const char*> pins) {
-    for (const char* pin : pins) clues.take(find_pin(clues.board(), pin));
+    for (const char* pin : pins) evidence.take(find_pin(evidence.board(), pin));
   };
-  if (const auto motors = motors_of(clues, "AF_DCMotor"); !motors.empty()) {
+  if (const auto motors = motors_of(evidence, "AF_DCMotor"); !motors.empty()) {
     draft.parts.push_back({"shield",
                            "shift-register",
                            {{"pins", "{ data = 8, clock = 4, latch = 12, enable = 7 }"}},
@@ -119,12 +119,12 @@ void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft) {
     take({"D8", "D4", "D12", "D7", "D11", "D3", "D6", "D5"});
     add_motors(ways, draft, motors, kFirst);
     draft.driver = "l293d";
-  } else if (const auto second = motors_of(clues, "getMotor"); !second.empty()) {
+  } else if (const auto second = motors_of(evidence, "getMotor"); !second.empty()) {
     draft.parts.push_back({"shield", "pca9685", {{"address", "0x60"}}, "of a motor shield v2", {}});
     add_motors(ways, draft, second, kSecond);
     draft.driver = "tb6612";
   }
-  for (const Given& given : clues.names().given)
+  for (const Given& given : evidence.names().given)
     for (const Device& device : kDevices) {
       if (given.type != device.type) continue;
       PartDraft part{part_name(draft, given.name.empty() ? device.part : given.name),
@@ -141,7 +141,7 @@ void guess_shields(Clues& clues, const Ways& ways, RobotDraft& draft) {
              return part.type == device.part;
            });
   });
-  const TwiSpec& bus = clues.board().chip->twi;
+  const TwiSpec& bus = evidence.board().chip->twi;
   if (has_bus && bus.address != 0) take({bus.data, bus.clock});
 }
 

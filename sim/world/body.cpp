@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/base/for_avx.h"
-#include "sim/world/step.h"
+#include "sim/base/function_multiversioning.h"
+#include "sim/world/step_constants.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {

@@ -20,7 +20,7 @@
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
 //   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
 //   open (the rest):                     i = 0
-// If the winding's inductance is given, winding.h applies instead (body_winding.cpp). Then
+// If the winding's inductance is given, motor_winding.h applies instead (body_winding.cpp). Then
 //   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
 // where F is the force of the wheel on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
@@ -37,9 +37,9 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/world/joints.h"
-#include "sim/world/rolling.h"
-#include "sim/world/winding.h"
+#include "sim/world/floor_gaps.h"
+#include "sim/world/motor_winding.h"
+#include "sim/world/rolling_step.h"
 
 namespace robosim::batch {
 class Bodies;
@@ -294,9 +294,9 @@ class Body {
   void set_scrub();
   void scrub();
   void bump(const Vec2* before, const Vec2* rises);
-  void jolt(const Joints&, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises);
+  void jolt(const FloorGaps&, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises);
   double share_on(int i) const;
-  Joints::Roller roller(int i) const;
+  FloorGaps::Roller roller(int i) const;
   void pull(const Vec2* at, const Vec2* rises);
   void share_load(Ground*, const Vec2* at);
   void tip(int which, double push, double arm);
@@ -336,7 +336,7 @@ class Body {
   double angle_[2] = {0.0, 0.0};
   Unit unit_[2] = {};
   Roller<Pair> roller_ = {};  // constants from these and from the commands
-  bool is_ordinary_ = false;  // may roll as rolling.h has it
+  bool is_ordinary_ = false;  // may roll as rolling_step.h has it
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
   double half_track_ = 0.0, per_track_ = 0.0;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "sim/world/body.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {

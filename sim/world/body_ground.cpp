@@ -28,8 +28,8 @@
 // between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
 // falls by at most 2 g r (1 - 1 / sqrt(1 + k_0^2)), the gain of its fall.
 //
-// Gaps between boards take the energy of each wheel's and the caster's share at once (joints.h). They pull
-// the wheel down while it is in them.
+// Gaps between boards take the energy of each wheel's and the caster's share at once (floor_gaps.h). They
+// pull the wheel down while it is in them.
 //
 // It has also toppled if the ground under one of its wheels drops by more than the wheel's radius at once.
 // Ground that rises in front of a wheel by more than three times its way is a face: the body stops there, as
@@ -40,10 +40,10 @@
 // crest.
 #include <algorithm>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 #include "sim/world/body.h"
 #include "sim/world/ground.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {
@@ -96,7 +96,7 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
 // Returns a part of the robot's weight, by the chassis.
 double Body::share_on(int i) const { return i < 2 ? 0.5 * params_.load_share : 1.0 - params_.load_share; }
 
-Joints::Roller Body::roller(int i) const {
+FloorGaps::Roller Body::roller(int i) const {
   return {foot_radius(i), i < 2 ? pose_.heading : Vec2{}, std::fabs(v_)};
 }
 
@@ -167,7 +167,8 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
 
 // A wheel that meets the far edge of a gap loses its share of the energy. On the way down and up gravity's
 // work is the difference of the heights, however few ticks that takes.
-void Body::jolt(const Joints& joints, const Pose& before, const Stance& last, const Vec2* at, Vec2* rises) {
+void Body::jolt(const FloorGaps& joints, const Pose& before, const Stance& last, const Vec2* at,
+                Vec2* rises) {
   const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
                         before.to_world({params_.caster_m, 0.0})};
   for (int i = 0; i < 3; ++i) {

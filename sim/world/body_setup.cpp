@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/world/body.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 
 namespace robosim::world {
 

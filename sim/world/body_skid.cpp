@@ -18,7 +18,7 @@
 #include <algorithm>
 
 #include "sim/world/body.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 
 namespace robosim::world {
 

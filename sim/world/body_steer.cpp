@@ -26,10 +26,10 @@
 // Ackermann's condition.
 #include <algorithm>
 
-#include "sim/base/angle.h"
-#include "sim/base/turn.h"
+#include "sim/base/deterministic_trig.h"
+#include "sim/base/trig_series.h"
 #include "sim/world/body.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 
 namespace robosim::world {
 namespace {

@@ -1,5 +1,5 @@
 // Motors whose windings have inductance, behind a driver: what its switches and diodes do in each part of a
-// period of PWM. winding.h has the current.
+// period of PWM. motor_winding.h has the current.
 //
 //   part of the period      volts while the current flows forward       and backward
 //   driven forward          V - drop; it is the battery's               V + 2 V_d, into the battery through
@@ -21,7 +21,7 @@
 
 #include "sim/base/exponential.h"
 #include "sim/world/body.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 
 namespace robosim::world {
 namespace {

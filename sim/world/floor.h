@@ -21,7 +21,7 @@
 #include "sim/world/painted_areas.h"
 #include "sim/world/painted_lines.h"
 #include "sim/world/painted_marks.h"
-#include "sim/world/patches.h"
+#include "sim/world/runtime_paint.h"
 
 namespace robosim::world {
 
@@ -111,16 +111,16 @@ class Floor {
 
   /// Returns the paint that is added or removed during the run. It does not change the map's centre lines, or
   /// what is measured against them.
-  Patches& patches() {
+  RuntimePaint& patches() {
     plain_ = marked_ = false;
     return patches_;
   }
-  void restore(const Patches::State& patches) {
+  void restore(const RuntimePaint::State& patches) {
     patches_.restore(patches);
     plain_ = alike_ && marks_.empty() && patches_.empty();
     marked_ = with_marks_ && patches_.empty();
   }
-  const Patches& patches() const { return patches_; }
+  const RuntimePaint& patches() const { return patches_; }
   double line_width() const { return 2.0 * half_line_; }
 
   /// Returns the distance from p to the nearest centre line (painted or not), m; far_m() or more if none is
@@ -222,7 +222,7 @@ class Floor {
   const PaintedMarks marks_;
   const PaintedAreas areas_;
   PaintedLines lines_;
-  Patches patches_;
+  RuntimePaint patches_;
   const double gloss_;
   const bool alike_;        // nothing but lines and marks, all of them whole and matt
   bool plain_;              // lines alone, as the map has them: only quicker

@@ -1,4 +1,5 @@
-// Height, slope and surface of the floor: [[hill]] and [[surface]] of a map. Gaps between boards: joints.h.
+// Height, slope and surface of the floor: [[hill]] and [[surface]] of a map. Gaps between boards:
+// floor_gaps.h.
 //
 // Coordinates run along the slope (grid/relief.h), so the gradient of the height h is the sine of the slope's
 // angle. A wheel of radius r cannot touch every point of a profile. At s its axle is, above r, at
@@ -23,7 +24,7 @@
 
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
-#include "sim/world/joints.h"
+#include "sim/world/floor_gaps.h"
 
 namespace robosim::world {
 
@@ -52,7 +53,7 @@ class Ground {
   using Kind = grid::SurfaceFigures;
   Kind kind(Vec2 p) const;
 
-  const Joints& joints() const { return joints_; }
+  const FloorGaps& joints() const { return joints_; }
 
   /// A mass (kg) presses on p with a force (N), in this tick.
   void press(Vec2 p, double mass, double force);
@@ -77,7 +78,7 @@ class Ground {
 
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
-  const Joints joints_;
+  const FloorGaps joints_;
   // From the legend, as in grid::Map.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;

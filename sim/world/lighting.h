@@ -22,7 +22,7 @@
 #include "sim/base/noise.h"
 #include "sim/base/vec.h"
 #include "sim/grid/light.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 
 namespace robosim::world {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/grid/map.h"
-#include "sim/world/tiles.h"
+#include "sim/world/visibility_grid.h"
 
 namespace robosim::world {
 
@@ -35,7 +35,7 @@ class PaintedAreas {
   double over_any(double below, bool over_lines, Band band, Vec2 p, double footprint) const;
 
   std::vector<grid::Area> areas_;
-  Tiles near_;
+  VisibilityGrid near_;
 };
 
 }  // namespace robosim::world

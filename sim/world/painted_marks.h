@@ -8,7 +8,7 @@
 
 #include "sim/grid/map.h"
 #include "sim/grid/stripes.h"
-#include "sim/world/tiles.h"
+#include "sim/world/visibility_grid.h"
 
 namespace robosim::world {
 
@@ -48,7 +48,7 @@ class PaintedMarks {
   std::vector<grid::Mark> marks_;
   std::vector<double> reaches_;  // m, from a mark's middle to its corners
   double reach_ = 0.0;
-  Tiles near_;
+  VisibilityGrid near_;
 };
 
 }  // namespace robosim::world

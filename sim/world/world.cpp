@@ -28,7 +28,7 @@ std::optional<std::size_t> World::first_overlap(std::size_t number) const {
 }
 
 World::State World::save() const {
-  State state{{}, walls_.save(), ground_.save(), air_.save(), floor_.patches().save(), lighting_.save()};
+  State state{{}, walls_.save(), ground_.save(), radio_.save(), floor_.patches().save(), lighting_.save()};
   state.bodies.reserve(bodies_.size());
   for (const auto& body : bodies_) state.bodies.push_back(*body);
   return state;
@@ -38,7 +38,7 @@ void World::restore(const State& saved) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) *bodies_[i] = saved.bodies[i];
   walls_.restore(saved.walls);
   ground_.restore(saved.ground);
-  air_.restore(saved.air);
+  radio_.restore(saved.radio);
   floor_.restore(saved.patches);
   lighting_.restore(saved.lights);
 }

@@ -8,13 +8,13 @@
 
 #include "sim/base/vec.h"
 #include "sim/grid/map.h"
-#include "sim/world/air.h"
-#include "sim/world/apart.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
 #include "sim/world/ground.h"
 #include "sim/world/lighting.h"
 #include "sim/world/near_bodies.h"
+#include "sim/world/radio_channel.h"
+#include "sim/world/separation.h"
 #include "sim/world/walls.h"
 
 namespace robosim::world {
@@ -49,13 +49,13 @@ class World {
   void remove_obstacle(int number) { walls_.remove(number); }
   void move_obstacle(int number, Vec2 centre) { walls_.move(number, centre); }
   /// Returns what has been painted during the run.
-  Patches& patches() { return floor_.patches(); }
+  RuntimePaint& patches() { return floor_.patches(); }
   Lighting& lighting() { return lighting_; }
 
   const Walls& walls() const { return walls_; }
 
   /// Returns the radio channels.
-  Air& air() { return air_; }
+  RadioChannel& radio() { return radio_; }
 
   // Returns how far body `from_body` sees from a point of the floor, as in walls.h: up to anything that would
   // stop it. Other bodies count as the circles about their outlines, unless they are lifted.
@@ -67,8 +67,8 @@ class World {
     std::vector<Body> bodies;
     Walls::State walls;
     Ground::State ground;
-    Air::State air;
-    Patches::State patches;
+    RadioChannel::State radio;
+    RuntimePaint::State patches;
     std::vector<bool> lights;  ///< which are on
   };
   State save() const;
@@ -80,7 +80,7 @@ class World {
   /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
   void step();
 
-  // Steps for bodies that cannot affect others for a while, on a plane floor: see Apart.
+  // Steps for bodies that cannot affect others for a while, on a plane floor: see Separation.
   /// Returns for each body whether no other meets or notices it, nor it them, for `seconds` without outside
   /// influence. `sights`: m from its axle's centre, within which it notices others.
   const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
@@ -101,10 +101,10 @@ class World {
   Ground ground_;
   Lighting lighting_;
   Walls walls_;
-  Air air_;
+  RadioChannel radio_;
   std::vector<std::unique_ptr<Body>> bodies_;
   NearBodies near_;
-  Apart apart_;
+  Separation apart_;
 };
 
 }  // namespace robosim::world

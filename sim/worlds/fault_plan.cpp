@@ -55,7 +55,7 @@ std::string FaultPlan::script(const FaultLimits& limits) const {
   return text;
 }
 
-FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const Die& die) {
+FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const RandomSource& rng) {
   std::vector<Fault> kinds;
   const auto add = [&](bool may, Fault::Kind kind, const std::vector<std::string>& names) {
     if (!may) return;
@@ -69,11 +69,11 @@ FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, c
   FaultPlan plan;
   if (kinds.empty()) return plan;
   const int span_ms = limits.until_ms - limits.from_ms;
-  for (int left = die(most + 1); left > 0; --left) {
-    Fault fault = kinds[static_cast<std::size_t>(die(static_cast<int>(kinds.size())))];
-    fault.at_ms = limits.from_ms + die(std::max(1, span_ms));
-    fault.level = 1 + die(Fault::kLevels);
-    fault.negative = die(2) == 1;
+  for (int left = rng(most + 1); left > 0; --left) {
+    Fault fault = kinds[static_cast<std::size_t>(rng(static_cast<int>(kinds.size())))];
+    fault.at_ms = limits.from_ms + rng(std::max(1, span_ms));
+    fault.level = 1 + rng(Fault::kLevels);
+    fault.negative = rng(2) == 1;
     plan.faults.push_back(fault);
   }
   std::stable_sort(plan.faults.begin(), plan.faults.end(),

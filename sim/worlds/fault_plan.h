@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/worlds/die.h"
+#include "sim/worlds/random_source.h"
 
 namespace robosim::worlds {
 
@@ -44,6 +44,6 @@ struct Breakable {
   std::vector<std::string> sensors, motors;
 };
 /// Draws at most `most` faults.
-FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const Die& die);
+FaultPlan draw_up(const FaultLimits& limits, int most, const Breakable& parts, const RandomSource& rng);
 
 }  // namespace robosim::worlds

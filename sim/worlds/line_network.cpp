@@ -241,7 +241,7 @@ std::string LineNetwork::map() const {
   return text;
 }
 
-LineNetwork grow(const GrowthLimits& limits, const Die& die) {
+LineNetwork grow(const GrowthLimits& limits, const RandomSource& rng) {
   // Enough room that growth is seldom blocked, little enough that lines become neighbours.
   int side = 3;
   while (side * side < 3 * limits.pieces) ++side;
@@ -249,15 +249,15 @@ LineNetwork grow(const GrowthLimits& limits, const Die& die) {
   network.apart = limits.apart;
   network.most_ways = limits.most_ways;
   for (int i = 0; i + 1 < side; ++i) {
-    network.columns.push_back(limits.apart + die(2));
-    network.rows.push_back(limits.apart + die(2));
+    network.columns.push_back(limits.apart + rng(2));
+    network.rows.push_back(limits.apart + rng(2));
   }
-  std::vector<Knot> knots{{die(side), die(side)}};
+  std::vector<Knot> knots{{rng(side), rng(side)}};
   int cycles = limits.cycles;
   for (int tries = 8 * limits.pieces; tries > 0 && static_cast<int>(network.pieces.size()) < limits.pieces;
        --tries) {
-    const Knot from = knots[static_cast<std::size_t>(die(static_cast<int>(knots.size())))];
-    const Knot to = around(from)[static_cast<std::size_t>(die(4))];
+    const Knot from = knots[static_cast<std::size_t>(rng(static_cast<int>(knots.size())))];
+    const Knot to = around(from)[static_cast<std::size_t>(rng(4))];
     if (to.x < 0 || to.y < 0 || to.x >= side || to.y >= side) continue;
     const auto ways = [&](Knot knot) { return static_cast<int>(network.neighbours(knot).size()); };
     const bool closes = std::find(knots.begin(), knots.end(), to) != knots.end();
@@ -279,10 +279,10 @@ LineNetwork grow(const GrowthLimits& limits, const Die& die) {
     network.pieces.push_back(between(knot, {knot.x + (knot.x + 1 < side ? 1 : -1), knot.y}));
   }
   const std::vector<Knot> stations = network.stations();
-  network.start = stations[static_cast<std::size_t>(die(static_cast<int>(stations.size())))];
-  for (int i = limits.obstacles > 0 ? die(limits.obstacles + 1) : 0; i > 0; --i)
+  network.start = stations[static_cast<std::size_t>(rng(static_cast<int>(stations.size())))];
+  for (int i = limits.obstacles > 0 ? rng(limits.obstacles + 1) : 0; i > 0; --i)
     network.obstacles.push_back(
-        network.pieces[static_cast<std::size_t>(die(static_cast<int>(network.pieces.size())))]);
+        network.pieces[static_cast<std::size_t>(rng(static_cast<int>(network.pieces.size())))]);
   tidy(network);
   return network;
 }

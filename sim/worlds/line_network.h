@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/worlds/die.h"
+#include "sim/worlds/random_source.h"
 
 namespace robosim::worlds {
 
@@ -64,6 +64,6 @@ struct GrowthLimits {
   int obstacles = 0;
 };
 /// Returns a random sound network, with at most that number of pieces.
-LineNetwork grow(const GrowthLimits& limits, const Die& die);
+LineNetwork grow(const GrowthLimits& limits, const RandomSource& rng);
 
 }  // namespace robosim::worlds

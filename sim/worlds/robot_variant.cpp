@@ -131,10 +131,10 @@ std::string RobotVariant::file(const std::string& base, const std::vector<Figure
   return same ? base : text;
 }
 
-RobotVariant assemble(const std::vector<Figure>& figures, const Die& die) {
+RobotVariant assemble(const std::vector<Figure>& figures, const RandomSource& rng) {
   RobotVariant variant;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    variant.levels.push_back(die(2 * RobotVariant::kLevels + 1) - RobotVariant::kLevels);
+    variant.levels.push_back(rng(2 * RobotVariant::kLevels + 1) - RobotVariant::kLevels);
   return variant;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/worlds/die.h"
+#include "sim/worlds/random_source.h"
 
 namespace robosim::worlds {
 
@@ -30,6 +30,6 @@ struct RobotVariant {
   /// Returns the text of a robot file; `base` itself if nothing differs.
   std::string file(const std::string& base, const std::vector<Figure>& figures) const;
 };
-RobotVariant assemble(const std::vector<Figure>& figures, const Die& die);
+RobotVariant assemble(const std::vector<Figure>& figures, const RandomSource& rng);
 
 }  // namespace robosim::worlds

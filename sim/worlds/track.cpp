@@ -121,23 +121,23 @@ std::string Track::grid() const {
   return text;
 }
 
-Track lay_out(const TrackLimits& limits, const Die& die) {
+Track lay_out(const TrackLimits& limits, const RandomSource& rng) {
   Track track;
   track.apart = limits.apart;
   const int side = limits.squares + 2;
   for (int i = 0; i < side; ++i) {
-    track.columns.push_back(limits.apart + die(limits.apart));
-    track.rows.push_back(limits.apart + die(limits.apart));
+    track.columns.push_back(limits.apart + rng(limits.apart));
+    track.rows.push_back(limits.apart + rng(limits.apart));
   }
   const auto pick = [&](const auto& from) {
-    return from[static_cast<std::size_t>(die(static_cast<int>(from.size())))];
+    return from[static_cast<std::size_t>(rng(static_cast<int>(from.size())))];
   };
   track.squares = {{side / 2, side / 2}};
   track.start = {track.squares[0], false};
   for (int tries = 8 * limits.squares; tries > 0 && static_cast<int>(track.squares.size()) < limits.squares;
        --tries) {
     Knot next = pick(track.squares);
-    (die(2) ? next.x : next.y) += die(2) ? 1 : -1;
+    (rng(2) ? next.x : next.y) += rng(2) ? 1 : -1;
     const bool free = std::find(track.squares.begin(), track.squares.end(), next) == track.squares.end();
     if (!free || next.x < 0 || next.y < 0 || next.x >= side || next.y >= side) continue;
     track.squares.push_back(next);
@@ -145,7 +145,7 @@ Track lay_out(const TrackLimits& limits, const Die& die) {
     if (!track.is_sound()) track.squares.pop_back();
   }
   const std::vector<Piece> line = track.outline().pieces;
-  for (int gaps = limits.gaps > 0 ? die(limits.gaps + 1) : 0; gaps > 0; --gaps)
+  for (int gaps = limits.gaps > 0 ? rng(limits.gaps + 1) : 0; gaps > 0; --gaps)
     track.gaps.push_back(pick(line));
   track.start = pick(line);
   tidy(track);

@@ -31,6 +31,6 @@ struct TrackLimits {
   int apart = 4;
   int gaps = 0;
 };
-Track lay_out(const TrackLimits& limits, const Die& die);
+Track lay_out(const TrackLimits& limits, const RandomSource& rng);
 
 }  // namespace robosim::worlds

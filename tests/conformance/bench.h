@@ -14,7 +14,7 @@
 
 namespace robosim::conformance {
 
-class Bench final : public avr::Surroundings {
+class Bench final : public avr::ChipEnvironment {
  public:
   explicit Bench(const ChipSpec& spec, std::span<const std::uint8_t> flash)
       : chip(spec, flash, static_cast<avr::Address>(ram_end(spec) - 1), *this) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/config.h"
 #include "sim/base/csv.h"
 #include "sim/base/utf8.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "sim/base/file.h"
-#include "sim/build/reading.h"
+#include "sim/build/parse_context.h"
 #include "sim/mutate/operators.h"
 
 namespace robosim::museum {
@@ -44,7 +44,8 @@ std::vector<mutate::Mutation> bugs_of_firmware() {
   std::vector<mutate::Mutation> all;
   for (const fs::path& sketch : sketches()) {
     const build::Request request{sketch, *find_board("uno")};
-    for (mutate::Mutation& bug : mutate::mutations(mutate::parse(reading_of(request), files_of_library()))) {
+    for (mutate::Mutation& bug :
+         mutate::mutations(mutate::parse(parse_context_of(request), files_of_library()))) {
       for (mutate::Edit& edit : bug.edits) edit.file = (sketch / edit.file).lexically_relative(root).string();
       if (bug.edits.front().file.starts_with("firmware/")) all.push_back(std::move(bug));
     }

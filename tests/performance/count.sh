@@ -58,7 +58,7 @@ work_of() {  # NAME FEW MANY
 }
 # All processes; of the forks, what they do themselves: they begin with the count of the runner, and with this call.
 swept() {  # SEEDS
-  counted_from='robosim::runner::Relay::enter*' \
+  counted_from='robosim::runner::SandboxProxy::enter*' \
     trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") |
     awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }

@@ -1,6 +1,6 @@
 // Sketches that would rather say that they have reached their goal than reach it: none gets that verdict.
-// Those for the host are code of this machine (sim/runner/relay.h says how a run there tells its runner); on
-// a chip firmware is data.
+// Those for the host are code of this machine (sim/runner/sandbox_proxy.h says how a run there tells its
+// runner); on a chip firmware is data.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

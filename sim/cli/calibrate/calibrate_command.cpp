@@ -7,8 +7,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/file_lock.h"
 #include "sim/base/units.h"
-#include "sim/base/write_claim.h"
 #include "sim/calibrate/calibrate.h"
 #include "sim/calibrate/plot.h"
 #include "sim/cli/options.h"

@@ -72,8 +72,8 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
   if (!result.detected.empty())
     return fmt::format("{}{} (detect = false turns the detectors off)", kDetected,
                        wire::text_of(result.detected.front()));
-  for (const Promise& promise : check.promises)
-    if (const std::string why = why_broken(promise, result); !why.empty()) return why;
+  for (const TextAssertion& assertion : check.assertions)
+    if (const std::string why = why_broken(assertion, result); !why.empty()) return why;
   return std::nullopt;
 }
 

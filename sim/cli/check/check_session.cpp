@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/base/machine_fault.h"
 #include "sim/base/robot_name.h"
+#include "sim/base/system_error.h"
 #include "sim/build/process.h"
 #include "sim/build/project.h"
 #include "sim/build/sketch.h"
@@ -202,7 +202,7 @@ void CheckSession::plan(const Check& check, bool limited) {
   } catch (const build::Interrupted&) {
     throw;
   } catch (const std::exception& error) {  // one sketch does not take the others' results
-    const std::string fault = fault_of_machine(error);
+    const std::string fault = system_error_of(error);
     result.status = fault.empty() ? ExitStatus::internal : ExitStatus::tool_missing;
     result.why = fault.empty() ? fmt::format("internal error: {}", error.what()) : fault;
   }

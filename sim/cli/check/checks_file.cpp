@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "sim/base/config.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/base/file_kind.h"
-#include "sim/base/spelling.h"
 #include "sim/cli/options.h"
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/launch/fleet.h"
@@ -234,12 +234,12 @@ class CheckReader {
 
 }  // namespace
 
-std::vector<Promise> promises_in(const fs::path& file) {
+std::vector<TextAssertion> promises_in(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return {};
   const ConfigValue root = parse_toml(read_file(file), file.string());
   TableReader reader(root, file.filename().string());
-  return read_promises(reader);
+  return read_text_assertions(reader);
 }
 
 std::vector<Check> read_checks(const fs::path& file) {
@@ -250,7 +250,7 @@ std::vector<Check> read_checks(const fs::path& file) {
 std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   const ConfigValue root = parse_toml(text, file.string());
   TableReader reader(root, file.filename().string());
-  const std::vector<Promise> promises = read_promises(reader);
+  const std::vector<TextAssertion> assertions = read_text_assertions(reader);
   const ConfigValue* tables = reader.find("check");
   reader.finish();
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
@@ -259,7 +259,7 @@ std::vector<Check> parse_checks(std::string_view text, const fs::path& file) {
   std::set<std::string> names;
   for (const ConfigValue& table : tables->items) {
     checks.push_back(CheckReader(table, file.parent_path()).check());
-    checks.back().promises = promises;
+    checks.back().assertions = assertions;
     if (!names.insert(checks.back().name).second)
       throw InputError(checks.back().place, fmt::format("duplicate check name “{}”", checks.back().name));
   }

@@ -9,7 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/cli/arguments.h"
-#include "sim/cli/check/promises.h"
+#include "sim/cli/check/text_assertions.h"
 #include "sim/cli/sweep/figures.h"
 
 namespace robosim::cli {
@@ -29,15 +29,15 @@ struct Check {
   std::string fleet;                ///< a file of several robots, run instead of the sketch; empty = none
   std::vector<std::string> expect;  ///< the verdicts that a run may end with
   std::vector<FigureLimit> limits;
-  std::vector<std::string> serial;    ///< texts that the sketch must send, in this order
-  std::vector<std::string> shows;     ///< texts that parts must show, in this order
-  bool detect = true;                 ///< detectors must find nothing
-  std::vector<std::string> stations;  ///< that must be visited, in any order
-  std::vector<Promise> promises;      ///< from the file
+  std::vector<std::string> serial;        ///< texts that the sketch must send, in this order
+  std::vector<std::string> shows;         ///< texts that parts must show, in this order
+  bool detect = true;                     ///< detectors must find nothing
+  std::vector<std::string> stations;      ///< that must be visited, in any order
+  std::vector<TextAssertion> assertions;  ///< from the file
 };
 
-/// Returns the file's promises about all runs, if it exists. Throws InputError.
-std::vector<Promise> promises_in(const std::filesystem::path& file);
+/// Returns the file's assertions about all runs, if it exists. Throws InputError.
+std::vector<TextAssertion> promises_in(const std::filesystem::path& file);
 
 /// Returns all checks of a file, in its order. The command line's own parser checks values of flags, so that
 /// a flag means the same in both. Paths are relative to the file's folder. Throws InputError.

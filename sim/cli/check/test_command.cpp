@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/check/check_session.h"
 #include "sim/cli/check/github.h"
 #include "sim/cli/check/junit.h"
@@ -35,7 +35,7 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
 }  // namespace
 
 int test_command(const TestArguments& arguments) {
-  std::optional<WriteClaim> claim;
+  std::optional<FileLock> claim;
   if (!arguments.junit.empty()) claim.emplace(arguments.junit);
   std::vector<std::string> sketches = arguments.sketches;
   if (sketches.empty()) sketches.emplace_back();

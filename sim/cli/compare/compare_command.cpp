@@ -11,9 +11,9 @@
 #include "sim/base/error.h"
 #include "sim/cli/compare/compare_report.h"
 #include "sim/cli/compare/difference.h"
-#include "sim/cli/compare/edge_finder.h"
-#include "sim/cli/compare/lanes.h"
-#include "sim/cli/compare/watch.h"
+#include "sim/cli/compare/jitter_probe.h"
+#include "sim/cli/compare/observer.h"
+#include "sim/cli/compare/target_runs.h"
 #include "sim/cli/output.h"
 #include "sim/launch/names.h"
 #include "sim/tui/progress.h"
@@ -30,10 +30,10 @@ constexpr std::size_t kSaid = 3;        // lines before the different one
 class CompareCommand {
  public:
   CompareCommand(const CompareArguments& arguments, tui::Progress& progress)
-      : arguments_(arguments), progress_(progress), lanes_(lanes_of(arguments, progress)) {}
+      : arguments_(arguments), progress_(progress), target_runs_(target_runs_of(arguments, progress)) {}
 
   Compared compare(std::uint64_t seed) {
-    progress_.say(fmt::format("{} targets, seed {} …", lanes_.size(), seed));
+    progress_.say(fmt::format("{} targets, seed {} …", target_runs_.size(), seed));
     Compared compared;
     compared.seed = seed;
     compared.moves = arguments_.moves;
@@ -41,7 +41,7 @@ class CompareCommand {
     const std::vector<Histories> histories = run_lanes(seed, compared);
     std::vector<Found> found = compare_with(0, histories, compared);
     // A difference from a target that lacks something says nothing about the others.
-    if (lacks_something(compared.lanes[0]))
+    if (lacks_something(compared.target_runs[0]))
       for (Found& one : compare_with(1, histories, compared)) found.push_back(std::move(one));
     // The earliest, except those that say nothing about the sketch.
     std::optional<Compared> on_edge;
@@ -53,9 +53,9 @@ class CompareCommand {
       Found one = std::move(*earliest);
       found.erase(earliest);
       compared.difference = std::move(one.difference);
-      compared.robot = lanes_[0].name(one.pair.robot);
+      compared.robot = target_runs_[0].name(one.pair.robot);
       look_closer(compared, one.pair);
-      find_lacks(compared, one.pair.robot, one.lanes);
+      find_lacks(compared, one.pair.robot, one.target_runs);
       compared.edges.clear();
       if (compared.lacks.empty()) {
         compared.edges = edges_.find(compared, one.pair);
@@ -72,35 +72,38 @@ class CompareCommand {
  private:
   /// Returns a sketch, a file of several robots, or their number.
   std::string title() const {
-    const launch::Fleet& fleet = lanes_[0].fleet;
-    if (fleet.members.empty()) return launch::title_of(lanes_[0].run.members[0].sketch);
+    const launch::Fleet& fleet = target_runs_[0].fleet;
+    if (fleet.members.empty()) return launch::title_of(target_runs_[0].run.members[0].sketch);
     return fleet.file.empty() ? fmt::format("{} robots", fleet.members.size()) : fleet.file;
   }
 
-  /// The histories of a lane, one for each robot.
+  /// The histories of a target run, one for each robot.
   using Histories = std::vector<analysis::History>;
 
   struct Found {
     analysis::Difference difference;
-    std::array<std::size_t, 2> lanes;
+    std::array<std::size_t, 2> target_runs;
     Pair pair;
   };
 
-  /// Compares the lanes after `first` with that one.
+  /// Compares the target runs after `first` with that one.
   std::vector<Found> compare_with(std::size_t first, const std::vector<Histories>& histories,
                                   Compared& compared) {
     std::vector<Found> found;
-    for (std::size_t i = first + 1; i < lanes_.size(); ++i) {
-      for (std::size_t robot = 0; robot < watch_.robots(); ++robot) {
-        const std::string& name = lanes_[0].name(robot);
+    for (std::size_t i = first + 1; i < target_runs_.size(); ++i) {
+      for (std::size_t robot = 0; robot < observer_.robots(); ++robot) {
+        const std::string& name = target_runs_[0].name(robot);
         analysis::Comparison comparison = analysis::compare(histories[first][robot], histories[i][robot]);
         for (analysis::KnownDifference& known : comparison.known)
-          compared.known.push_back({std::move(known), name, {lanes_[first].target, lanes_[i].target}});
+          compared.known.push_back(
+              {std::move(known), name, {target_runs_[first].target, target_runs_[i].target}});
         if (comparison.first)
-          found.push_back(
-              {std::move(*comparison.first),
-               {first, i},
-               {robot, {&lanes_[first], &lanes_[i]}, {&histories[first][robot], &histories[i][robot]}, {}}});
+          found.push_back({std::move(*comparison.first),
+                           {first, i},
+                           {robot,
+                            {&target_runs_[first], &target_runs_[i]},
+                            {&histories[first][robot], &histories[i][robot]},
+                            {}}});
       }
     }
     return found;
@@ -113,13 +116,13 @@ class CompareCommand {
     if (compared.edges.empty()) return std::nullopt;
     for (std::size_t side = 0; side < 2; ++side) {
       const std::vector<wire::Lateness>& late = compared.edges[0].late[1 - side];
-      if (!at.pair.lanes[side]->is_on_host(at.pair.robot) || late.empty() || more.size() == kMostTicks)
+      if (!at.pair.target_runs[side]->is_on_host(at.pair.robot) || late.empty() || more.size() == kMostTicks)
         continue;
       Found next = at;
       next.pair.late[side] = late;
-      const Lane& lane = *at.pair.lanes[side];
-      more.push_back(
-          watch_.run(*at.pair.lanes[side], {at.pair.robot, compared.seed, lane.run.request.for_ns, late}));
+      const TargetRun& target_run = *at.pair.target_runs[side];
+      more.push_back(observer_.run(*at.pair.target_runs[side],
+                                   {at.pair.robot, compared.seed, target_run.run.request.for_ns, late}));
       next.pair.histories[side] = &more.back();
       auto difference = analysis::compare(*next.pair.histories[0], *next.pair.histories[1]).first;
       if (!difference) continue;
@@ -130,26 +133,28 @@ class CompareCommand {
   }
 
   std::vector<Histories> run_lanes(std::uint64_t seed, Compared& compared) {
-    std::vector<std::vector<analysis::HistoryRecorder>> recorders(lanes_.size());
+    std::vector<std::vector<analysis::HistoryRecorder>> recorders(target_runs_.size());
     std::vector<wire::RunRequest> requests;
     std::vector<wire::OnEvent> listeners;
-    std::vector<Lane*> lanes;
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      for (std::size_t robot = 0; robot < watch_.robots(); ++robot)
-        recorders[i].push_back(watch_.recorder_of(lanes_[i], robot));
-      requests.push_back(Watch::request_of(lanes_[i], seed));
+    std::vector<TargetRun*> target_runs;
+    for (std::size_t i = 0; i < target_runs_.size(); ++i) {
+      for (std::size_t robot = 0; robot < observer_.robots(); ++robot)
+        recorders[i].push_back(observer_.recorder_of(target_runs_[i], robot));
+      requests.push_back(Observer::request_of(target_runs_[i], seed));
       listeners.emplace_back([&of_lane = recorders[i]](const wire::Event& event) {
         of_lane.at(static_cast<std::size_t>(wire::agent_of(event))).add(event);
       });
-      lanes.push_back(&lanes_[i]);
+      target_runs.push_back(&target_runs_[i]);
     }
-    const std::vector<Results> results = run_all(lanes, requests, listeners);
-    std::vector<Histories> histories(lanes_.size());
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      ComparedLane& lane = compared.lanes.emplace_back(ComparedLane{lanes_[i].target, {}});
-      for (std::size_t robot = 0; robot < watch_.robots(); ++robot) {
+    const std::vector<Results> results = run_all(target_runs, requests, listeners);
+    std::vector<Histories> histories(target_runs_.size());
+    for (std::size_t i = 0; i < target_runs_.size(); ++i) {
+      ComparedTarget& target_run =
+          compared.target_runs.emplace_back(ComparedTarget{target_runs_[i].target, {}});
+      for (std::size_t robot = 0; robot < observer_.robots(); ++robot) {
         histories[i].push_back(recorders[i][robot].finish(results[i][robot]));
-        lane.robots.push_back({lanes_[i].name(robot), lanes_[i].inputs(robot), results[i][robot]});
+        target_run.robots.push_back(
+            {target_runs_[i].name(robot), target_runs_[i].inputs(robot), results[i][robot]});
       }
     }
     return histories;
@@ -161,23 +166,23 @@ class CompareCommand {
     std::vector<analysis::PinLog> pins;
     std::vector<wire::RunRequest> requests;
     std::vector<wire::OnEvent> listeners;
-    std::vector<Lane*> both;
+    std::vector<TargetRun*> both;
     pins.reserve(2);
     for (std::size_t side = 0; side < 2; ++side) {
-      Lane& lane = *pair.lanes[side];
+      TargetRun& target_run = *pair.target_runs[side];
       pins.emplace_back(d.t_ns[side]);
-      wire::RunRequest request = lane.run.request;
+      wire::RunRequest request = target_run.run.request;
       request.seed = compared.seed;
-      Lane::late(request, pair.robot) = pair.late[side];
+      TargetRun::late(request, pair.robot) = pair.late[side];
       const std::int64_t end = d.t_ns[side] + kBehind_ns;
       request.for_ns = std::min(request.for_ns, (end / 1'000'000 + 1) * 1'000'000);
       request.pins = request.io = true;
       request.source_ns.emplace(std::max<std::int64_t>(0, d.t_ns[side] - kBefore_ns), end);
       requests.push_back(std::move(request));
       listeners.emplace_back([&seen = pins.back(), robot = pair.robot](const wire::Event& event) {
-        if (Watch::is_of(event, robot)) seen.add(event);
+        if (Observer::is_of(event, robot)) seen.add(event);
       });
-      both.push_back(&lane);
+      both.push_back(&target_run);
     }
     run_all(both, requests, listeners);
     for (std::size_t side = 0; side < 2; ++side)
@@ -189,7 +194,7 @@ class CompareCommand {
     const analysis::Difference& d = *compared.difference;
     const analysis::History& history = *pair.histories[side];
     ComparedSide result;
-    result.target = pair.lanes[side]->target;
+    result.target = pair.target_runs[side]->target;
     result.t_ns = d.t_ns[side];
     result.text = d.sides[side];
     result.reads = pins.reads();
@@ -217,27 +222,28 @@ class CompareCommand {
   }
 
   std::optional<Finding> look_with_checks(const Compared& compared, std::size_t side, const Pair& pair) {
-    Lane& lane = *pair.lanes[side];
-    const launch::Prepared& with = lane.run.members[pair.robot];
+    TargetRun& target_run = *pair.target_runs[side];
+    const launch::Prepared& with = target_run.run.members[pair.robot];
     if (with.target == "stm32") return std::nullopt;
-    wire::RunRequest request = lane.run.request;
+    wire::RunRequest request = target_run.run.request;
     request.seed = compared.seed;
-    Lane::late(request, pair.robot) = pair.late[side];
+    TargetRun::late(request, pair.robot) = pair.late[side];
     request.for_ns = std::min(request.for_ns, compared.difference->t_ns[side] + kLongestPart_ns);
     progress_.say("running it again on " + with.target + ", with checks …");
-    return look_again(lane.runner, request, with.wanted, result_of(compared, side, pair), pair.robot);
+    return rerun_with_sanitizers(target_run.runner, request, with.wanted, result_of(compared, side, pair),
+                                 pair.robot);
   }
 
   const wire::RunResult& result_of(const Compared& compared, std::size_t side, const Pair& pair) const {
-    return compared.lanes[static_cast<std::size_t>(pair.lanes[side] - lanes_.data())]
+    return compared.target_runs[static_cast<std::size_t>(pair.target_runs[side] - target_runs_.data())]
         .robots[pair.robot]
         .result;
   }
 
   /// Makes the robots for the host, if the host is not a compared target; null if that is impossible.
-  Lane* make_host() {
+  TargetRun* make_host() {
     try {
-      if (!host_) host_ = lane_of(arguments_, "host", progress_);
+      if (!host_) host_ = target_run_of(arguments_, "host", progress_);
     } catch (const InputError&) {
     } catch (const ToolMissing&) {
     }
@@ -246,10 +252,10 @@ class CompareCommand {
 
   const CompareArguments& arguments_;
   tui::Progress& progress_;
-  std::vector<Lane> lanes_;
-  std::optional<Lane> host_;
-  Watch watch_{lanes_[0].run.request};
-  EdgeFinder edges_{watch_, progress_, [this] { return make_host(); }};
+  std::vector<TargetRun> target_runs_;
+  std::optional<TargetRun> host_;
+  Observer observer_{target_runs_[0].run.request};
+  JitterProbe edges_{observer_, progress_, [this] { return make_host(); }};
 };
 
 }  // namespace

@@ -23,8 +23,8 @@ std::string place_of(const wire::SourceLine& source) {
 
 std::string names_of(const Compared& c) {
   std::string text;
-  for (std::size_t i = 0; i < c.lanes.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < c.lanes.size() ? ", " : " and ") + c.lanes[i].target;
+  for (std::size_t i = 0; i < c.target_runs.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < c.target_runs.size() ? ", " : " and ") + c.target_runs[i].target;
   return text;
 }
 
@@ -34,15 +34,15 @@ std::string lanes_text(const Compared& c) {
     return c.moves.empty() ? run.inputs.robot : fmt::format("{}, {}", run.inputs.robot, run.inputs.target);
   };
   std::size_t name = 0, robot = 0;
-  for (const ComparedLane& lane : c.lanes)
-    for (const ComparedRun& run : lane.robots) {
+  for (const ComparedTarget& target_run : c.target_runs)
+    for (const ComparedRun& run : target_run.robots) {
       name = std::max(name, run.name.size());
       robot = std::max(robot, robot_of(run).size());
     }
   std::string text;
-  for (const ComparedLane& lane : c.lanes)
-    for (const ComparedRun& run : lane.robots)
-      text += fmt::format("  {:<6} {:<{}}{}{:<{}}  {:<8} {:8.2f} s\n", lane.target, run.name, name,
+  for (const ComparedTarget& target_run : c.target_runs)
+    for (const ComparedRun& run : target_run.robots)
+      text += fmt::format("  {:<6} {:<{}}{}{:<{}}  {:<8} {:8.2f} s\n", target_run.target, run.name, name,
                           name ? "  " : "", robot_of(run), robot, run.result.verdict, run.result.time_s);
   return text;
 }
@@ -112,14 +112,14 @@ Json json_of(const ComparedRun& run) {
           {"trace_hash", run.result.trace_hash}};
 }
 
-Json json_of(const ComparedLane& lane) {
-  if (lane.robots.front().name.empty()) return json_of(lane.robots.front());
+Json json_of(const ComparedTarget& target_run) {
+  if (target_run.robots.front().name.empty()) return json_of(target_run.robots.front());
   Json robots = Json::array();
-  for (const ComparedRun& run : lane.robots) {
+  for (const ComparedRun& run : target_run.robots) {
     robots.push_back({{"name", run.name}, {"sketch", run.inputs.sketch}});
     robots.back().update(json_of(run));
   }
-  return {{"target", lane.target}, {"robots", std::move(robots)}};
+  return {{"target", target_run.target}, {"robots", std::move(robots)}};
 }
 
 /// Returns "where it is 0.26 ms late from 3.90 s on": only the last lateness counts here.
@@ -190,7 +190,7 @@ Json json_of(const Edge& edge) {
 }  // namespace
 
 std::string compare_text(const Compared& c) {
-  const RunInputs& in = c.lanes.front().robots.front().inputs;
+  const RunInputs& in = c.target_runs.front().robots.front().inputs;
   std::string text =
       fmt::format("{} on {}, seed {}{}: {} ", c.sketch, in.map, c.seed,
                   c.moves.empty() ? "" : fmt::format(", {} on each target", c.moves), names_of(c));
@@ -223,10 +223,10 @@ std::string compare_json(const Compared& c) {
   Json json{{"schema", "robosim.compare/1"},
             {"same", c.same()},
             {"sketch", c.sketch},
-            {"map", c.lanes.front().robots.front().inputs.map},
+            {"map", c.target_runs.front().robots.front().inputs.map},
             {"seed", c.seed}};
   json["runs"] = Json::array();
-  for (const ComparedLane& lane : c.lanes) json["runs"].push_back(json_of(lane));
+  for (const ComparedTarget& target_run : c.target_runs) json["runs"].push_back(json_of(target_run));
   json["known"] = Json::array();
   for (const ComparedKnown& known : c.known) {
     Json one{{"what", known.difference.what}, {"targets", known.targets}, {"texts", known.difference.sides}};

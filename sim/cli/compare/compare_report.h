@@ -10,7 +10,7 @@
 #include "sim/analysis/compare.h"
 #include "sim/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
-#include "sim/cli/run/second_look.h"
+#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/wire/lateness.h"
 
 namespace robosim::cli {
@@ -27,7 +27,7 @@ struct ComparedSide {
   std::optional<Finding> finding;  ///< from a run with checks
 };
 
-/// The behaviour of one robot in one lane.
+/// The behaviour of one robot in one target run.
 struct ComparedRun {
   std::string name;  ///< the robot's, if there are several
   RunInputs inputs;
@@ -51,7 +51,7 @@ struct Edge {
 };
 
 /// A target, and the behaviour of its robots.
-struct ComparedLane {
+struct ComparedTarget {
   std::string target;
   std::vector<ComparedRun> robots;
 };
@@ -68,7 +68,7 @@ struct Compared {
   std::uint64_t seed = 1;
   std::string sketch;  ///< or the fleet's file
   std::string moves;   ///< the one of several robots that runs on the targets; empty = all
-  std::vector<ComparedLane> lanes;
+  std::vector<ComparedTarget> target_runs;
   std::vector<ComparedKnown> known;
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference

@@ -9,21 +9,21 @@ constexpr std::int64_t kUntilItShows_ns = 5'000'000'000;
 
 }  // namespace
 
-bool lacks_something(const ComparedLane& lane) {
-  return std::any_of(lane.robots.begin(), lane.robots.end(),
+bool lacks_something(const ComparedTarget& target_run) {
+  return std::any_of(target_run.robots.begin(), target_run.robots.end(),
                      [](const auto& robot) { return !robot.result.lacks.empty(); });
 }
 
-void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& lanes) {
+void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& target_runs) {
   compared.lacks.clear();
   const bool is_explained = !compared.difference->cause.empty() || compared.sides[0].finding.has_value() ||
                             compared.sides[1].finding.has_value();
   if (is_explained) return;
   for (std::size_t side = 0; side < 2 && compared.lacks.empty(); ++side) {
-    const ComparedLane& lane = compared.lanes[lanes[side]];
+    const ComparedTarget& target_run = compared.target_runs[target_runs[side]];
     const double until_s = 1e-9 * static_cast<double>(compared.difference->t_ns[side]);
-    compared.lacking = lane.target;
-    for (const wire::Lack& lack : lane.robots[robot].result.lacks)
+    compared.lacking = target_run.target;
+    for (const wire::Lack& lack : target_run.robots[robot].result.lacks)
       if (lack.first_s <= until_s) compared.lacks.push_back(lack);
   }
 }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "sim/base/counted.h"
+#include "sim/base/pluralize.h"
 #include "sim/cli/files/json_lines.h"
 
 namespace robosim::cli {
@@ -99,9 +99,9 @@ std::string graph_text(const grid::Map& map, const grid::Start& start, const Tru
   for_each_line(graph, [&](const End&, const Arm& arm) { moves += static_cast<std::size_t>(arm.length); });
   std::string out =
       fmt::format("{}: from {},{},{} {}, {}, {} of {}, {}\n", map.name, start.cell.x, start.cell.y,
-                  letter(start.facing), counted(graph.stations.size(), "station"),
-                  counted(graph.junctions.size(), "junction"), counted(grid::line_count(graph), "line"),
-                  counted(moves, "move"), counted(grid::cycle_count(graph), "cycle"));
+                  letter(start.facing), pluralize(graph.stations.size(), "station"),
+                  pluralize(graph.junctions.size(), "junction"), pluralize(grid::line_count(graph), "line"),
+                  pluralize(moves, "move"), pluralize(grid::cycle_count(graph), "cycle"));
   return out + graph_tables(graph);
 }
 

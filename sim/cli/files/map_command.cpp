@@ -11,18 +11,18 @@
 #include <ostream>
 #include <sstream>
 
-#include "sim/base/counted.h"
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
+#include "sim/base/pluralize.h"
 #include "sim/cli/files/course_picture.h"
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/files/json_lines.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/cli/output.h"
+#include "sim/grid/clearance.h"
 #include "sim/grid/floor_image.h"
 #include "sim/grid/map.h"
 #include "sim/grid/network.h"
 #include "sim/grid/path_survey.h"
-#include "sim/grid/room.h"
 #include "sim/grid/stripes.h"
 #include "sim/grid/true_graph.h"
 
@@ -89,7 +89,7 @@ std::size_t count_line_cells(const grid::Map& map) {
   return static_cast<std::size_t>(std::count_if(map.cells.begin(), map.cells.end(), grid::is_line));
 }
 
-std::string line_cells(const grid::Map& map) { return counted(count_line_cells(map), "line cell"); }
+std::string line_cells(const grid::Map& map) { return pluralize(count_line_cells(map), "line cell"); }
 
 std::string start_text(const grid::Start& start) {
   if (!start.on_path) return fmt::format("{},{}", at(start.cell), grid::letter(start.facing));
@@ -104,8 +104,8 @@ std::string describe_path(const grid::PathSurvey& path) {
                      : fmt::format("not closed (its end is {:.0f} mm from its beginning)", mm(path.gap_m)),
       path.smallest_radius_m > 0.0 ? fmt::format("smallest radius {:.10g} mm", mm(path.smallest_radius_m))
                                    : "no arcs",
-      counted(static_cast<std::size_t>(path.crossings), "crossing"),
-      path.corners ? ", " + counted(static_cast<std::size_t>(path.corners), "sharp corner") : "");
+      pluralize(static_cast<std::size_t>(path.crossings), "crossing"),
+      path.corners ? ", " + pluralize(static_cast<std::size_t>(path.corners), "sharp corner") : "");
 }
 
 // Rounds metres for display: to a micrometre.
@@ -120,7 +120,7 @@ std::ptrdiff_t surface_cells(const grid::Map& map) {
 std::string surfaces_text(const grid::Map& map) {
   const auto cells = static_cast<std::size_t>(surface_cells(map));
   const std::size_t areas = map.course.surfaces.size();
-  const std::string by_legend = counted(cells, "cell") + " by the legend";
+  const std::string by_legend = pluralize(cells, "cell") + " by the legend";
   if (cells == 0) return areas > 0 ? fmt::format("{}", areas) : "";
   return areas > 0 ? fmt::format("{}, and {}", areas, by_legend) : by_legend;
 }
@@ -181,16 +181,17 @@ std::string paint_text(const grid::Map& map) {
   if (map.worn > 0.0) parts.push_back(fmt::format("{:.10g} % worn", 100.0 * map.worn));
   if (map.gloss > 0.0) parts.push_back(fmt::format("gloss {:.10g} %", 100.0 * map.gloss));
   if (!map.course.paints.empty())
-    parts.push_back(counted(map.course.paints.size(), "more kind") + " of line");
+    parts.push_back(pluralize(map.course.paints.size(), "more kind") + " of line");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string room_text(const grid::Narrowest& narrow) {
   const std::string where = fmt::format("path {} at {}", narrow.path + 1, at(narrow.cell));
   const char* const wall = narrow.is_edge ? "the map's edge" : "a wall";
-  if (narrow.room_m <= 0.0) return fmt::format("{} runs into {}: is it meant as an obstacle?", where, wall);
+  if (narrow.clearance_m <= 0.0)
+    return fmt::format("{} runs into {}: is it meant as an obstacle?", where, wall);
   return fmt::format("{} is {:.0f} mm from {}: a robot that reaches farther to the side hits it", where,
-                     mm(narrow.room_m), wall);
+                     mm(narrow.clearance_m), wall);
 }
 
 void describe(const Survey& s, std::ostream& out) {
@@ -204,8 +205,9 @@ void describe(const Survey& s, std::ostream& out) {
                      mm(map.cell_m), mm(map.cell_m) * map.width, mm(map.cell_m) * map.height);
   const bool paths_only = !map.course.paths.empty() && count_line_cells(map) == 0;
   out << fmt::format("  line      {}, {:.10g} mm wide{}{}{}\n",
-                     paths_only ? counted(map.course.paths.size(), "path") : line_cells(map), mm(map.line_m),
-                     paths_only ? "" : ", " + corners, map.raster ? "; floor painted in whole cells" : "",
+                     paths_only ? pluralize(map.course.paths.size(), "path") : line_cells(map),
+                     mm(map.line_m), paths_only ? "" : ", " + corners,
+                     map.raster ? "; floor painted in whole cells" : "",
                      map.light_line ? "; white on black" : "");
   const std::string paint = paint_text(map);
   if (!paint.empty()) out << "  paint     " << paint << '\n';
@@ -222,14 +224,14 @@ void describe(const Survey& s, std::ostream& out) {
   out << fmt::format("  start     {}\n", start_text(start));
   out << fmt::format("  goal      {}\n", describe_goal(s));
   if (!start.on_path)
-    out << fmt::format("  network   {}, {}, {}\n", counted(network.stations.size(), "station"),
-                       counted(network.junctions.size(), "junction"),
+    out << fmt::format("  network   {}, {}, {}\n", pluralize(network.stations.size(), "station"),
+                       pluralize(network.junctions.size(), "junction"),
                        network.loop.empty() ? "not a single loop"
                                             : fmt::format("one loop of {} steps", network.loop.size()));
   if (!network.stations.empty()) out << fmt::format("  stations  {}\n", list(network.stations, station_text));
   if (!network.unreachable.empty())
     out << fmt::format("  note: {} cannot be reached from the start: {}\n",
-                       counted(network.unreachable.size(), "station"), list(network.unreachable, at));
+                       pluralize(network.unreachable.size(), "station"), list(network.unreachable, at));
   const std::vector<grid::TightBend> tight = grid::tight_bends(map);
   if (!tight.empty())
     out << fmt::format("  note: {} too short in the legs for {:.10g} mm: {}\n",

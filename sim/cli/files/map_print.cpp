@@ -7,8 +7,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "sim/base/counted.h"
 #include "sim/base/file.h"
+#include "sim/base/pluralize.h"
 #include "sim/grid/map.h"
 #include "sim/print/print.h"
 
@@ -29,9 +29,9 @@ ExitStatus print_map(const PrintArguments& arguments, std::ostream& out) {
   write_file(arguments.out, printed.pdf);
   const print::Sheets& sheets = printed.sheets;
   out << fmt::format("wrote {}: an overview and {} of {}, in {} of {}; print at 100 %\n", arguments.out,
-                     counted(sheets.printed.size(), "sheet"), arguments.paper,
-                     counted(static_cast<std::size_t>(sheets.rows), "row"),
-                     counted(static_cast<std::size_t>(sheets.columns), "column"));
+                     pluralize(sheets.printed.size(), "sheet"), arguments.paper,
+                     pluralize(static_cast<std::size_t>(sheets.rows), "row"),
+                     pluralize(static_cast<std::size_t>(sheets.columns), "column"));
   return ExitStatus::ok;
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "sim/base/file.h"
+#include "sim/base/parse_unsigned.h"
 #include "sim/base/robot_name.h"
-#include "sim/base/whole.h"
 #include "sim/cli/output.h"
 #include "sim/client/runner.h"
 #include "sim/launch/fit_robot.h"
@@ -43,7 +43,7 @@ void show(const std::string& robot) {
 
 /// Formats a pin for display: "D5 (PD5)" for its number; that of a shift register unchanged.
 std::string pin_name(const BoardSpec& board, const std::string& pin) {
-  const std::optional<std::uint64_t> number = parse_whole(pin);
+  const std::optional<std::uint64_t> number = parse_unsigned(pin);
   if (!number || *number >= board.pin_count) return pin;
   const PinSpec& spec = board.pins[*number];
   return fmt::format("{} ({})", spec.name, spec.chip_name);

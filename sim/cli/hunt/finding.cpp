@@ -27,11 +27,11 @@ std::string from_everywhere(const std::string& name) {
   return launch::is_path(name) ? fs::absolute(name).lexically_normal().string() : name;
 }
 
-std::vector<Shown::Option> options_of(const HuntFinding& finding, const HuntBench& bench,
+std::vector<Shown::Option> options_of(const HuntFinding& finding, const CampaignRunner& campaign,
                                       const HuntArguments& arguments) {
-  const HuntWorld& world = finding.world;
-  const HuntSpace& space = bench.space();
-  const HuntSpace::Build& build = space.builds[world.build];
+  const TestCase& test_case = finding.test_case;
+  const HuntSpace& space = campaign.space();
+  const HuntSpace::Build& build = space.builds[test_case.build];
   std::vector<Shown::Option> options;
   const auto add = [&](const char* name, const std::string& value) {
     options.push_back({name, value, false});
@@ -39,30 +39,30 @@ std::vector<Shown::Option> options_of(const HuntFinding& finding, const HuntBenc
   const auto add_file = [&](const char* name, const std::string& value) {
     options.push_back({name, value, true});
   };
-  if (world.drawn())
+  if (test_case.drawn())
     add_file("map", "world.map");
   else
-    add("map", from_everywhere(space.maps[world.map].name));
-  if (!robot_text(world, space).empty())
-    add_file("robot", bench.board().empty() ? "robot.toml" : "robot.toml@" + bench.board());
+    add("map", from_everywhere(space.maps[test_case.map].name));
+  if (!robot_text(test_case, space).empty())
+    add_file("robot", campaign.board().empty() ? "robot.toml" : "robot.toml@" + campaign.board());
   else if (!arguments.robot.empty())
     add("robot", from_everywhere(arguments.robot));
-  if (world.twin == Twin::host)
+  if (test_case.differential == Differential::host)
     add("target", "host," + build.target);
   else if (build.target != "host")
     add("target", build.target);
   if (!arguments.each.request.start.empty()) add("start", arguments.each.request.start);
-  if (!bench.script_of(world).empty()) add_file("script", "script.txt");
-  add("seed", std::to_string(world.seed));
-  if (world.clock_ms != 0) add("clock", fmt::format("{}ms", world.clock_ms));
+  if (!campaign.script_of(test_case).empty()) add_file("script", "script.txt");
+  add("seed", std::to_string(test_case.seed));
+  if (test_case.clock_ms != 0) add("clock", fmt::format("{}ms", test_case.clock_ms));
   if (arguments.each.request.profile != wire::RunRequest{}.profile)
     add("profile", arguments.each.request.profile);
   if (!arguments.each.environment.empty()) add("env", arguments.each.environment);
-  if (!world.to_goal)
+  if (!test_case.to_goal)
     add("goal", "none");
-  else if (!space.maps[world.map].goal.empty() && !world.drawn())
-    add("goal", space.maps[world.map].goal);
-  add("for", seconds(world.for_s));
+  else if (!space.maps[test_case.map].goal.empty() && !test_case.drawn())
+    add("goal", space.maps[test_case.map].goal);
+  add("for", seconds(test_case.for_s));
   for (const std::string& library : arguments.each.libraries)
     add("libraries", fs::absolute(library).lexically_normal().string());
   return options;
@@ -114,29 +114,29 @@ bool HuntFinding::explains(const Symptom& other, const std::set<std::string>& ne
          std::includes(needs_of_other.begin(), needs_of_other.end(), needs.begin(), needs.end());
 }
 
-void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, const HuntArguments& arguments,
-          const fs::path& out) {
+void keep(HuntFinding& finding, std::size_t number, const CampaignRunner& campaign,
+          const HuntArguments& arguments, const fs::path& out) {
   const fs::path folder = out / std::to_string(number);
   std::error_code none;
   fs::remove_all(folder, none);
-  wire::RunRequest request = bench.request_of(finding.world, folder.string());
+  wire::RunRequest request = campaign.request_of(finding.test_case, folder.string());
   if (!request.script.empty()) write_file(folder / "script.txt", request.script);
-  const launch::Prepared& run = bench.of(finding.world);
-  const HuntSpace::Build& build = bench.space().builds[finding.world.build];
-  finding.shown = {
-      fmt::format("{}{}, {}", build.target, build.checked ? " with checks" : "",
-                  finding.world.drawn() ? "a drawn map" : bench.space().maps[finding.world.map].name),
-      run.sketch.name,
-      options_of(finding, bench, arguments),
-      build.checked,
-      finding.symptom.kind == kDetected,
-      finding.world.twin == Twin::host};
+  const launch::Prepared& run = campaign.of(finding.test_case);
+  const HuntSpace::Build& build = campaign.space().builds[finding.test_case.build];
+  finding.shown = {fmt::format("{}{}, {}", build.target, build.checked ? " with checks" : "",
+                               finding.test_case.drawn() ? "a drawn map"
+                                                         : campaign.space().maps[finding.test_case.map].name),
+                   run.sketch.name,
+                   options_of(finding, campaign, arguments),
+                   build.checked,
+                   finding.symptom.kind == kDetected,
+                   finding.test_case.differential == Differential::host};
 
   record::Recorders page({(folder / "run.html").string()});
   page.ask(request);
   client::Runner runner(run.target);
-  page.begin({bench.version(), launch::title_of(run.sketch),
-              finding.world.drawn() ? "world.map" : bench.space().maps[finding.world.map].name,
+  page.begin({campaign.version(), launch::title_of(run.sketch),
+              finding.test_case.drawn() ? "world.map" : campaign.space().maps[finding.test_case.map].name,
               run.robot.name, run.target, run.robot_info, request});
   page.finish(runner.run(request, [&](const wire::Event& event) { page.add(event); }));
 }

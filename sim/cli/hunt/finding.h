@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/hunt/bench.h"
-#include "sim/cli/hunt/symptom.h"
+#include "sim/cli/hunt/campaign_runner.h"
+#include "sim/cli/hunt/oracle.h"
 
 namespace robosim::cli {
 
@@ -31,14 +31,14 @@ struct Shown {
 
 struct HuntFinding {
   Symptom symptom;
-  HuntWorld world;              ///< the smallest one found
+  TestCase test_case;           ///< the smallest one found
   std::set<std::string> needs;  ///< its differences from the baseline
   double time_s = 0.0;          ///< simulated, at its end
   std::size_t times = 1;        ///< number of runs with apparently the same cause
   Shown shown;
 
   /// Returns whether such a run apparently has the same cause. It has the same place in the sketch, or the
-  /// same behaviour in a world with all the needs of this one.
+  /// same behaviour in a test case with all the needs of this one.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 
@@ -47,9 +47,9 @@ std::string hunt_text(const HuntFinding& finding, std::size_t number, const std:
 /// Returns a [[check]] that fails until the fault is fixed, with paths relative to the findings' folder.
 std::string hunt_check(const HuntFinding& finding, std::size_t number);
 
-/// Writes `out`/NUMBER: the world's files, its script and a page that replays it; sets the `shown` fields.
-/// Throws InputError.
-void keep(HuntFinding& finding, std::size_t number, const HuntBench& bench, const HuntArguments& arguments,
-          const std::filesystem::path& out);
+/// Writes `out`/NUMBER: the test case's files, its script and a page that replays it; sets the `shown`
+/// fields. Throws InputError.
+void keep(HuntFinding& finding, std::size_t number, const CampaignRunner& campaign,
+          const HuntArguments& arguments, const std::filesystem::path& out);
 
 }  // namespace robosim::cli

@@ -6,49 +6,53 @@
 #include <cmath>
 
 #include "sim/base/wall_clock.h"
-#include "sim/cli/hunt/twin.h"
+#include "sim/cli/hunt/differential_testing.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kAtOnce = 4;      // smaller worlds that are tried simultaneously
-constexpr std::size_t kMostTries = 80;  // of smaller worlds
+constexpr std::size_t kAtOnce = 4;      // smaller test cases that are tried simultaneously
+constexpr std::size_t kMostTries = 80;  // of smaller test cases
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
 constexpr double kBehind_s = 1.0;
 
 }  // namespace
 
-Hunt::Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
+Hunt::Hunt(CampaignRunner& campaign, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
            HuntListener listener)
-    : bench_(bench), arguments_(arguments), out_(std::move(out)), log_(log), listener_(std::move(listener)) {
+    : campaign_(campaign),
+      arguments_(arguments),
+      out_(std::move(out)),
+      log_(log),
+      listener_(std::move(listener)) {
   if (arguments.minutes > 0.0) until_us_ = wall_us() + static_cast<std::int64_t>(arguments.minutes * 60e6);
 }
 
 std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
 /// Returns the failure first, then detectors' findings, then, in the baseline run, compiler warnings.
-std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const HuntWorld& world) const {
+std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const TestCase& test_case) const {
   std::vector<Symptom> all;
-  if (const auto broken = broken_promise(result, bench_.space().promises))
+  if (const auto broken = failed_assertion(result, campaign_.space().assertions))
     all.push_back(*broken);
-  else if (const auto found = symptom_of(result, world, bench_.space(), plain_);
-           found && (!found->is_behaviour || tells_behaviour(world, bench_.space())))
+  else if (const auto found = symptom_of(result, test_case, campaign_.space(), baseline_);
+           found && (!found->is_behaviour || tells_behaviour(test_case, campaign_.space())))
     all.push_back(*found);
   for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
-  if (needs_of(world, bench_.space()).empty())
-    for (Symptom& seen : warned_in(bench_.of(world).image.messages)) all.push_back(std::move(seen));
+  if (needs_of(test_case, campaign_.space()).empty())
+    for (Symptom& seen : warned_in(campaign_.of(test_case).image.messages)) all.push_back(std::move(seen));
   return all;
 }
 
-bool Hunt::look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
+bool Hunt::look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
                 std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran) {
-  if (!bench_.run(worlds, results, ran)) return false;
-  found.assign(worlds.size(), {});
-  for (std::size_t i = 0; i < worlds.size(); ++i)
-    if (results[i]) found[i] = symptoms(*results[i], worlds[i]);
-  return look_at_twins(bench_, worlds, results, found);
+  if (!campaign_.run(test_cases, results, ran)) return false;
+  found.assign(test_cases.size(), {});
+  for (std::size_t i = 0; i < test_cases.size(); ++i)
+    if (results[i]) found[i] = symptoms(*results[i], test_cases[i]);
+  return run_differential_tests(campaign_, test_cases, results, found);
 }
 
 /// Returns whether it would be a finding of its own.
@@ -82,25 +86,25 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
   // After shrinking it may equal a known one.
   if (is_known(finding, row)) return true;
   row.finding = findings_.size() + 1;
-  keep(finding, row.finding, bench_, arguments_, out_);
+  keep(finding, row.finding, campaign_, arguments_, out_);
   row.fresh = std::move(finding);
   return true;
 }
 
 bool Hunt::shrink(HuntFinding& finding) {
-  const HuntSpace& space = bench_.space();
-  finding.world.family = 0;
-  if (finding.symptom.kind != kUnlike) finding.world.twin = Twin::none;
+  const HuntSpace& space = campaign_.space();
+  finding.test_case.family = 0;
+  if (finding.symptom.kind != kUnlike) finding.test_case.differential = Differential::none;
   std::size_t tries = 0;
   for (bool smaller_found = true; smaller_found && tries < kMostTries;) {
     smaller_found = false;
-    std::vector<HuntWorld> candidates = smaller(finding.world, space);
-    for (HuntWorld& world : candidates) world.for_s = time_of(world);
+    std::vector<TestCase> candidates = smaller(finding.test_case, space);
+    for (TestCase& test_case : candidates) test_case.for_s = time_of(test_case);
     for (std::size_t from = 0; from < candidates.size() && !smaller_found && tries < kMostTries;
          from += kAtOnce) {
       const std::size_t to = std::min(candidates.size(), from + kAtOnce);
-      const std::vector<HuntWorld> some(candidates.begin() + static_cast<std::ptrdiff_t>(from),
-                                        candidates.begin() + static_cast<std::ptrdiff_t>(to));
+      const std::vector<TestCase> some(candidates.begin() + static_cast<std::ptrdiff_t>(from),
+                                       candidates.begin() + static_cast<std::ptrdiff_t>(to));
       listener_.progress(
           fmt::format("{}: looking for a smaller world, try {}", finding.symptom.group, tries + 1));
       std::vector<std::optional<wire::RunResult>> results;
@@ -112,7 +116,7 @@ bool Hunt::shrink(HuntFinding& finding) {
           return one.group == finding.symptom.group;
         });
         if (same == found[i].end()) continue;
-        finding.world = some[i];
+        finding.test_case = some[i];
         finding.symptom = *same;
         finding.time_s = results[i]->time_s;
         smaller_found = true;
@@ -121,24 +125,24 @@ bool Hunt::shrink(HuntFinding& finding) {
     }
   }
   // The board is a chip's: if it fails there, too, that is reported.
-  if (finding.world.build == space.host_twin) {
-    HuntWorld on_chip = finding.world;
+  if (finding.test_case.build == space.host_counterpart) {
+    TestCase on_chip = finding.test_case;
     on_chip.build = 0;
     std::vector<std::optional<wire::RunResult>> results;
     std::vector<std::vector<Symptom>> found;
     if (!look({on_chip}, results, found)) return false;
     for (const Symptom& one : found.front())
       if (one.group == finding.symptom.group) {
-        finding.world = on_chip;
+        finding.test_case = on_chip;
         finding.symptom = one;
         finding.time_s = results.front()->time_s;
         break;
       }
   }
-  finding.needs = needs_of(finding.world, space);
+  finding.needs = needs_of(finding.test_case, space);
   if (finding.symptom.kind != "late" && finding.symptom.kind != kUnlike) {
-    finding.world.to_goal = false;
-    finding.world.for_s = std::ceil(finding.time_s) + kBehind_s;
+    finding.test_case.to_goal = false;
+    finding.test_case.for_s = std::ceil(finding.time_s) + kBehind_s;
   }
   return true;
 }
@@ -148,39 +152,40 @@ void Hunt::tell(const HuntFinding& finding) {
   listener_.found(findings_.back(), findings_.size());
 }
 
-/// Classifies a symptom and, if it is a finding, finds its smallest world. Returns none if that was
+/// Classifies a symptom and, if it is a finding, finds its smallest test case. Returns none if that was
 /// interrupted.
-std::optional<HuntRow> Hunt::take(const HuntWorld& world, const wire::RunResult& result,
+std::optional<HuntRow> Hunt::take(const TestCase& test_case, const wire::RunResult& result,
                                   const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
   HuntRow row;
   row.run = runs_;
   row.time_s = result.time_s;
-  row.reached = result.verdict == "reached" && world.to_goal;
+  row.reached = result.verdict == "reached" && test_case.to_goal;
   for (const auto& traits : {traits_of(result), ran})
     for (const std::string& trait : traits)
       if (!traits_.contains(trait) &&
           std::find(row.traits.begin(), row.traits.end(), trait) == row.traits.end())
         row.traits.push_back(trait);
   row.moment = moment_of(row.traits, result);
-  for (const std::string& heard : kept_promises(result, bench_.space().promises))
+  for (const std::string& heard : passed_assertions(result, campaign_.space().assertions))
     if (!heard_.contains(heard)) row.heard.push_back(heard);
-  const std::set<std::string> needs = needs_of(world, bench_.space());
+  const std::set<std::string> needs = needs_of(test_case, campaign_.space());
   const auto news =
       std::find_if(found.begin(), found.end(), [&](const Symptom& one) { return is_news(one, needs); });
-  if (!found.empty() && !add({news == found.end() ? found.front() : *news, world, needs, result.time_s}, row))
+  if (!found.empty() &&
+      !add({news == found.end() ? found.front() : *news, test_case, needs, result.time_s}, row))
     return std::nullopt;
   return row;
 }
 
-void Hunt::count(const HuntWorld& world, const HuntRow& row) {
+void Hunt::count(const TestCase& test_case, const HuntRow& row) {
   ++runs_;
   simulated_s_ += row.time_s;
   if (row.reached) ++reached_;
   traits_.insert(row.traits.begin(), row.traits.end());
   heard_.insert(row.heard.begin(), row.heard.end());
   if (!row.traits.empty()) {
-    noted_.push_back({world, row.moment});
-    noted_.back().world.family = 0;
+    noted_.push_back({test_case, row.moment});
+    noted_.back().test_case.family = 0;
   }
   if (row.fresh)
     tell(*row.fresh);
@@ -189,39 +194,39 @@ void Hunt::count(const HuntWorld& world, const HuntRow& row) {
 }
 
 bool Hunt::make_round() {
-  std::vector<HuntWorld> worlds, to_make;
+  std::vector<TestCase> test_cases, to_make;
   if (runs_ == 0) {
-    for (std::size_t build = 0; build < drawn_builds(bench_.space()); ++build) {
-      worlds.push_back(plain_world_);
-      worlds.back().build = build;
+    for (std::size_t build = 0; build < drawn_builds(campaign_.space()); ++build) {
+      test_cases.push_back(baseline_case_);
+      test_cases.back().build = build;
     }
   } else {
     const std::uint64_t left = runs_wanted() - runs_;
     std::vector<std::uint64_t> runs;
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(kRound, left); ++i)
       runs.push_back(arguments_.shard.run(runs_ + i));
-    worlds = draw_round(bench_.space(), noted_, arguments_.seed, runs);
-    for (HuntWorld& world : worlds) world.for_s = time_of(world);
+    test_cases = draw_round(campaign_.space(), noted_, arguments_.seed, runs);
+    for (TestCase& test_case : test_cases) test_case.for_s = time_of(test_case);
   }
-  for (std::size_t i = 0; i < worlds.size(); ++i)
-    if (!log_.row(runs_ + i)) to_make.push_back(worlds[i]);
+  for (std::size_t i = 0; i < test_cases.size(); ++i)
+    if (!log_.row(runs_ + i)) to_make.push_back(test_cases[i]);
   std::vector<std::optional<wire::RunResult>> results;
   std::vector<std::vector<Symptom>> found;
   std::vector<std::vector<std::string>> ran;
   if (!look(to_make, results, found, &ran)) return false;
   std::size_t made = 0;
-  for (const HuntWorld& world : worlds) {
+  for (const TestCase& test_case : test_cases) {
     const HuntRow* const known = log_.row(runs_);
     if (known) {
-      count(world, *known);
+      count(test_case, *known);
       continue;
     }
-    std::optional<HuntRow> row = results[made] ? take(world, *results[made], found[made], ran[made])
+    std::optional<HuntRow> row = results[made] ? take(test_case, *results[made], found[made], ran[made])
                                                : HuntRow{runs_, 0.0, false, {}, {}, {}, 0, {}};
     ++made;
     if (!row) return false;
     log_.add(*row);
-    count(world, *row);
+    count(test_case, *row);
   }
   listener_.progress(fmt::format("{} of {} runs, {:.0f} s of simulated time, {} finding{}", runs_,
                                  runs_wanted(), simulated_s_, findings_.size(),
@@ -232,19 +237,19 @@ bool Hunt::make_round() {
 /// Checks what no single run shows.
 void Hunt::look_back() {
   const auto add_plain = [&](Symptom symptom) {
-    HuntFinding finding{std::move(symptom), plain_world_, {}, plain_.result.time_s};
-    finding.world.for_s = std::ceil(plain_.result.time_s);
-    keep(finding, findings_.size() + 1, bench_, arguments_, out_);
+    HuntFinding finding{std::move(symptom), baseline_case_, {}, baseline_.result.time_s};
+    finding.test_case.for_s = std::ceil(baseline_.result.time_s);
+    keep(finding, findings_.size() + 1, campaign_, arguments_, out_);
     tell(finding);
   };
-  for (const Promise& promise : bench_.space().promises)
-    if (promise.when == Promise::When::sometimes && !heard_.contains(promise.text()))
-      add_plain({"sometimes", "sometimes " + promise.text(),
-                 fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, promise.text()),
+  for (const TextAssertion& assertion : campaign_.space().assertions)
+    if (assertion.when == TextAssertion::When::sometimes && !heard_.contains(assertion.text()))
+      add_plain({"sometimes", "sometimes " + assertion.text(),
+                 fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, assertion.text()),
                  false});
-  const wire::RunResult& result = plain_.result;
+  const wire::RunResult& result = baseline_.result;
   // A sketch that neither reads the line nor has a given goal has a different purpose.
-  const bool has_goal = reads_the_floor(result, plain_.robot) || !arguments_.each.request.goal.empty();
+  const bool has_goal = reads_the_floor(result, baseline_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)
     return;
@@ -255,12 +260,13 @@ void Hunt::look_back() {
 }
 
 std::string Hunt::remark() const {
-  if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(plain_.result, plain_.robot)) return "";
-  return fmt::format("in none of them did the robot drive, whatever the inputs: {}\n", plain_.result.why);
+  if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(baseline_.result, baseline_.robot))
+    return "";
+  return fmt::format("in none of them did the robot drive, whatever the inputs: {}\n", baseline_.result.why);
 }
 
 bool Hunt::go() {
-  if (!find_plain()) return false;
+  if (!find_baseline()) return false;
   while (runs_ < runs_wanted() && !(arguments_.stop_early && !findings_.empty()) &&
          (until_us_ == 0 || wall_us() < until_us_))
     if (!make_round()) return false;
@@ -279,7 +285,7 @@ void Hunt::adopt(HuntRow& row, const fs::path& files) {
 }
 
 bool Hunt::merge(const std::vector<HuntPart>& parts) {
-  if (!find_plain()) return false;
+  if (!find_baseline()) return false;
   for (const HuntPart& part : parts) {
     std::vector<std::size_t> ours;  // the number here for each of its findings
     for (HuntRow row : part.rows) {

@@ -1,5 +1,5 @@
-// The hunt itself: draws worlds in rounds, groups failures by cause, and shrinks them. The findings depend
-// only on the seed and the number of runs, not on the number of simultaneous runs.
+// The hunt itself: draws test cases in rounds, groups failures by cause, and shrinks them. The findings
+// depend only on the seed and the number of runs, not on the number of simultaneous runs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/hunt/bench.h"
+#include "sim/cli/hunt/campaign_runner.h"
 #include "sim/cli/hunt/finding.h"
 #include "sim/cli/hunt/log.h"
 
@@ -18,14 +18,15 @@ namespace robosim::cli {
 /// Receives progress reports.
 struct HuntListener {
   std::function<void(const std::string& sentence)> progress;
-  /// Called for a new symptom; its smallest world, which is searched next, decides whether it is a finding.
+  /// Called for a new symptom; its smallest test case, which is searched next, decides whether it is a
+  /// finding.
   std::function<void(const Symptom& symptom, std::uint64_t run)> seen;
   std::function<void(const HuntFinding& finding, std::size_t number)> found;
 };
 
 class Hunt {
  public:
-  Hunt(HuntBench& bench, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
+  Hunt(CampaignRunner& campaign, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
        HuntListener listener);
 
   /// Continues until enough runs were made, or time is up. Returns false if it was interrupted.
@@ -38,43 +39,43 @@ class Hunt {
   std::uint64_t runs() const { return runs_; }
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
-  const Plain& plain() const { return plain_; }
+  const Baseline& baseline() const { return baseline_; }
   /// Returns a remark on something odd that is not a finding, such as a sketch that waits for an input. Empty
   /// = nothing.
   std::string remark() const;
-  const HuntWorld& plain_world() const { return plain_world_; }
+  const TestCase& plain_world() const { return baseline_case_; }
 
  private:
-  bool find_plain();
+  bool find_baseline();
   bool make_round();
   bool feel();
   bool hear();
   bool tour();
-  std::optional<HuntRow> take(const HuntWorld& world, const wire::RunResult& result,
+  std::optional<HuntRow> take(const TestCase& test_case, const wire::RunResult& result,
                               const std::vector<Symptom>& found, const std::vector<std::string>& ran);
-  void count(const HuntWorld& world, const HuntRow& row);
+  void count(const TestCase& test_case, const HuntRow& row);
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  /// Sets the symptoms of the worlds; nothing for impossible ones. Returns false if it was interrupted.
-  bool look(const std::vector<HuntWorld>& worlds, std::vector<std::optional<wire::RunResult>>& results,
+  /// Sets the symptoms of the test cases; nothing for impossible ones. Returns false if it was interrupted.
+  bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
-  std::vector<Symptom> symptoms(const wire::RunResult& result, const HuntWorld& world) const;
+  std::vector<Symptom> symptoms(const wire::RunResult& result, const TestCase& test_case) const;
   bool has_enough_of(const Symptom& symptom) const;
   bool is_news(const Symptom& symptom, const std::set<std::string>& needs) const;
   void adopt(HuntRow& row, const std::filesystem::path& files);
   void tell(const HuntFinding& finding);
   void look_back();
-  double time_of(const HuntWorld& world) const;
+  double time_of(const TestCase& test_case) const;
   std::uint64_t runs_wanted() const;
 
-  HuntBench& bench_;
+  CampaignRunner& campaign_;
   const HuntArguments& arguments_;
   std::filesystem::path out_;
   HuntLog& log_;
   HuntListener listener_;
-  Plain plain_;
-  HuntWorld plain_world_;
+  Baseline baseline_;
+  TestCase baseline_case_;
   std::vector<HuntFinding> findings_;
   std::vector<Noted> noted_;
   std::set<std::string> traits_;

@@ -38,15 +38,15 @@ fs::path folder_for(const HuntArguments& arguments) {
   return folder;
 }
 
-/// Includes the `never` and `always` promises, so that the checks keep them.
-std::string checks_text(const std::vector<HuntFinding>& findings, const HuntBench& bench) {
+/// Includes the `never` and `always` assertions, so that the checks keep them.
+std::string checks_text(const std::vector<HuntFinding>& findings, const CampaignRunner& campaign) {
   std::string text;
   for (const auto& [key, when] :
-       {std::pair{"never", Promise::When::never}, {"always", Promise::When::always}}) {
+       {std::pair{"never", TextAssertion::When::never}, {"always", TextAssertion::When::always}}) {
     std::string list;
-    for (const Promise& promise : bench.space().promises)
-      if (promise.when == when)
-        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", escaped(promise.text()));
+    for (const TextAssertion& assertion : campaign.space().assertions)
+      if (assertion.when == when)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", escaped(assertion.text()));
     if (!list.empty()) text += fmt::format("{} = [{}]\n", key, list);
   }
   for (std::size_t i = 0; i < findings.size(); ++i)
@@ -54,14 +54,14 @@ std::string checks_text(const std::vector<HuntFinding>& findings, const HuntBenc
   return text;
 }
 
-std::string opening_text(const HuntBench& bench) {
+std::string opening_text(const CampaignRunner& campaign) {
   std::string text;
-  for (const Deed& deed : bench.space().opening)
-    text += fmt::format(", {} at {} s", deed.kind, deed.at_ms / 1000);
+  for (const Stimulus& stimulus : campaign.space().opening)
+    text += fmt::format(", {} at {} s", stimulus.kind, stimulus.at_ms / 1000);
   return text;
 }
 
-std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::path& out) {
+std::string hunt_summary(const Hunt& hunt, const CampaignRunner& campaign, const fs::path& out) {
   const std::size_t found = hunt.findings().size();
   std::string text = fmt::format("{} runs, {:.0f} s of simulated time: {}\n", hunt.runs(), hunt.simulated_s(),
                                  found == 0   ? std::string("nothing was found")
@@ -71,18 +71,18 @@ std::string hunt_summary(const Hunt& hunt, const HuntBench& bench, const fs::pat
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
-  for (const std::string& map : hunt.plain().reached() ? bench.left_maps() : std::vector<std::string>{})
+  for (const std::string& map : hunt.baseline().reached() ? campaign.left_maps() : std::vector<std::string>{})
     text += fmt::format(
         "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);
-  for (const HuntSpace::Map& map : bench.space().maps)
+  for (const HuntSpace::Map& map : campaign.space().maps)
     if (!map.tours)
       text += fmt::format(
           "the sketch reaches its goal on {0}, but not on most floors like it, so that its driving there is "
           "not reported: --map {0} reports it\n",
           map.name);
-  if (bench.refused() > 0)
-    text += fmt::format("{} world{} could not be run; the first: {}\n", bench.refused(),
-                        bench.refused() == 1 ? "" : "s", bench.refusal());
+  if (campaign.refused() > 0)
+    text += fmt::format("{} world{} could not be run; the first: {}\n", campaign.refused(),
+                        campaign.refused() == 1 ? "" : "s", campaign.refusal());
   if (found > 0)
     text += fmt::format("checks that fail until it is fixed: {}\n", (out / "checks.toml").string());
   return text;
@@ -110,14 +110,14 @@ std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
 
 int hunt_command(const HuntArguments& arguments) {
   tui::Progress progress(true);
-  HuntBench bench(arguments, progress);
-  const client::Interrupts interrupts(bench.pool());
-  const std::vector<HuntPart> parts = read_parts(arguments.merge, bench.fingerprint());
+  CampaignRunner campaign(arguments, progress);
+  const client::Interrupts interrupts(campaign.pool());
+  const std::vector<HuntPart> parts = read_parts(arguments.merge, campaign.fingerprint());
   const fs::path out = folder_for(arguments);
-  for (const std::string& sentence : bench.left_out())
+  for (const std::string& sentence : campaign.left_out())
     complain(fmt::format("robosim: skipped: {}\n", sentence));
-  HuntLog log(out, bench.fingerprint(), part_of(arguments), arguments.resume);
-  Hunt hunt(bench, arguments, out, log,
+  HuntLog log(out, campaign.fingerprint(), part_of(arguments), arguments.resume);
+  Hunt hunt(campaign, arguments, out, log,
             {[&](const std::string& sentence) { progress.update(sentence); },
              [&](const Symptom& symptom, std::uint64_t run) {
                progress.clear();
@@ -127,14 +127,14 @@ int hunt_command(const HuntArguments& arguments) {
              [&](const HuntFinding& finding, std::size_t number) {
                progress.clear();
                print(hunt_text(finding, number, out) + "\n");
-               write_file(out / "checks.toml", checks_text(hunt.findings(), bench));
+               write_file(out / "checks.toml", checks_text(hunt.findings(), campaign));
              }});
   const bool complete = parts.empty() ? hunt.go() : hunt.merge(parts);
   progress.clear();
-  print(fmt::format("{} on {}{}, {}\n", launch::title_of(bench.of(hunt.plain_world()).sketch),
-                    bench.space().maps.front().name, opening_text(bench),
-                    bench.of(hunt.plain_world()).robot.name) +
-        hunt_summary(hunt, bench, out));
+  print(fmt::format("{} on {}{}, {}\n", launch::title_of(campaign.of(hunt.plain_world()).sketch),
+                    campaign.space().maps.front().name, opening_text(campaign),
+                    campaign.of(hunt.plain_world()).robot.name) +
+        hunt_summary(hunt, campaign, out));
   for (const std::string& sentence : missing_of(parts)) complain(sentence);
   if (!complete)
     complain(parts.empty() ? "robosim: interrupted; the same command with --resume continues\n"

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/hunt/finding.h"
 
 namespace robosim::cli {
 
-/// The stored data of a run. Its world is drawn again.
+/// The stored data of a run. Its test case is drawn again.
 struct HuntRow {
   std::uint64_t run = 0;  ///< from 0
   double time_s = 0.0;
@@ -60,7 +60,7 @@ class HuntLog {
   void put(const std::string& line);
 
   std::filesystem::path path_;
-  WriteClaim claim_;
+  FileLock claim_;
   std::map<std::uint64_t, HuntRow> rows_;
   std::unique_ptr<std::FILE, Close> file_;
 };

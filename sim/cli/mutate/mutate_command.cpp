@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sim/build/reading.h"
+#include "sim/build/parse_context.h"
 #include "sim/cli/check/checks_file.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/mutate/mutate_report.h"
@@ -24,20 +24,20 @@ namespace {
 
 constexpr std::size_t kControls = 6;
 
-build::Reading read(const launch::Launch& launch, tui::Progress& progress) {
+build::ParseContext read(const launch::Launch& launch, tui::Progress& progress) {
   launch::Chosen chosen = choose(launch);
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress, {false, false}));
-  return build::reading_of(launcher
-                               .prepare(
-                                   launch, std::move(chosen),
-                                   [&](const std::string& name) { return runner.describe_robot(name); },
-                                   runner.hello())
-                               .wanted);
+  return build::parse_context_of(launcher
+                                     .prepare(
+                                         launch, std::move(chosen),
+                                         [&](const std::string& name) { return runner.describe_robot(name); },
+                                         runner.hello())
+                                     .wanted);
 }
 
 /// Reads the sketch's source, as the first check builds it.
-build::Reading read(const std::string& sketch, const Check& check, tui::Progress& progress) {
+build::ParseContext read(const std::string& sketch, const Check& check, tui::Progress& progress) {
   launch::Launch launch = launch_of(check.sweep.each);
   launch.sketch = sketch;
   if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
@@ -48,7 +48,7 @@ build::Reading read(const std::string& sketch, const Check& check, tui::Progress
 }
 
 /// Reads it as built by default, or, if it is for an AVR alone, for that.
-build::Reading read(const std::string& sketch, tui::Progress& progress) {
+build::ParseContext read(const std::string& sketch, tui::Progress& progress) {
   launch::Launch launch;
   launch.sketch = sketch;
   launch.target = "host";

@@ -31,16 +31,16 @@ std::size_t count(const std::vector<JunitCase>& cases, const std::vector<std::si
                                                 [&](std::size_t i) { return cases[i].ending == ending; }));
 }
 
-std::string cell(const JunitCase& one, std::size_t number, const Shown& shown) {
+std::string cell(const JunitCase& one, std::size_t number, const ReportExtras& extras) {
   if (one.ending == JunitCase::Ending::skipped) return "<td class=\"dim\">–</td>";
   if (one.ending == JunitCase::Ending::passed) return "<td class=\"good\">✓</td>";
   return fmt::format("<td class=\"bad\" title=\"{}\">{}</td>", markup_text(one.message),
-                     linked(shown, number, "✗"));
+                     linked(extras, number, "✗"));
 }
 
 /// Returns a row for each group, and a column for each check if `columns`.
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
-                         bool columns, const Shown& shown) {
+                         bool columns, const ReportExtras& extras) {
   std::string body =
       "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">name</th><th>passed</th>"
       "<th class=\"left\">look at</th>";
@@ -56,16 +56,16 @@ std::string groups_table(const std::vector<JunitCase>& cases, const Table& group
       by_name[cases[i].name] = i;
     }
     const auto seen =
-        std::find_if(own.begin(), own.end(), [&](std::size_t i) { return shown.replays.contains(i); });
+        std::find_if(own.begin(), own.end(), [&](std::size_t i) { return extras.replays.contains(i); });
     body +=
         fmt::format("<tr><td class=\"left\">{}</td><td>{}</td><td class=\"left\">{}</td>", markup_text(group),
                     share_bar(count(cases, own, JunitCase::Ending::passed), own.size()),
-                    seen == own.end() ? "" : linked(shown, *seen, markup_text(cases[*seen].name)));
+                    seen == own.end() ? "" : linked(extras, *seen, markup_text(cases[*seen].name)));
     if (columns)
       for (const std::string& name : checks.names) {
         const auto found = by_name.find(name);
         body += found == by_name.end() ? "<td class=\"dim\">–</td>"
-                                       : cell(cases[found->second], found->second, shown);
+                                       : cell(cases[found->second], found->second, extras);
       }
     body += fmt::format("<td>{:.2f} s</td></tr>\n", time_s);
   }
@@ -112,13 +112,13 @@ std::string times_of_all(const std::vector<JunitCase>& cases) {
                      bars(times, longest_s, "s"));
 }
 
-std::string what_failed(const std::vector<JunitCase>& cases, const Shown& shown) {
+std::string what_failed(const std::vector<JunitCase>& cases, const ReportExtras& extras) {
   std::string failures;
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (const JunitCase& one = cases[i]; one.ending == JunitCase::Ending::failed)
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
-          markup_text(one.group), linked(shown, i, markup_text(one.name)), markup_text(one.message));
+          markup_text(one.group), linked(extras, i, markup_text(one.name)), markup_text(one.message));
   if (failures.empty()) return failures;
   return "<h2>What failed</h2>\n<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
          "class=\"left\">of</th><th "
@@ -128,7 +128,8 @@ std::string what_failed(const std::vector<JunitCase>& cases, const Shown& shown)
 
 }  // namespace
 
-std::string junit_page(const std::string& file, const std::vector<JunitCase>& cases, const Shown& shown) {
+std::string junit_page(const std::string& file, const std::vector<JunitCase>& cases,
+                       const ReportExtras& extras) {
   Table groups, checks;
   std::size_t passed = 0, failed = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -149,9 +150,9 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     });
     body += fmt::format(" Without a failure: {} of {}.", whole, groups.names.size());
   }
-  body += "</p>\n" + groups_table(cases, groups, checks, columns, shown) + places_left(shown);
+  body += "</p>\n" + groups_table(cases, groups, checks, columns, extras) + places_left(extras);
   body += columns ? checks_table(cases, checks) : times_of_all(cases);
-  return page_of(file + ": report", body + what_failed(cases, shown));
+  return page_of(file + ": report", body + what_failed(cases, extras));
 }
 
 }  // namespace robosim::cli

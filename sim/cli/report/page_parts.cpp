@@ -105,17 +105,17 @@ double most_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-std::string linked(const Shown& shown, std::size_t run, const std::string& markup) {
-  const auto replay = shown.replays.find(run);
-  return replay == shown.replays.end()
+std::string linked(const ReportExtras& extras, std::size_t run, const std::string& markup) {
+  const auto replay = extras.replays.find(run);
+  return replay == extras.replays.end()
              ? markup
              : fmt::format("<a href=\"{}\">{}</a>", markup_text(replay->second), markup);
 }
 
-std::string places_left(const Shown& shown) {
+std::string places_left(const ReportExtras& extras) {
   std::string maps, text;
   std::size_t nowhere = 0;  // runs in which the line was never left
-  for (const LeftOn& left : shown.left) {
+  for (const LeftOn& left : extras.left) {
     if (left.places_mm.empty())
       nowhere += left.runs;
     else
@@ -126,19 +126,19 @@ std::string places_left(const Shown& shown) {
                         nowhere == 1 ? "The repeated run" : fmt::format("The {} repeated runs", nowhere));
   if (!maps.empty())
     text += "<h2>Where robots left the line</h2>\n<div class=\"maps\">\n" + maps + "</div>\n";
-  if (shown.other > 0)
+  if (extras.other > 0)
     text += fmt::format(
         "<p class=\"bad\">{} of the runs had another result when they were repeated, and are not shown: "
         "give report the options of the sweep, or the sketch, map or robot has changed since.</p>\n",
-        shown.other);
-  if (shown.cannot_be > 0)
+        extras.other);
+  if (extras.cannot_be > 0)
     text += fmt::format("<p class=\"bad\">{} could not be repeated: {}</p>\n",
-                        shown.cannot_be == 1 ? "One run" : fmt::format("{} runs", shown.cannot_be),
-                        markup_text(shown.cannot));
-  if (shown.not_made > 0)
+                        extras.cannot_be == 1 ? "One run" : fmt::format("{} runs", extras.cannot_be),
+                        markup_text(extras.cannot));
+  if (extras.not_made > 0)
     text +=
         fmt::format("<p class=\"dim\">{} more runs failed and were not repeated (--runs repeats more).</p>\n",
-                    shown.not_made);
+                    extras.not_made);
   return text;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/report/shown.h"
+#include "sim/cli/report/report_extras.h"
 
 namespace robosim::cli {
 
@@ -20,9 +20,9 @@ std::string bars(const std::vector<double>& values, double most, const std::stri
 double most_of(const std::vector<double>& values);
 
 /// Returns the text, as a link if the run has a replay.
-std::string linked(const Shown& shown, std::size_t run, const std::string& markup);
+std::string linked(const ReportExtras& extras, std::size_t run, const std::string& markup);
 
 /// Draws where robots left the line, and lists the runs that are missing and why.
-std::string places_left(const Shown& shown);
+std::string places_left(const ReportExtras& extras);
 
 }  // namespace robosim::cli

@@ -7,7 +7,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/file_kind.h"
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/output.h"
 #include "sim/cli/report/report_page.h"
 
@@ -16,24 +16,24 @@ namespace robosim::cli {
 int report_command(const ReportArguments& arguments) {
   const std::string text = read_file(arguments.file);
   const std::string name = std::filesystem::path(arguments.file).filename();
-  const WriteClaim claim(arguments.out);
+  const FileLock claim(arguments.out);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   std::string page;
-  Shown shown;
+  ReportExtras extras;
   if (first != text.npos && text[first] == '<') {
     const std::vector<JunitCase> cases = read_junit(text, arguments.file);
-    shown = look_at_cases(cases, arguments);
-    page = junit_page(name, cases, shown);
+    extras = extras_of_cases(cases, arguments);
+    page = junit_page(name, cases, extras);
   } else {
     const std::vector<SweptRun> runs =
         read_as(FileKind::table, text, arguments.file, [&] { return read_swept_runs(text, arguments.file); });
-    shown = look_at_runs(runs, arguments);
-    page = sweep_page(name, runs, shown);
+    extras = extras_of_runs(runs, arguments);
+    page = sweep_page(name, runs, extras);
   }
   write_file(arguments.out, page);
-  const std::string replays = shown.written == 1 ? "a replay" : fmt::format("{} replays", shown.written);
+  const std::string replays = extras.written == 1 ? "a replay" : fmt::format("{} replays", extras.written);
   print(fmt::format("{} is written{}; open it in a browser\n", arguments.out,
-                    shown.written == 0 ? "" : fmt::format(", and {} next to it", replays)));
+                    extras.written == 0 ? "" : fmt::format(", and {} next to it", replays)));
   return 0;
 }
 

@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/report/shown.h"
+#include "sim/cli/report/report_extras.h"
 
 namespace robosim::cli {
 
-std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs, const Shown& shown);
-std::string junit_page(const std::string& file, const std::vector<JunitCase>& cases, const Shown& shown);
+std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs,
+                       const ReportExtras& extras);
+std::string junit_page(const std::string& file, const std::vector<JunitCase>& cases,
+                       const ReportExtras& extras);
 
 }  // namespace robosim::cli

@@ -43,7 +43,8 @@ std::string what_is_worst(const SweptRun& run, const std::vector<double>& times)
 
 }  // namespace
 
-std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs, const Shown& shown) {
+std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs,
+                       const ReportExtras& extras) {
   const auto combinations = combinations_of(runs);
   std::vector<double> times, errors;
   std::size_t reached = 0;
@@ -83,7 +84,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
         "<td>{:.2f} .. {:.2f}</td></tr>\n",
         markup_text(launch::title_of(first.sketch, first.sketch)), markup_text(first.map),
         markup_text(first.robot), markup_text(first.target), share_bar(own_times.size(), which.size()),
-        linked(shown, worst, name), own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
+        linked(extras, worst, name), own_times.empty() ? "–" : fmt::format("{:.2f} s", mean_of(own_times)),
         bars(own_times, longest_s, "s"), bars(own_errors, widest_mm, "mm"), verdicts(runs, which), low, high);
   }
   body += "</table></div>\n";
@@ -91,7 +92,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
       "<p class=\"dim\">The worst run of each row is linked: of those that failed the one with the fewest "
       "laps and stations, "
       "then the shortest way; where none failed the slowest, then the farthest off the line.</p>\n";
-  body += places_left(shown);
+  body += places_left(extras);
   std::string failures;
   std::size_t told = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -101,7 +102,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td "
           "class=\"left bad\">{}</td><td>{:.2f} s</td><td class=\"why\">{}</td></tr>\n",
           markup_text(launch::title_of(run.sketch, run.sketch)), markup_text(run.map),
-          markup_text(run.target), run.seed, linked(shown, i, markup_text(run.verdict)), run.time_s,
+          markup_text(run.target), run.seed, linked(extras, i, markup_text(run.verdict)), run.time_s,
           markup_text(run.why));
   }
   if (!failures.empty())

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/counted.h"
+#include "sim/base/pluralize.h"
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/files/json_lines.h"
 
@@ -130,14 +130,14 @@ std::string classic_text(const ClassicReport& r) {
   const std::string from = fmt::format("{} from {}", r.map.name, pose_text({r.start.cell, r.start.facing}));
   if (r.scan) {
     fmt::format_to(end, "{}: scanned in {} s ({}), {}, {}; the robot is at {}\n", from, r.scan->time,
-                   counted(r.scan->moves, "move"), counted(r.scan->graph.stations.size(), "station"),
-                   counted(r.scan->graph.junctions.size(), "junction"), pose_text(r.scan->end));
+                   pluralize(r.scan->moves, "move"), pluralize(r.scan->graph.stations.size(), "station"),
+                   pluralize(r.scan->graph.junctions.size(), "junction"), pose_text(r.scan->end));
     if (const std::string what = trouble(r.scan->ending, ""); !what.empty())
       fmt::format_to(end, "The scan is not complete: {}.\n", what);
     out += graph_tables(r.scan->graph);
   }
   if (r.walk) {
-    fmt::format_to(end, "{}: {} in {} s{}; the robot is at {}\n", from, counted(r.walk->moves, "move"),
+    fmt::format_to(end, "{}: {} in {} s{}; the robot is at {}\n", from, pluralize(r.walk->moves, "move"),
                    r.walk->time, ending_of(*r.walk), pose_text(r.walk->end));
     fmt::format_to(end, "ends of lines visited:");
     for (const grid::CellAt cell : r.walk->dead_ends) fmt::format_to(end, " {},{}", cell.x, cell.y);

@@ -7,10 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/spelling.h"
 #include "sim/cli/launching.h"
+#include "sim/cli/run_options.h"
 
 namespace robosim::cli {
 namespace {

@@ -12,11 +12,11 @@
 #include "sim/base/wall_clock.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
+#include "sim/cli/run/end_screen.h"
 #include "sim/cli/run/live.h"
 #include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
-#include "sim/cli/run/screen.h"
-#include "sim/cli/run/second_look.h"
+#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
 #include "sim/launch/fleet.h"
@@ -62,7 +62,7 @@ wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, 
 
 int fleet_command(const RunArguments& arguments) {
   record::Recorders recorders = recorders_of(arguments);
-  const std::vector<WriteClaim> claims = claims_of(arguments);
+  const std::vector<FileLock> claims = claims_of(arguments);
   launch::Fleet fleet = arguments.fleet;
   launch::ChosenFleet chosen = choose(fleet);
   check_view(arguments);

@@ -17,8 +17,8 @@ record::Recorders recorders_of(const RunArguments& arguments) {
   return recorders;
 }
 
-std::vector<WriteClaim> claims_of(const RunArguments& arguments) {
-  std::vector<WriteClaim> claims;
+std::vector<FileLock> claims_of(const RunArguments& arguments) {
+  std::vector<FileLock> claims;
   for (const auto* files : {&arguments.record, &arguments.plot})
     for (const std::string& file : *files) claims.emplace_back(file);
   return claims;

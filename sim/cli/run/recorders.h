@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/arguments.h"
 #include "sim/record/recorder.h"
 
@@ -12,7 +12,7 @@ namespace robosim::cli {
 /// Returns the recorders of --record and --plot. Throws InputError.
 record::Recorders recorders_of(const RunArguments& arguments);
 /// Claims these files, so that no other process writes them meanwhile. Throws InputError.
-std::vector<WriteClaim> claims_of(const RunArguments& arguments);
+std::vector<FileLock> claims_of(const RunArguments& arguments);
 
 /// Returns a line for each file that a run has written: "run.html is written; open it in a browser".
 std::string written_text(const std::vector<std::string>& files);

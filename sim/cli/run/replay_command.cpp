@@ -11,7 +11,7 @@
 #include "sim/base/base64.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/recorders.h"
 #include "sim/client/interrupts.h"
@@ -76,7 +76,7 @@ void watch(const record::Recording& recording, const grid::Map& map, double spee
 /// Writes a recording in other formats.
 void write(const record::Recording& recording, const ReplayArguments& arguments, const record::Over* over) {
   for (const std::string& file : arguments.record) {
-    const WriteClaim claim(file);
+    const FileLock claim(file);
     if (file.ends_with(".html"))
       write_file(file, record::page_of(record::recording_in(read_file(arguments.file)), over));
     else if (file.ends_with(".rec"))

@@ -20,12 +20,12 @@
 #include "sim/cli/output.h"
 #include "sim/cli/run/coverage.h"
 #include "sim/cli/run/debugger.h"
+#include "sim/cli/run/end_screen.h"
 #include "sim/cli/run/fleet_command.h"
 #include "sim/cli/run/live.h"
 #include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
-#include "sim/cli/run/screen.h"
-#include "sim/cli/run/second_look.h"
+#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/client/interrupts.h"
 #include "sim/client/runner.h"
 #include "sim/launch/launch.h"
@@ -144,7 +144,7 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
 int run_command(const RunArguments& arguments) {
   if (!arguments.fleet.members.empty()) return fleet_command(arguments);
   record::Recorders recorders = recorders_of(arguments);
-  const std::vector<WriteClaim> claims = claims_of(arguments);
+  const std::vector<FileLock> claims = claims_of(arguments);
   check_view(arguments);
   launch::Launch launch = launch_of(arguments);
   launch::Chosen chosen = choose(launch);
@@ -194,16 +194,16 @@ int run_command(const RunArguments& arguments) {
   }
   std::optional<Finding> finding;
   std::string next = next_of(result);
-  if (!arguments.live && is_built && deserves_second_look(run.wanted, result)) {
+  if (!arguments.live && is_built && deserves_sanitizer_rerun(run.wanted, result)) {
     progress.say("running " + sketch + " again, with checks …");
-    finding = look_again(runner, run.request, run.wanted, result);
+    finding = rerun_with_sanitizers(runner, run.request, run.wanted, result);
     progress.clear();
     next = next_after(result, finding);
   }
   result.next = std::move(next);
   if (!arguments.live && is_built && deserves_detectors(run.wanted, result)) {
     progress.say("running " + sketch + " again, watched by detectors …");
-    AsFlashed flashed = detect_again(runner, run.request, run.wanted, result);
+    AsFlashed flashed = rerun_with_detectors(runner, run.request, run.wanted, result);
     if (flashed.crashed) result = std::move(*flashed.crashed);
     result.detected = std::move(flashed.detected);
     progress.clear();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/run/second_look.h"
+#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/launch/launch.h"
 #include "sim/wire/messages.h"
 

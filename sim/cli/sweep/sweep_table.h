@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/cli/sweep/sweep_plan.h"
 #include "sim/wire/messages.h"
 
@@ -79,7 +79,7 @@ class SweepTable {
   void open(const char* mode);
 
   std::filesystem::path path_;
-  WriteClaim claim_;
+  FileLock claim_;
   const SweepPlan& plan_;
   Columns columns_ = Columns::all;
   std::unique_ptr<std::FILE, Close> file_;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "sim/base/file.h"
-#include "sim/base/write_claim.h"
+#include "sim/base/file_lock.h"
 #include "sim/build/cache.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/options.h"
 #include "sim/cli/output.h"
-#include "sim/cli/wire/try_out.h"
+#include "sim/cli/wire/candidate_trial.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -56,7 +56,8 @@ int wire_command(const WireArguments& arguments) {
   tui::Progress progress(true);
   const build::Cache cache(build::cache_folder());
   const build::WorkFolder scratch(cache);
-  TryOut try_out(launch, board, scratch.path(), listener_of(progress, {.choices = false, .warnings = false}));
+  CandidateTrial try_out(launch, board, scratch.path(),
+                         listener_of(progress, {.choices = false, .warnings = false}));
   progress.say("watching the sketch's pins …");
   wiring::RobotDraft draft = try_out.draft();
   progress.say("trying polarities and sides …");

@@ -3,34 +3,34 @@
 #include "sim/exec/avr/debug_port.h"
 #include "sim/exec/avr/detect/float_equality.h"
 #include "sim/exec/avr/detect/heap.h"
-#include "sim/exec/avr/detect/losses.h"
 #include "sim/exec/avr/detect/lost_pwm.h"
+#include "sim/exec/avr/detect/missed_interrupts.h"
 #include "sim/exec/avr/detect/nested_loop.h"
 #include "sim/exec/avr/detect/reference_change.h"
 #include "sim/exec/avr/detect/stack_margin.h"
-#include "sim/exec/avr/detect/torn_number.h"
+#include "sim/exec/avr/detect/torn_access.h"
 #include "sim/exec/avr/detect/watchdog_margin.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
 #include "sim/exec/avr/hang.h"
-#include "sim/exec/avr/loop.h"
-#include "sim/exec/avr/why/causes.h"
+#include "sim/exec/avr/loop_locator.h"
+#include "sim/exec/avr/why/backward_slice.h"
 
 namespace robosim::exec {
 
 struct AvrExecutor::Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
-      : firmware(avr::Firmware::read(file, spec)), debug(file), loop(avr::rounds_of_loop(firmware, debug)) {}
+      : firmware(avr::Firmware::read(file, spec)), debug(file), loop(avr::locate_loop(firmware, debug)) {}
 
   avr::Firmware firmware;
   DebugInfo debug;
-  Rounds loop;
+  LoopMarks loop;
 };
 
 class AvrExecutor::Running final : public RunningChip {
  public:
-  Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger, avr::Causes* causes,
-          robosim::avr::Chip*& chip)
+  Running(const Image& image, ClockedBoard& board, SimTime t, avr::DebugPort* debugger,
+          avr::BackwardSlice* causes, robosim::avr::Chip*& chip)
       : image_(image),
         board_(board.spec()),
         machine_(image.firmware, image.loop, board, t),
@@ -52,7 +52,7 @@ class AvrExecutor::Running final : public RunningChip {
   void detect(const std::vector<Pin>& counted) {
     const auto where = [this] { return diagnosis().where_now(); };
     detectors_.push_back(
-        std::make_unique<avr::Losses>(machine_, image_.firmware, image_.debug, where, counted));
+        std::make_unique<avr::MissedInterrupts>(machine_, image_.firmware, image_.debug, where, counted));
     detectors_.push_back(std::make_unique<avr::Heap>(machine_, image_.firmware, where));
     detectors_.push_back(
         std::make_unique<avr::WatchdogMargin>(machine_, [this] { return diagnosis().sketch_line(); }));
@@ -62,7 +62,7 @@ class AvrExecutor::Running final : public RunningChip {
     detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
     detectors_.push_back(std::make_unique<avr::StackMargin>(machine_, program));
     detectors_.push_back(std::make_unique<avr::NestedLoop>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::TornNumber>(machine_, program));
+    detectors_.push_back(std::make_unique<avr::TornAccess>(machine_, program));
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;
@@ -76,7 +76,7 @@ class AvrExecutor::Running final : public RunningChip {
   Crash crash() const override { return diagnosis().crash(*machine_.chip().fault()); }
   Resources resources() const override { return machine_.resources(); }
   bool is_asleep() const override { return machine_.chip().is_asleep(); }
-  SimTime last_io() const override { return machine_.link().time_of(machine_.chip().last_io()); }
+  SimTime last_io() const override { return machine_.clock_map().time_of(machine_.chip().last_io()); }
   bool hangs() const override { return avr::hangs(machine_.chip(), image_.firmware); }
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
@@ -85,10 +85,10 @@ class AvrExecutor::Running final : public RunningChip {
     return diagnosis().place_of_calls(machine_.stack().open_calls());
   }
   const SourceLine& driving(Pin pin, const PinDrive& drive) const override {
-    return lines_ ? lines_->line_of(machine_.outside().chip_pin(pin), drive.pwm)
+    return lines_ ? lines_->line_of(machine_.adapter().chip_pin(pin), drive.pwm)
                   : RunningChip::driving(pin, drive);
   }
-  void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
+  void trace_bytes(TxProvenance& bytes) override { machine_.trace_bytes(bytes); }
   std::any save() const override { return machine_.save(); }
   void restore(const std::any& saved) override {
     machine_.restore(std::any_cast<const avr::Machine::Saved&>(saved));
@@ -109,7 +109,7 @@ class AvrExecutor::Running final : public RunningChip {
   std::vector<std::unique_ptr<avr::Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
   avr::DebugPort* debugger_;               ///< null without a debugger
-  avr::Causes* causes_;                    ///< null unless causes are sought
+  avr::BackwardSlice* causes_;             ///< null unless causes are sought
   robosim::avr::Chip*& chip_;              ///< the executor's copy of the pointer
 };
 
@@ -147,7 +147,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   bool trace_drives() override { return traces_drives = image_.debug.is_there(); }
   CauseFinder* find_causes(ClockedBoard& board) override {
     if (!image_.debug.is_there()) return nullptr;
-    causes_ = std::make_unique<avr::Causes>(image_.firmware, image_.debug, board);
+    causes_ = std::make_unique<avr::BackwardSlice>(image_.firmware, image_.debug, board);
     return causes_.get();
   }
   std::string line_counts() const override { return lines ? lines->text() : ""; }
@@ -162,7 +162,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   const Image image_;
   std::vector<Pin> counted_;  ///< by detectors
   std::unique_ptr<avr::DebugPort> debugger_;
-  std::unique_ptr<avr::Causes> causes_;
+  std::unique_ptr<avr::BackwardSlice> causes_;
 };
 
 AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)

@@ -1,6 +1,6 @@
 // The executor for AVR boards: runs the flashed ELF file itself, in an emulated chip (sim/avr).
 //
-//   ELF ──► WatchedChip ── Chip of sim/avr ──► Outside ──► FirmwarePort
+//   ELF ──► WatchedChip ── Chip of sim/avr ──► BoardAdapter ──► FirmwarePort
 //
 // Time: the chip's clock is the board's; a tick may end up to 3 cycles late.
 #pragma once

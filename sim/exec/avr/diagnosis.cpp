@@ -1,13 +1,13 @@
 #include "sim/exec/avr/diagnosis.h"
-#include "sim/exec/core/bites.h"
+#include "sim/exec/core/watchdog_resets.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "sim/exec/avr/check.h"
-#include "sim/exec/avr/detect/torn_number.h"
-#include "sim/exec/avr/readable.h"
+#include "sim/exec/avr/demangle.h"
+#include "sim/exec/avr/detect/torn_access.h"
+#include "sim/exec/avr/ubsan_report.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -103,7 +103,7 @@ std::string Diagnosis::overflow_text() const {
   if (!variable)
     return "stack overflow: a stack that the sketch has allocated in the heap has outgrown its block";
   return fmt::format("stack overflow: the stack that the sketch has placed in {} has outgrown its {} bytes",
-                     readable(variable->name), variable->size);
+                     demangle(variable->name), variable->size);
 }
 
 std::string Diagnosis::reason(const Fault& fault) const {
@@ -122,10 +122,10 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::flash_write:
       return fmt::format("write to the sketch's own flash at 0x{:04X} (instruction spm)", fault.address);
     case Fault::Kind::watchdog:
-      return Bites::reason();
+      return WatchdogResets::reason();
     case Fault::Kind::torn: {
-      const Tearing::Found& found = *machine_.chip().tearing()->found();
-      return torn_text(found, debug_, machine_.chip().clock_hz()) + "; " + mend_of(found.deed);
+      const RaceAnalysis::Found& found = *machine_.chip().race_analysis()->found();
+      return torn_text(found, debug_, machine_.chip().clock_hz()) + "; " + fix_of(found.kind);
     }
     default:
       return jump_text(fault);
@@ -188,7 +188,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
     return crash;
   }
   crash.reason = reason(fault);
-  if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().tearing()->found()->deed);
+  if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().race_analysis()->found()->kind);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // For a jump to an invalid address: the call or return that led there.
@@ -233,12 +233,12 @@ Activity Diagnosis::activity() const {
   Activity activity;
   activity.call = api_call(chip.last_io_pc());
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
-    activity.pin = machine_.outside().last_read();
+    activity.pin = machine_.adapter().last_read();
   else if (const std::string call = api_call_now(); !call.empty())
     activity.call = call;
   const Cycle second = machine_.chip().clock_hz();
-  if (machine_.outside().last_read() != kNoPin && chip.cycle() - machine_.outside().last_read_at() <= second)
-    activity.polled = machine_.outside().last_read();
+  if (machine_.adapter().last_read() != kNoPin && chip.cycle() - machine_.adapter().last_read_at() <= second)
+    activity.polled = machine_.adapter().last_read();
   activity.where = where_now();
   activity.stopped_by = stopped_by();
   return activity;

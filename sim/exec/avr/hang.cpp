@@ -6,14 +6,14 @@
 #include <bit>
 #include <optional>
 
-#include "sim/avr/recurrence.h"
+#include "sim/avr/infinite_loop.h"
 #include "sim/elf/avr_addresses.h"
 #include "sim/exec/avr/registers.h"
 
 namespace robosim::exec::avr {
 namespace {
 
-using robosim::avr::Round;
+using robosim::avr::InfiniteLoop;
 using robosim::avr::Stores;
 
 constexpr int kMostInstructions = 200'000;
@@ -53,7 +53,8 @@ std::optional<Stores> stores_of_core(int vector, const robosim::avr::Cpu& cpu, c
   return stores_of_serial(vector, cpu, firmware);
 }
 
-bool keeps_alive(const Round& round, int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
+bool keeps_alive(const InfiniteLoop& round, int vector, const robosim::avr::Cpu& cpu,
+                 const Firmware& firmware) {
   const auto stores = stores_of_core(vector, cpu, firmware);
   if (!stores) return true;
   for (std::size_t address = 0; address < stores->size(); ++address)
@@ -67,7 +68,7 @@ bool hangs(const WatchedChip& watched, const Firmware& firmware) {
   if (watched.is_off()) return true;
   const robosim::avr::Chip& chip = watched.chip();
   if (chip.core().reset_may_come) return false;
-  const auto round = robosim::avr::find_round(chip.cpu(), kMostInstructions);
+  const auto round = robosim::avr::find_infinite_loop(chip.cpu(), kMostInstructions);
   if (!round) return false;
   if (!round->interruptible) return true;
   for (std::uint64_t vectors = chip.may_interrupt(); vectors; vectors &= vectors - 1)

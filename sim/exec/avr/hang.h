@@ -6,7 +6,7 @@
 
 namespace robosim::exec::avr {
 
-/// Returns whether that is proved: the program loops (sim/avr/recurrence.h), and no enabled handler can
+/// Returns whether that is proved: the program loops (sim/avr/infinite_loop.h), and no enabled handler can
 /// change what the loop reads. All these handlers are the Arduino core's. The effects of the clock's handler
 /// are read from its code. Serial's handlers store by pointers; they are known to change nothing except
 /// Serial. Any enabled handler of the sketch counts as activity, even if it only increments a counter: the

@@ -13,8 +13,8 @@ constexpr Cycle kLookEvery = 1000;
 
 }  // namespace
 
-Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, SimTime t)
-    : Outside(board, t),
+Machine::Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, SimTime t)
+    : BoardAdapter(board, t),
       firmware_(firmware),
       loop_(loop),
       board_(board),
@@ -33,7 +33,7 @@ Machine::~Machine() = default;
 
 void Machine::restore(const Saved& saved) {
   chip_.restore(saved.chip);
-  Outside::restore(saved.outside);
+  BoardAdapter::restore(saved.adapter);
   stack_.restore(saved.stack);
   state_ = saved.own;
 }
@@ -91,15 +91,15 @@ std::uint8_t Machine::peek(reg::Address address) {
 
 void Machine::poke(reg::Address address, std::uint8_t value) { chip_.chip().cpu().store(address, value); }
 
-void Machine::trace_bytes(WrittenBytes& bytes) {
-  written_ = &bytes;
-  if (const auto write = firmware_.find(WrittenBytes::kFunction))
+void Machine::trace_bytes(TxProvenance& bytes) {
+  tx_provenance_ = &bytes;
+  if (const auto write = firmware_.find(TxProvenance::kFunction))
     chip_.set_trap(WatchedChip::kWriteTrap, *write);
 }
 
 void Machine::write_called() {
   constexpr reg::Address kByte = 22;  // where avr-gcc passes it; `this` is in 24 and 25
-  written_->wrote(chip_.data(kByte), board_.to_world(now()));
+  tx_provenance_->wrote(chip_.data(kByte), board_.to_world(now()));
 }
 
 void Machine::set_clock(SimTime start) {
@@ -119,7 +119,7 @@ void Machine::start_clock() {
   };
   set("timer0_millis", static_cast<std::uint64_t>(state_.clock_start / kMillisecond));
   set("timer0_overflow_count",
-      static_cast<std::uint64_t>(state_.clock_start / link().length_of(kOverflowCycles)));
+      static_cast<std::uint64_t>(state_.clock_start / clock_map().length_of(kOverflowCycles)));
 }
 
 Resources Machine::resources() const {
@@ -140,8 +140,8 @@ Resources Machine::resources() const {
 
 void Machine::run_until(SimTime t) {
   if (debug_port_) debug_port_->begin_tick();
-  Cycle end = link().cycle_at(t);
-  int divisions = link().divisions();
+  Cycle end = clock_map().cycle_at(t);
+  int divisions = clock_map().divisions();
   if (chip_.cycle() < end) take_inputs(chip_.cycle());
   while (chip_.cycle() < end && !chip_.fault() && !chip_.is_off()) {
     if (log_) log_->before();
@@ -152,9 +152,9 @@ void Machine::run_until(SimTime t) {
     if (traps & WatchedChip::kMainTrap) start_clock();
     if (traps & WatchedChip::kWriteTrap) write_called();
     if (debug_port_) debug_port_->ran(traps & WatchedChip::kBreakpoint);
-    if (link().divisions() == divisions) continue;
-    divisions = link().divisions();
-    end = link().cycle_at(t);
+    if (clock_map().divisions() == divisions) continue;
+    divisions = clock_map().divisions();
+    end = clock_map().cycle_at(t);
   }
 }
 

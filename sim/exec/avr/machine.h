@@ -1,22 +1,22 @@
 // The chip with everything around it that firmware can access.
 #pragma once
 
-#include "sim/exec/avr/outside.h"
+#include "sim/exec/avr/board_adapter.h"
 #include "sim/exec/avr/stack.h"
 #include "sim/exec/avr/watched_chip.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/written_bytes.h"
-#include "sim/exec/elf/rounds.h"
+#include "sim/exec/core/tx_provenance.h"
+#include "sim/exec/elf/loop_marker.h"
 
 namespace robosim::exec::avr {
 
 class DebugPort;
 class InstructionLog;
 
-class Machine final : Outside {
+class Machine final : BoardAdapter {
  public:
   /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
-  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, SimTime t);
+  Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);
@@ -25,7 +25,7 @@ class Machine final : Outside {
   /// Records each instruction in `log` from now on, which outlives this; null = stop.
   void log_into(InstructionLog* log);
   /// Reports each byte that the firmware prints to `bytes`, which outlives this.
-  void trace_bytes(WrittenBytes& bytes);
+  void trace_bytes(TxProvenance& bytes);
   /// Makes millis() begin with `start` when main() begins.
   void set_clock(SimTime start);
   Resources resources() const;
@@ -39,24 +39,24 @@ class Machine final : Outside {
   WatchedChip& chip() { return chip_; }
   const WatchedChip& chip() const { return chip_; }
   const Stack& stack() const { return stack_; }
-  const Outside& outside() const { return *this; }
-  using Outside::link;
+  const BoardAdapter& adapter() const { return *this; }
+  using BoardAdapter::clock_map;
 
   struct State {
-    RoundCounter<Cycle> rounds;
+    LoopTimer<Cycle> rounds;
     SimTime clock_start = 0;
   };
   /// All state that changes while the chip runs, except its board's.
   struct Saved {
     State own;
     WatchedChip::Saved chip;
-    Outside::State outside;
+    BoardAdapter::State adapter;
     Stack::State stack;
   };
-  Saved save() const { return {state_, chip_.save(), Outside::save(), stack_.save()}; }
+  Saved save() const { return {state_, chip_.save(), BoardAdapter::save(), stack_.save()}; }
   void restore(const Saved& saved);
 
-  SimTime now() const { return link().time_of(chip_.cycle()); }
+  SimTime now() const { return clock_map().time_of(chip_.cycle()); }
 
  private:
   void was_reset(std::uint8_t flags, Cycle at) override;
@@ -67,7 +67,7 @@ class Machine final : Outside {
   void write_called();
 
   const Firmware& firmware_;
-  const Rounds loop_;
+  const LoopMarks loop_;
   ClockedBoard& board_;
   WatchedChip chip_;
   Stack stack_;
@@ -75,7 +75,7 @@ class Machine final : Outside {
   State state_;
   DebugPort* debug_port_ = nullptr;
   InstructionLog* log_ = nullptr;
-  WrittenBytes* written_ = nullptr;
+  TxProvenance* tx_provenance_ = nullptr;
 };
 
 }  // namespace robosim::exec::avr

@@ -1,5 +1,5 @@
 #include "sim/exec/avr/watched_chip.h"
-#include "sim/exec/core/bites.h"
+#include "sim/exec/core/watchdog_resets.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,7 +42,7 @@ std::uint32_t reset_target(const robosim::avr::Cpu& cpu) {
 }  // namespace
 
 WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
-                         robosim::avr::Surroundings& outside)
+                         robosim::avr::ChipEnvironment& outside)
     : firmware_(firmware),
       spec_(*board.chip),
       clock_hz_(board.clock_hz),
@@ -131,7 +131,7 @@ void WatchedChip::look_at_code(std::uint32_t pc) {
 void WatchedChip::was_reset() {
   const Cycle now = cycle();
   state_.watchdog_resets =
-      state_.watchdog_resets > 0 && now - state_.last_bite < Bites::kRow / kSecond * clock_hz_
+      state_.watchdog_resets > 0 && now - state_.last_bite < WatchdogResets::kRow / kSecond * clock_hz_
           ? state_.watchdog_resets + 1
           : 1;
   state_.last_bite = now;
@@ -145,7 +145,7 @@ void WatchedChip::was_reset() {
   state_.handlers_of_stacks.clear();
   chip_.cpu().state.sp_watch = state_.lowest_sp;
   start();
-  if (state_.watchdog_resets >= Bites::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
+  if (state_.watchdog_resets >= WatchdogResets::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
 std::vector<std::uint8_t> WatchedChip::ram() const {
@@ -204,7 +204,7 @@ void WatchedChip::count(LineCounts& lines) {
 }
 
 void WatchedChip::look_for_tearing(const DebugInfo& debug) {
-  tearing_.emplace(firmware_, debug, chip_, [this](std::uint32_t pc) { set_trap(kTearingTrap, pc); });
+  race_analysis_.emplace(firmware_, debug, chip_, [this](std::uint32_t pc) { set_trap(kTearingTrap, pc); });
   tell_of_handlers();
 }
 
@@ -225,18 +225,18 @@ void WatchedChip::tell_of_handlers() {
 
 void WatchedChip::handler_entered() {
   for (Detector* const each : told_of_handlers_) each->entered(vector(), cycle());
-  if (tearing_) tearing_->entered(vector());
+  if (race_analysis_) race_analysis_->entered(vector());
 }
 
 void WatchedChip::handler_left() {
   for (Detector* const each : told_of_handlers_) each->left();
-  if (!tearing_) return;
-  tearing_->left();
+  if (!race_analysis_) return;
+  race_analysis_->left();
   fail_if_torn();
 }
 
 bool WatchedChip::fail_if_torn() {
-  const auto& found = tearing_->found();
+  const auto& found = race_analysis_->found();
   if (found) fail(Fault::Kind::torn, found->pc, found->number->address);
   return found.has_value();
 }
@@ -268,7 +268,7 @@ bool WatchedChip::others_visited(std::uint32_t pc, Cycle at, unsigned traps) {
     for (auto [each, end] = shown_.equal_range(2 * pc); each != end; ++each)
       each->second->visited(2 * pc, at);
   if (traps & kTearingTrap) {
-    tearing_->visited(2 * pc);
+    race_analysis_->visited(2 * pc);
     if (fail_if_torn()) return false;
   }
   if (others == 0) return true;

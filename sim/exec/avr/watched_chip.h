@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "sim/avr/chip.h"
+#include "sim/exec/avr/clock_map.h"
 #include "sim/exec/avr/detect/detector.h"
-#include "sim/exec/avr/detect/tearing.h"
+#include "sim/exec/avr/detect/race_analysis.h"
 #include "sim/exec/avr/firmware.h"
-#include "sim/exec/avr/link.h"
 #include "sim/exec/elf/line_counts.h"
-#include "sim/exec/elf/round_counter.h"
+#include "sim/exec/elf/loop_timer.h"
 
 namespace robosim::exec::avr {
 
@@ -30,9 +30,9 @@ struct Fault {
   std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
 };
 
-class WatchedChip final : robosim::avr::Visitor {
+class WatchedChip final : robosim::avr::MarkVisitor {
  public:
-  WatchedChip(const Firmware& firmware, const BoardSpec& board, robosim::avr::Surroundings& outside);
+  WatchedChip(const Firmware& firmware, const BoardSpec& board, robosim::avr::ChipEnvironment& outside);
 
   robosim::avr::Chip& chip() { return chip_; }
   const robosim::avr::Chip& chip() const { return chip_; }
@@ -76,10 +76,10 @@ class WatchedChip final : robosim::avr::Visitor {
   /// Counts how often lines run: sets kLineTraps where they begin.
   void count(LineCounts& lines);
   /// Counts rounds from the second on at a kLoopTrap; run_to() continues unless there is another trap.
-  void count(RoundCounter<Cycle>& rounds) { rounds_ = &rounds; }
+  void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
   /// Makes torn reads and writes faults.
   void look_for_tearing(const DebugInfo& debug);
-  const std::optional<Tearing>& tearing() const { return tearing_; }
+  const std::optional<RaceAnalysis>& race_analysis() const { return race_analysis_; }
   /// Calls `detector`, which outlives the chip's use, before the instruction at `pc` runs.
   void show(Detector& detector, std::uint32_t pc);
   /// Calls it when a handler begins and when one returns.
@@ -143,7 +143,7 @@ class WatchedChip final : robosim::avr::Visitor {
   };
   struct Saved {
     State own;
-    Kept::Copy chip;
+    SnapshotRegistry::Snapshot chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
   /// Restores, except breakpoints, which are the debugger's, and the traps of detectors: they stay.
@@ -187,9 +187,9 @@ class WatchedChip final : robosim::avr::Visitor {
   const ChipSpec& spec_;
   const std::uint32_t clock_hz_;
   const bool has_boot_loader_;  ///< it occupies a part of the flash
-  RoundCounter<Cycle>* rounds_ = nullptr;
+  LoopTimer<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
-  std::optional<Tearing> tearing_;
+  std::optional<RaceAnalysis> race_analysis_;
   std::multimap<std::uint32_t, Detector*> shown_;  ///< by place
   std::vector<Detector*> told_of_handlers_;
   bool singly_ = false;

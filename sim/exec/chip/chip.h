@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/exec/core/causes.h"
+#include "sim/exec/core/cause_finder.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/written_bytes.h"
+#include "sim/exec/core/tx_provenance.h"
 
 namespace robosim::exec {
 
@@ -40,7 +40,7 @@ class RunningChip {
   /// byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;
   /// Reports each byte that the firmware prints to `bytes`, which outlives this.
-  virtual void trace_bytes(WrittenBytes& bytes) = 0;
+  virtual void trace_bytes(TxProvenance& bytes) = 0;
   /// See Executor.
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {
     static const SourceLine unknown;

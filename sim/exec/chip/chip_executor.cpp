@@ -26,9 +26,9 @@ void ChipExecutor::power_recovered(SimTime t) {
 void ChipExecutor::make_chip(SimTime t) {
   chip_ = firmware_->power_on(clocked_, clocked_.begin_tick(t));
   if (state_.clock_start > 0) chip_->set_clock(state_.clock_start);
-  if (written_) {
-    written_->begin([this](const SourceLine& before) { return chip_->printing(before); });
-    chip_->trace_bytes(*written_);
+  if (tx_provenance_) {
+    tx_provenance_->begin([this](const SourceLine& before) { return chip_->printing(before); });
+    chip_->trace_bytes(*tx_provenance_);
   }
 }
 
@@ -62,7 +62,7 @@ std::vector<Detected> ChipExecutor::detected() const {
 std::any ChipExecutor::save() const {
   Saved saved{state_, board_.save(), clocked_.save(), {}, firmware_->save(), {}};
   if (chip_) saved.chip = chip_->save();
-  if (written_) saved.written = written_->save();
+  if (tx_provenance_) saved.written = tx_provenance_->save();
   return saved;
 }
 
@@ -72,7 +72,7 @@ void ChipExecutor::restore(const std::any& from) {
   if (!saved.chip.has_value()) chip_.reset();
   if (saved.chip.has_value() && !chip_) make_chip(0);
   if (chip_) chip_->restore(saved.chip);
-  if (written_ && saved.written) written_->restore(*saved.written);
+  if (tx_provenance_ && saved.written) tx_provenance_->restore(*saved.written);
   board_.restore(saved.board);
   clocked_.restore(saved.clocked);
   state_ = saved.own;

@@ -13,7 +13,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/chip/chip.h"
-#include "sim/exec/core/silence.h"
+#include "sim/exec/core/hang_probe_backoff.h"
 
 namespace robosim::exec {
 
@@ -38,7 +38,7 @@ class ChipExecutor : public Executor {
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
   void debug_with(gdb::Server& server) override { firmware_->debug_with(server, clocked_); }
   void count_lines() override { firmware_->count_lines(); }
-  std::vector<BundledFile> counters() override { return {{"lines", firmware_->line_counts()}}; }
+  std::vector<ArchivedFile> counters() override { return {{"lines", firmware_->line_counts()}}; }
   void detect(const std::vector<Pin>& counted) override { firmware_->detect(counted); }
   std::vector<Detected> detected() const override;
   std::any save() const override;
@@ -50,8 +50,10 @@ class ChipExecutor : public Executor {
   const SourceLine& driving(Pin pin, const PinDrive& drive) override {
     return chip_ ? chip_->driving(pin, drive) : Executor::driving(pin, drive);
   }
-  void trace_bytes(SimTime from, SimTime to) override { written_.emplace(from, to); }
-  SourceLine source_of(std::uint8_t byte) override { return written_ ? written_->take(byte) : SourceLine{}; }
+  void trace_bytes(SimTime from, SimTime to) override { tx_provenance_.emplace(from, to); }
+  SourceLine source_of(std::uint8_t byte) override {
+    return tx_provenance_ ? tx_provenance_->take(byte) : SourceLine{};
+  }
 
  private:
   struct State {
@@ -61,7 +63,7 @@ class ChipExecutor : public Executor {
     std::vector<std::uint8_t> ram;    ///< while the power is off: the last content
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< time up to which firmware has run
-    Silence silence;
+    HangProbeBackoff silence;
     bool hangs = false;  ///< as far as checked
   };
   struct Saved {
@@ -70,7 +72,7 @@ class ChipExecutor : public Executor {
     ClockedBoard::State clocked;
     std::any chip;      ///< empty while the power is off
     std::any firmware;  ///< state that it retains without power
-    std::optional<WrittenBytes::State> written;
+    std::optional<TxProvenance::State> written;
   };
 
   void make_chip(SimTime t);
@@ -79,7 +81,7 @@ class ChipExecutor : public Executor {
   ClockedBoard clocked_{board_};
   std::unique_ptr<ChipFirmware> firmware_;
   std::unique_ptr<RunningChip> chip_;  ///< null while the power is off
-  std::optional<WrittenBytes> written_;
+  std::optional<TxProvenance> tx_provenance_;
   State state_;
 };
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "hal/board/robot_port.h"
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
-#include "sim/exec/core/causes.h"
+#include "sim/exec/core/cause_finder.h"
 #include "sim/wire/lateness.h"
 #include "sim/wire/run_result.h"
 
@@ -106,7 +106,7 @@ class Executor {
   /// Returns the counts since the first power-on. On the host there is one file for each power cycle and
   /// source, in gcov's format (.gcda). An image that was not built for coverage has none. On a chip, one file
   /// has lines "LINE COUNT FILE" (exec/elf/line_counts.h).
-  virtual std::vector<BundledFile> counters() { return {}; }
+  virtual std::vector<ArchivedFile> counters() { return {}; }
   /// Returns a copy of all changing state of firmware, chip and board. Throws InputError if that is
   /// impossible.
   virtual std::any save() const { throw InputError(kCannotBeSaved); }

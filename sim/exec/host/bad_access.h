@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hal/host/image.h"
-#include "sim/exec/host/shadow.h"
+#include "sim/exec/host/asan_shadow.h"
 
 namespace robosim::exec {
 

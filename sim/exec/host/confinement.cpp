@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "sim/base/descriptor.h"
+#include "sim/exec/host/asan_build.h"
 #include "sim/exec/host/host_fault.h"
-#include "sim/exec/host/under_asan.h"
 
 namespace robosim::exec {
 namespace {

@@ -11,15 +11,15 @@ namespace robosim::exec {
 
 class Counters final : public host::CounterSink {
  public:
-  explicit Counters(std::vector<BundledFile> files) : files_(std::move(files)) {}
+  explicit Counters(std::vector<ArchivedFile> files) : files_(std::move(files)) {}
   void begin(const char* file) override { files_.push_back({file, ""}); }
   void add(const void* bytes, std::size_t count) override {
     files_.back().content.append(static_cast<const char*>(bytes), count);
   }
-  const std::vector<BundledFile>& files() const { return files_; }
+  const std::vector<ArchivedFile>& files() const { return files_; }
 
  private:
-  std::vector<BundledFile> files_;
+  std::vector<ArchivedFile> files_;
 };
 
 }  // namespace robosim::exec

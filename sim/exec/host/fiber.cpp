@@ -6,7 +6,7 @@
 #include <boost/context/detail/fcontext.hpp>
 #include <new>
 
-#include "sim/exec/host/under_asan.h"
+#include "sim/exec/host/asan_build.h"
 
 namespace robosim::exec {
 

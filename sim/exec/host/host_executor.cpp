@@ -15,6 +15,7 @@
 
 #include "sim/base/file.h"
 #include "sim/exec/host/api_call.h"
+#include "sim/exec/host/asan_shadow.h"
 #include "sim/exec/host/bad_access.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/exec/host/counters.h"
@@ -22,8 +23,7 @@
 #include "sim/exec/host/host_fault.h"
 #include "sim/exec/host/image_file.h"
 #include "sim/exec/host/open_calls.h"
-#include "sim/exec/host/round_finder.h"
-#include "sim/exec/host/shadow.h"
+#include "sim/exec/host/state_cycle_detector.h"
 #include "sim/exec/host/undefined.h"
 
 namespace robosim::exec {
@@ -47,14 +47,14 @@ class HostExecutor::Instance final : public host::Host {
         stack_(kStackBytes),
         fiber_(stack_, &Instance::start, this),
         shadow_(image_.entry().shadow, checked_memory()),
-        round_finder_(image_, {heap_.begin(), heap_.end()}),
-        kept_(image_) {
+        cycle_detector_(image_, {heap_.begin(), heap_.end()}),
+        snapshot_(image_) {
     state_.heap = reinterpret_cast<std::uint8_t*>(heap_.begin());
     state_.heap_bytes = heap_.size();
     state_.stack = reinterpret_cast<std::uint8_t*>(stack_.begin());
     state_.stack_bytes = stack_.size();
     state_.may_skip = owner.skips_waiting_;
-    owner.late_times_.begin(state_, owner.reached_);
+    owner.injected_delays_.begin(state_, owner.reached_);
     state_.now = state_.wake = state_.last_call = owner.clocked_.begin_tick(t);
     owner_.divisions_.forget_addresses();
     catch_faults();
@@ -71,7 +71,7 @@ class HostExecutor::Instance final : public host::Host {
     const bool watched = wanted && !image_.entry().may_interrupt(false);
     if (watched && !state_.watched) {
       come_up();
-      round_finder_.begin();
+      cycle_detector_.begin();
     }
     state_.watched = watched;
     // If an image counts how often blocks run, its state never repeats.
@@ -132,11 +132,11 @@ class HostExecutor::Instance final : public host::Host {
     // Checks again: watch() may have met a handler, or the I flag clear for a moment to read a shared
     // variable.
     const bool alive = image_.entry().may_interrupt(false);
-    goes_round_ = !alive && round_finder_.sees(state_.place, from(stack));
+    goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
   }
-  void take_state(const std::uint8_t* stack) override { kept_.take(state_, from(stack)); }
-  bool has_state(const std::uint8_t* stack) override { return kept_.is_like(state_, from(stack)); }
+  void take_state(const std::uint8_t* stack) override { snapshot_.take(state_, from(stack)); }
+  bool has_state(const std::uint8_t* stack) override { return snapshot_.is_like(state_, from(stack)); }
   SimTime same_until(Pin pin, SimTime now) override { return owner_.clocked_.same_until(pin, now); }
 
   bool take_input(SimTime until, host::Input& input) override {
@@ -181,8 +181,8 @@ class HostExecutor::Instance final : public host::Host {
   }
 
   void lacks(const char* what, const void* where) override {
-    if (owner_.lacks_.has(what)) return;
-    owner_.lacks_.add(what, place_of({}, where), owner_.clocked_.to_world(state_.now));
+    if (owner_.unsupported_features_.has(what)) return;
+    owner_.unsupported_features_.add(what, place_of({}, where), owner_.clocked_.to_world(state_.now));
   }
 
   void globals(const host::GlobalRecord* records, std::size_t count) override {
@@ -205,7 +205,7 @@ class HostExecutor::Instance final : public host::Host {
     running_ = nullptr;
   }
 
-  KeptState::Memory from(const std::uint8_t* stack) const {
+  FirmwareSnapshot::Memory from(const std::uint8_t* stack) const {
     return {reinterpret_cast<const std::byte*>(stack), stack_.end()};
   }
 
@@ -264,8 +264,8 @@ class HostExecutor::Instance final : public host::Host {
   ShadowMemory shadow_;
   std::vector<host::GlobalRecord> globals_;
   OpenCalls calls_{image_, stack_};
-  RoundFinder round_finder_;
-  KeptState kept_;
+  StateCycleDetector cycle_detector_;
+  FirmwareSnapshot snapshot_;
   bool goes_round_ = false, bitten_ = false;
   const void* suspended_at_ = nullptr;
   std::map<std::vector<const void*>, SourceLine> sources_;
@@ -336,7 +336,7 @@ void HostExecutor::power_off(SimTime t) {
   counters_ = counters();
   instance_.reset();
   crash_.reset();
-  bites_ = {};
+  watchdog_resets_ = {};
   board_.reset(t);
   reached_ = t;
 }
@@ -352,29 +352,31 @@ void HostExecutor::run_until(SimTime t) {
 SimTime HostExecutor::sleeps_until() const {
   if (!instance_ || crash_ || reached_ < watch_until_ || !instance_->is_unwatched()) return 0;
   return std::min({clocked_.to_world(instance_->state().wake), board_.next_input(),
-                   instance_->last_call(reached_) + Silence::kFirstLook});
+                   instance_->last_call(reached_) + HangProbeBackoff::kFirstLook});
 }
 
 void HostExecutor::restart() {
   const SimTime now = clocked_.to_world(instance_->state().now);
-  if (bites_.add(now)) {
-    crash_ = Crash{Bites::reason(), instance_->place()};
+  if (watchdog_resets_.add(now)) {
+    crash_ = Crash{WatchdogResets::reason(), instance_->place()};
     return;
   }
-  const Bites bites = bites_;
+  const WatchdogResets watchdog_resets = watchdog_resets_;
   power_on(now);
-  bites_ = bites;
+  watchdog_resets_ = watchdog_resets;
 }
 
 void HostExecutor::look_at_silence() {
   const SimTime since = instance_->last_call(reached_);
-  if (reached_ - since < Silence::kFirstLook && reached_ >= watch_until_ && instance_->is_unwatched()) return;
-  if (!silence_.lasts_since(since)) instance_->has_called();
-  if (silence_.is_time(since, reached_)) watch_until_ = reached_ + kWatch;
+  if (reached_ - since < HangProbeBackoff::kFirstLook && reached_ >= watch_until_ &&
+      instance_->is_unwatched())
+    return;
+  if (!hang_probe_backoff_.lasts_since(since)) instance_->has_called();
+  if (hang_probe_backoff_.is_time(since, reached_)) watch_until_ = reached_ + kWatch;
   instance_->watch(reached_ < watch_until_ && !instance_->hangs());
 }
 
-std::vector<BundledFile> HostExecutor::counters() {
+std::vector<ArchivedFile> HostExecutor::counters() {
   Counters all(counters_);
   if (instance_) instance_->count(all);
   return all.files();

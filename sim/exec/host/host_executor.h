@@ -10,14 +10,14 @@
 #include <optional>
 
 #include "hal/board/board_spec.h"
-#include "sim/exec/core/bites.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/silence.h"
+#include "sim/exec/core/hang_probe_backoff.h"
+#include "sim/exec/core/watchdog_resets.h"
 #include "sim/exec/host/divisions.h"
 #include "sim/exec/host/image_file.h"
-#include "sim/exec/host/lacks.h"
-#include "sim/exec/host/late_times.h"
+#include "sim/exec/host/injected_delays.h"
+#include "sim/exec/host/unsupported_features.h"
 
 namespace robosim::exec {
 
@@ -45,13 +45,13 @@ class HostExecutor final : public Executor {
   SimTime last_call() const override;
   bool hangs() override;
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
-  const std::vector<Lack>& lacks() const override { return lacks_.all(); }
-  std::vector<BundledFile> counters() override;
+  const std::vector<Lack>& lacks() const override { return unsupported_features_.all(); }
+  std::vector<ArchivedFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
   /// Sets whether firmware that only waits is left asleep, from the next power_on() on. This changes only the
   /// time that the simulation takes (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
-  void set_lateness(const std::vector<Lateness>& lateness) override { late_times_.set(lateness); }
+  void set_lateness(const std::vector<Lateness>& lateness) override { injected_delays_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
@@ -64,15 +64,15 @@ class HostExecutor final : public Executor {
   ClockedBoard clocked_{board_};
   ImageFile image_;
   bool skips_waiting_ = true;
-  LateTimes late_times_;
+  InjectedDelays injected_delays_;
   std::unique_ptr<Instance> instance_;
   std::optional<Crash> crash_;
-  Bites bites_;
+  WatchdogResets watchdog_resets_;
   Divisions divisions_;
-  Lacks lacks_;
-  std::vector<BundledFile> counters_;  ///< of the earlier power cycles
-  SimTime reached_ = 0;                ///< time up to which firmware has run
-  Silence silence_;
+  UnsupportedFeatures unsupported_features_;
+  std::vector<ArchivedFile> counters_;  ///< of the earlier power cycles
+  SimTime reached_ = 0;                 ///< time up to which firmware has run
+  HangProbeBackoff hang_probe_backoff_;
   SimTime watch_until_ = 0;
 };
 

@@ -13,7 +13,7 @@
 #include "hal/host/image.h"
 #include "sim/base/descriptor.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/host/shadow.h"
+#include "sim/exec/host/asan_shadow.h"
 
 namespace robosim::exec {
 

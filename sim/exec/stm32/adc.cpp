@@ -34,7 +34,7 @@ constexpr Signals kInjectedTriggers[] = {signal_of(1, 0), signal_of(1, 4), signa
 
 Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
     : link_(link), clocks_(clocks), line_(line), index_(index), base_(index == 0 ? kAdc1 : kAdc2) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
   pins_.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)

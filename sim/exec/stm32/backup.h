@@ -14,7 +14,7 @@ namespace robosim::exec::stm32 {
 
 class Power final : public Peripheral {
  public:
-  explicit Power(Link& link) { link.kept.add(state_); }
+  explicit Power(Link& link) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -31,7 +31,7 @@ class Power final : public Peripheral {
 
 class Backup final : public Peripheral {
  public:
-  Backup(Link& link, const Power& power) : power_(power) { link.kept.add(state_); }
+  Backup(Link& link, const Power& power) : power_(power) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -55,7 +55,7 @@ class Rtc final : public Peripheral {
   /// Calls `alarmed` when the counter reaches the alarm: EXTI's line 17.
   Rtc(Link& link, const Power& power, std::function<void()> alarmed)
       : link_(link), power_(power), alarmed_(std::move(alarmed)) {
-    link.kept.add(state_);
+    link.snapshots.add(state_);
   }
 
   std::uint32_t read(Address address) override;

@@ -39,14 +39,14 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
       rtc_(link_, power_, [this] { ports_.alarmed(); }),
       crc_(link_),
       tracing_(link_) {
-  Kept& kept = link_.kept;
-  kept.add(link_.clock);
-  kept.add(link_.nvic);
-  kept.add(link_.reset_cause);
-  kept.add(link_.listened_to);
-  kept.add(link_.map);
-  kept.add_memory({ram_.data(), kRamBytes});
-  kept.add(state_);
+  SnapshotRegistry& snapshots = link_.snapshots;
+  snapshots.add(link_.clock);
+  snapshots.add(link_.nvic);
+  snapshots.add(link_.reset_cause);
+  snapshots.add(link_.listened_to);
+  snapshots.add(link_.map);
+  snapshots.add_memory({ram_.data(), kRamBytes});
+  snapshots.add(state_);
   link_.watch_changed = [this] { ports_.watch(); };
   link_.pin_level = [this](ChipPin pin) { return ports_.level(pin); };
   link_.pin_changed = [this](ChipPin pin) { ports_.refresh(pin); };
@@ -80,7 +80,7 @@ void Bus::place(Peripheral& peripheral, Address block) {
 }
 
 void Bus::add(Peripheral& peripheral) {
-  link_.kept.add(peripheral.noted_signals);
+  link_.snapshots.add(peripheral.noted_signals);
   peripheral.bus_index = peripherals_.size();
   peripherals_.push_back(&peripheral);
   state_.events.push_back(kNoCycle);

@@ -70,8 +70,8 @@ class Bus : DmaBus {
   void reset();
 
   /// Saves all state that changes during a run, including RAM, except the content of flash.
-  Kept::Copy save() const { return link_.kept.copy(); }
-  void restore(const Kept::Copy& saved) { link_.kept.put_back(saved); }
+  SnapshotRegistry::Snapshot save() const { return link_.snapshots.save(); }
+  void restore(const SnapshotRegistry::Snapshot& saved) { link_.snapshots.restore(saved); }
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }

@@ -27,7 +27,7 @@ class Power;
 class Clocks final : public Peripheral {
  public:
   /// `power` controls whether RCC_BDCR can be written.
-  Clocks(Link& link, const Power& power) : link_(link), power_(power) { link.kept.add(state_); }
+  Clocks(Link& link, const Power& power) : link_(link), power_(power) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;

@@ -9,7 +9,7 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop)
+Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& loop)
     : firmware_(firmware),
       bus_(bus),
       clock_(bus.link().clock),

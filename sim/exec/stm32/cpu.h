@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "sim/exec/elf/line_counts.h"
-#include "sim/exec/elf/round_counter.h"
-#include "sim/exec/elf/rounds.h"
+#include "sim/exec/elf/loop_marker.h"
+#include "sim/exec/elf/loop_timer.h"
 #include "sim/exec/stm32/bus.h"
 #include "sim/exec/stm32/cycles.h"
 #include "sim/exec/stm32/firmware.h"
@@ -56,7 +56,7 @@ class Cpu {
   enum Register { kSp = 13, kLr = 14, kPc = 15 };
 
   /// `engine` is the chip's, and used by no other Cpu during this one's life.
-  Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const Rounds& loop);
+  Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& loop);
   ~Cpu();
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
@@ -134,7 +134,7 @@ class Cpu {
   Cycle handler_began() const { return state_.handler_began; }
   /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }
-  const RoundCounter<SimTime>& rounds() const { return state_.rounds; }
+  const LoopTimer<SimTime>& rounds() const { return state_.rounds; }
 
   /// Counts how often lines run, where they begin.
   void count(LineCounts& lines);
@@ -198,7 +198,7 @@ class Cpu {
     Cycle last_io = 0;
     std::uint32_t last_io_pc = 0;
     Cycle handler_began = 0, handler_cycles = 0, sleep_cycles = 0;
-    RoundCounter<SimTime> rounds;
+    LoopTimer<SimTime> rounds;
   };
 
   /// Runs the interpreter's loop until stop_.

@@ -7,7 +7,7 @@ namespace robosim::exec::stm32 {
 
 class Crc final : public Peripheral {
  public:
-  explicit Crc(Link& link) { link.kept.add(state_); }
+  explicit Crc(Link& link) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override {
     return address == robosim::stm32::kCrc ? state_.remainder : address == kIndependent ? state_.kept : 0;

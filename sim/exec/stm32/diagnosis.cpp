@@ -1,5 +1,5 @@
 #include "sim/exec/stm32/diagnosis.h"
-#include "sim/exec/core/bites.h"
+#include "sim/exec/core/watchdog_resets.h"
 
 #include <fmt/format.h>
 
@@ -83,7 +83,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
                           : fmt::format("read of {}, which Robosim does not model", access.what);
     }
     case Fault::Kind::watchdog:
-      return Bites::reason();
+      return WatchdogResets::reason();
     case Fault::Kind::exception_return:
       return "return from an interrupt that has not begun or whose stack was overwritten";
     default:

@@ -24,7 +24,7 @@ class Dma final : public Peripheral {
  public:
   static constexpr int kChannels = 7;
 
-  Dma(Link& link, DmaBus& bus) : link_(link), bus_(bus) { link.kept.add(state_); }
+  Dma(Link& link, DmaBus& bus) : link_(link), bus_(bus) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;

@@ -13,7 +13,7 @@ namespace robosim::exec::stm32 {
 
 class Flash final : public Peripheral {
  public:
-  Flash(Link& link, FlashMemory& memory) : link_(link), memory_(memory) { link.kept.add(state_); }
+  Flash(Link& link, FlashMemory& memory) : link_(link), memory_(memory) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;

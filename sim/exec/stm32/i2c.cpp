@@ -23,7 +23,7 @@ constexpr std::uint32_t kMsl = 1u << 0, kBusy = 1u << 1;                  // I2C
 
 I2c::I2c(Link& link, const Clocks& clocks, int number)
     : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kI2c1 : kI2c2) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
 }
 
 // Both lines are open-drain, and released.

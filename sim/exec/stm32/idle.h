@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/base/loop_credit.h"
+#include "sim/base/backoff_budget.h"
 #include "sim/exec/stm32/clock.h"
 
 namespace robosim::exec::stm32 {
@@ -60,7 +60,7 @@ class Idle {
   struct Head {
     std::uint32_t pc = 0;
     bool marked = false;
-    LoopCredit credit;
+    BackoffBudget credit;
     Cycle cycles = 0;  ///< of the last recorded pass
   };
   /// All state that a pass may change, except RAM and statistics.

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "sim/base/kept.h"
+#include "sim/base/snapshot_registry.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/stm32/clock.h"
 #include "sim/exec/stm32/nvic.h"
@@ -43,13 +43,15 @@ struct Link {
   /// Called when the peripheral that has a pin drives it differently from now on.
   std::function<void(ChipPin)> pin_changed{};
   /// The chip's state that changes during a run, except its processor's.
-  Kept kept{};
+  SnapshotRegistry snapshots{};
 };
 
 /// An interrupt line of two peripherals: it is high while either holds it high.
 class SharedLine {
  public:
-  SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) { link.kept.add(state_); }
+  SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) {
+    link.snapshots.add(state_);
+  }
   /// `source`: 0 or 1.
   void set(int source, bool high) {
     state_.high[source] = high;

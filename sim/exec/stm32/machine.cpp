@@ -8,7 +8,7 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-Machine::Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
+Machine::Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, FlashMemory& memory,
                  Engine& engine, SimTime t)
     : firmware_(firmware),
       board_(board),
@@ -55,12 +55,12 @@ std::vector<std::uint32_t> Machine::open_calls() const {
   return calls;
 }
 
-void Machine::trace_bytes(WrittenBytes& bytes) {
-  if (const Symbol* const write = firmware_.symbols.find(WrittenBytes::kFunction))
+void Machine::trace_bytes(TxProvenance& bytes) {
+  if (const Symbol* const write = firmware_.symbols.find(TxProvenance::kFunction))
     cpu_.watch(write->address, [this, &bytes] { write_called(bytes); });
 }
 
-void Machine::write_called(WrittenBytes& bytes) {
+void Machine::write_called(TxProvenance& bytes) {
   constexpr int kByte = 1;  // the argument after `this`
   bytes.wrote(static_cast<std::uint8_t>(cpu_.reg(kByte)), board_.to_world(bus_.link().clock.time()));
 }
@@ -73,7 +73,7 @@ void Machine::look_at_heap() {
 
 void Machine::restart() {
   const SimTime now = bus_.link().clock.time_of(bus_.link().clock.now);
-  if (bus_.link().reset_cause != Reset::software && state_.bites.add(now))
+  if (bus_.link().reset_cause != Reset::software && state_.watchdog_resets.add(now))
     return cpu_.fail(Fault::Kind::watchdog, cpu_.pc());
   bus_.reset();
   cpu_.reset();
@@ -104,7 +104,7 @@ void Machine::run_until(SimTime t) {
 
 Resources Machine::resources() const {
   constexpr double kNanoToMicro = 1e-3;
-  const RoundCounter<SimTime>& rounds = cpu_.rounds();
+  const LoopTimer<SimTime>& rounds = cpu_.rounds();
   const auto cycles = static_cast<double>(std::max<Cycle>(bus_.link().clock.now, 1));
   Resources r;
   r.flash_bytes = firmware_.flash_bytes;

@@ -1,9 +1,9 @@
 // The chip with everything around it that firmware can access.
 #pragma once
 
-#include "sim/exec/core/bites.h"
 #include "sim/exec/core/executor.h"
-#include "sim/exec/core/written_bytes.h"
+#include "sim/exec/core/tx_provenance.h"
+#include "sim/exec/core/watchdog_resets.h"
 #include "sim/exec/stm32/cpu.h"
 
 namespace robosim::exec::stm32 {
@@ -13,14 +13,14 @@ class DebugPort;
 class Machine {
  public:
   /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
-  Machine(const Firmware& firmware, const Rounds& loop, ClockedBoard& board, FlashMemory& memory,
+  Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, FlashMemory& memory,
           Engine& engine, SimTime t);
 
   void run_until(SimTime t);
   /// Makes millis() begin with `start` when main() begins.
   void set_clock(SimTime start);
   /// Reports each byte that the firmware prints to `bytes`, which outlives this.
-  void trace_bytes(WrittenBytes& bytes);
+  void trace_bytes(TxProvenance& bytes);
   /// Sets a function that is called before each store to a register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
@@ -31,12 +31,12 @@ class Machine {
 
   struct State {
     bool off = false;
-    Bites bites;
+    WatchdogResets watchdog_resets;
   };
   /// All state that changes while the chip runs, except its board's and the content of flash.
   struct Saved {
     State own;
-    Kept::Copy bus;
+    SnapshotRegistry::Snapshot bus;
     Cpu::Saved cpu;
   };
   Saved save() const { return {state_, bus_.save(), cpu_.save()}; }
@@ -54,7 +54,7 @@ class Machine {
  private:
   void look_at_heap();
   void restart();
-  void write_called(WrittenBytes& bytes);
+  void write_called(TxProvenance& bytes);
 
   const Firmware& firmware_;
   ClockedBoard& board_;

@@ -22,7 +22,7 @@ Irq irq_of(int line) {
 Ports::Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
              std::function<bool(ChipPin)> watched)
     : link_(link), alternate_(std::move(alternate)), pulse_(std::move(pulse)), watched_(std::move(watched)) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
   for (auto& port : numbers_) port.fill(kNoPin);
   const BoardSpec& spec = link.board.spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin) {

@@ -22,7 +22,7 @@ constexpr std::uint32_t kSpiRxne = 1u << 0, kSpiTxe = 1u << 1, kModf = 1u << 5, 
 
 Spi::Spi(Link& link, const Clocks& clocks, int number)
     : link_(link), clocks_(clocks), number_(number), base_(number == 1 ? kSpi1 : kSpi2) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
 }
 
 bool Spi::masters() const { return state_.control & kSpe && state_.control & kMstr; }

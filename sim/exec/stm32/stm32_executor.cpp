@@ -5,19 +5,17 @@
 #include "sim/exec/stm32/driven_lines.h"
 #include "sim/exec/stm32/engine.h"
 #include "sim/exec/stm32/hang.h"
-#include "sim/exec/stm32/loop.h"
+#include "sim/exec/stm32/loop_locator.h"
 
 namespace robosim::exec {
 
 struct Stm32Executor::Image {
   Image(const std::filesystem::path& file, const BoardSpec& spec)
-      : firmware(stm32::Firmware::read(file, spec)),
-        debug(file),
-        loop(stm32::rounds_of_loop(firmware, debug)) {}
+      : firmware(stm32::Firmware::read(file, spec)), debug(file), loop(stm32::locate_loop(firmware, debug)) {}
 
   stm32::Firmware firmware;
   DebugInfo debug;
-  Rounds loop;
+  LoopMarks loop;
 };
 
 class Stm32Executor::Running final : public RunningChip {
@@ -60,7 +58,7 @@ class Stm32Executor::Running final : public RunningChip {
     if (!lines_) return RunningChip::driving(pin, drive);
     return lines_->line_of(machine_.bus().link().board.spec().pins[pin], drive.pwm);
   }
-  void trace_bytes(WrittenBytes& bytes) override { machine_.trace_bytes(bytes); }
+  void trace_bytes(TxProvenance& bytes) override { machine_.trace_bytes(bytes); }
   void set_clock(SimTime start) override { machine_.set_clock(start); }
   std::any save() const override { return machine_.save(); }
   void restore(const std::any& saved) override {

@@ -7,7 +7,7 @@ namespace robosim::exec::stm32 {
 
 class SysTick final : public Peripheral {
  public:
-  explicit SysTick(Link& link) : link_(link) { link.kept.add(state_); }
+  explicit SysTick(Link& link) : link_(link) { link.snapshots.add(state_); }
 
   static bool owns(Address address) {
     return address >= robosim::stm32::kStkCtrl && address <= robosim::stm32::kStkCalib;

@@ -12,7 +12,7 @@ Timer::Timer(Link& link, const Clocks& clocks, int index)
       index_(index),
       base_(kStm32f103c8.timers[index].control),
       irq_(static_cast<Irq>(kStm32f103c8.timers[index].vector)) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
   usual_pins_.fill(kNoChipPin);
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
     if (const auto& pin = kStm32f103c8.pins[i]; pin.timer == index)

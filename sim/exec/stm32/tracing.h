@@ -11,7 +11,7 @@ namespace robosim::exec::stm32 {
 
 class Tracing final : public Peripheral {
  public:
-  explicit Tracing(Link& link) : link_(link) { link.kept.add(state_); }
+  explicit Tracing(Link& link) : link_(link) { link.snapshots.add(state_); }
 
   static bool owns(Address address);
   std::uint32_t read(Address address) override;

@@ -26,7 +26,7 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
       spec_(stm32f103c8::kUarts[index]),
       pin_(pin_named(spec_.tx)),
       connected_(index == link.board.spec().serial_line) {
-  link.kept.add(state_);
+  link.snapshots.add(state_);
 }
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {

@@ -14,7 +14,7 @@ namespace robosim::exec::stm32 {
 
 class IndependentWatchdog final : public Peripheral {
  public:
-  explicit IndependentWatchdog(Link& link) : link_(link) { link.kept.add(state_); }
+  explicit IndependentWatchdog(Link& link) : link_(link) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
@@ -38,7 +38,9 @@ class IndependentWatchdog final : public Peripheral {
 
 class WindowWatchdog final : public Peripheral {
  public:
-  WindowWatchdog(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) { link.kept.add(state_); }
+  WindowWatchdog(Link& link, const Clocks& clocks) : link_(link), clocks_(clocks) {
+    link.snapshots.add(state_);
+  }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;

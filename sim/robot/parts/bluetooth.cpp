@@ -30,14 +30,14 @@ BluetoothPart::BluetoothPart(const BluetoothSpec& spec, PartContext& context)
     : spec_(spec), line_(spec.wiring, context, [this](std::uint8_t byte, bool sound, SimTime t) {
         take(sound ? byte : '?', t);
       }) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void BluetoothPart::join(Roster& roster) {
-  roster.breakable.push_back(this);
-  roster.receivers.push_back(this);
-  roster.tellers.push_back(this);
-  line_.join(*this, roster);
+void BluetoothPart::register_with(PartRegistry& registry) {
+  registry.breakable.push_back(this);
+  registry.receivers.push_back(this);
+  registry.text_outputs.push_back(this);
+  line_.register_with(*this, registry);
 }
 
 void BluetoothPart::send(const Message& message, SimTime t) {
@@ -54,7 +54,7 @@ void BluetoothPart::take(std::uint8_t byte, SimTime t) {
   state_.heard.clear();
 }
 
-std::string BluetoothPart::tell(SimTime t) {
+std::string BluetoothPart::poll_text(SimTime t) {
   if (!state_.heard.empty() && t - state_.heard_at >= kLineEnds) take('\n', t);
   if (state_.lines.empty()) return {};
   std::string line = std::move(state_.lines.front());

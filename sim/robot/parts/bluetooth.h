@@ -23,15 +23,15 @@ class BluetoothSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-class BluetoothPart final : public Part, public Receiver, public Teller, public Breakable {
+class BluetoothPart final : public Part, public Receiver, public TextOutput, public Breakable {
  public:
   BluetoothPart(const BluetoothSpec&, PartContext&);
 
   void check(const Message&) const override {}
   void send(const Message&, SimTime) override;
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime t) override { line_.begin_tick(t); }
   void read(std::vector<Reading>&) const override;
 

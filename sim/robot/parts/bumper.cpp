@@ -10,9 +10,9 @@ std::unique_ptr<Part> BumperSpec::make(PartContext& context) const {
   return std::make_unique<BumperPart>(*this, context);
 }
 
-void BumperPart::join(Roster& roster) {
-  ButtonPart::join(roster);
-  roster.ticking.push_back(this);
+void BumperPart::register_with(PartRegistry& registry) {
+  ButtonPart::register_with(registry);
+  registry.ticking.push_back(this);
 }
 
 void BumperPart::hold(bool down, SimTime t) {

@@ -17,10 +17,10 @@ class BumperSpec final : public ButtonSpec {
 class BumperPart final : public ButtonPart {
  public:
   BumperPart(const BumperSpec& spec, PartContext& context) : ButtonPart(spec, context), view_(context.view) {
-    context.kept.add(state_);
+    context.snapshots.add(state_);
   }
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void hold(bool down, SimTime t) override;
   void begin_tick(SimTime) override;
   bool idles() const override { return settled() && !state_.touches; }

@@ -34,17 +34,16 @@ std::unique_ptr<Part> ButtonSpec::make(PartContext& context) const {
 ButtonPart::ButtonPart(const ButtonSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      stream_(context.individual.noise(spec.name, "bounce")),
-      bounce_(context.individual.ideal() ? 0.0
-                                         : context.individual.draw(spec.bounce, spec.name, "bounce time")),
+      stream_(context.sampler.noise(spec.name, "bounce")),
+      bounce_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.bounce, spec.name, "bounce time")),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void ButtonPart::join(Roster& roster) {
+void ButtonPart::register_with(PartRegistry& registry) {
   context_.board.connect(spec_.pin, *this);
-  roster.pressable.push_back(this);
-  roster.breakable.push_back(this);
+  registry.pressable.push_back(this);
+  registry.breakable.push_back(this);
 }
 
 void ButtonPart::hold(bool down, SimTime t) {
@@ -76,7 +75,7 @@ bool ButtonPart::floats(SimTime t) const {
 }
 
 SimTime ButtonPart::same_until(SimTime t) {
-  if (floats(t) && !context_.individual.ideal()) return t;
+  if (floats(t) && !context_.sampler.ideal()) return t;
   const auto next = std::upper_bound(state_.flips.begin(), state_.flips.end(), t);
   return next == state_.flips.end() ? kNever : *next;
 }
@@ -84,9 +83,8 @@ SimTime ButtonPart::same_until(SimTime t) {
 bool ButtonPart::level(SimTime t) {
   if (pulls(t)) return spec_.active_high;
   if (!floats(t)) return spec_.resistor ? !spec_.active_high : true;
-  if (context_.individual.ideal()) return false;
-  return context_.individual.noise(spec_.name, "floating")
-             .bits(static_cast<std::uint64_t>(t / kMillisecond)) &
+  if (context_.sampler.ideal()) return false;
+  return context_.sampler.noise(spec_.name, "floating").bits(static_cast<std::uint64_t>(t / kMillisecond)) &
          1;
 }
 

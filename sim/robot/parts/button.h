@@ -23,7 +23,7 @@ class ButtonSpec : public PartSpec {
   Pin pin = kNoPin;
   bool active_high = false;
   bool resistor = false;
-  Number bounce;  ///< s
+  Parameter bounce;  ///< s
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -39,7 +39,7 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
   ButtonPart* bounces() override { return this; }
   bool settled() const { return state_.announced == state_.flips.size(); }
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }

@@ -22,10 +22,10 @@ std::unique_ptr<Part> BuzzerSpec::make(PartContext& context) const {
 }
 
 BuzzerPart::BuzzerPart(const BuzzerSpec& spec, PartContext& context) : spec_(spec), context_(context) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void BuzzerPart::join(Roster&) {
+void BuzzerPart::register_with(PartRegistry&) {
   if (spec_.passive) context_.netlist.watch(spec_.pin, *this);
 }
 

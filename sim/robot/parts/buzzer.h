@@ -26,7 +26,7 @@ class BuzzerPart final : public Part, public PinWatcher {
  public:
   BuzzerPart(const BuzzerSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   /// Passive: Hz, 0 if silent. Active: 1 while it sounds.
   void read(std::vector<Reading>&) const override;

@@ -28,18 +28,18 @@ std::unique_ptr<Part> CurrentSensorSpec::make(PartContext& context) const {
 CurrentSensorPart::CurrentSensorPart(const CurrentSensorSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      stream_(context.individual.noise(spec.name, "reading")),
-      per_amp_(context.individual.draw(spec.per_amp, spec.name, "per_amp")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
+      stream_(context.sampler.noise(spec.name, "reading")),
+      per_amp_(context.sampler.draw(spec.per_amp, spec.name, "per_amp")),
+      noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")),
       supply_(context.description.board->supply_volts),
-      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")) {
-  context.kept.add(state_);
+      source_ohms_(context.sampler.draw(spec.source_ohms, spec.name, "source_ohms")) {
+  context.snapshots.add(state_);
 }
 
-void CurrentSensorPart::join(Roster& roster) {
+void CurrentSensorPart::register_with(PartRegistry& registry) {
   context_.connect_analog(spec_.pin, *this, Scale::share_of_supply);
-  roster.ticking.push_back(this);
-  roster.breakable.push_back(this);
+  registry.ticking.push_back(this);
+  registry.breakable.push_back(this);
 }
 
 void CurrentSensorPart::begin_tick(SimTime) {

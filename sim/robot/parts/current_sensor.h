@@ -18,9 +18,9 @@ std::shared_ptr<const PartSpec> read_current_sensor(PartReader&);
 class CurrentSensorSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Number per_amp;  ///< V
-  Number noise;    ///< V, standard deviation
-  Number source_ohms;
+  Parameter per_amp;  ///< V
+  Parameter noise;    ///< V, standard deviation
+  Parameter source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "A"}}; }
@@ -30,7 +30,7 @@ class CurrentSensorPart final : public Part, public PinSource, public Breakable 
  public:
   CurrentSensorPart(const CurrentSensorSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

@@ -37,14 +37,14 @@ EncoderPart::EncoderPart(const EncoderSpec& spec, PartContext& context)
       b_(*this, 3),
       quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void EncoderPart::join(Roster& roster) {
+void EncoderPart::register_with(PartRegistry& registry) {
   context_.board.connect(spec_.a, a_);
   if (spec_.b != kNoPin) context_.board.connect(spec_.b, b_);
-  roster.edge_makers.push_back(this);
-  roster.breakable.push_back(this);
+  registry.edge_makers.push_back(this);
+  registry.breakable.push_back(this);
 }
 
 std::int64_t EncoderPart::quarter(SimTime t) const {

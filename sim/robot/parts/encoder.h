@@ -30,7 +30,7 @@ class EncoderPart final : public Part, public Breakable {
  public:
   EncoderPart(const EncoderSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

@@ -7,7 +7,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr double kTickSeconds = 1e-9 * static_cast<double>(kTick);
-constexpr Number kSpinUp{0.3, 0.0};  // s, an estimate for a ducted fan of 30 mm
+constexpr Parameter kSpinUp{0.3, 0.0};  // s, an estimate for a ducted fan of 30 mm
 
 double share_of_tick(double spin_up) { return kTickSeconds / (spin_up + kTickSeconds); }
 
@@ -29,15 +29,15 @@ std::unique_ptr<Part> FanSpec::make(PartContext& context) const {
 FanPart::FanPart(const FanSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      most_(kGravity * context.individual.draw(spec.downforce, spec.name, "downforce")),
-      share_(share_of_tick(context.individual.draw(spec.spin_up, spec.name, "spin_up"))) {
-  context.kept.add(state_);
+      most_(kGravity * context.sampler.draw(spec.downforce, spec.name, "downforce")),
+      share_(share_of_tick(context.sampler.draw(spec.spin_up, spec.name, "spin_up"))) {
+  context.snapshots.add(state_);
 }
 
-void FanPart::join(Roster& roster) {
-  roster.ticking.push_back(this);
-  roster.supplied.push_back(this);
-  roster.fans.push_back(this);
+void FanPart::register_with(PartRegistry& registry) {
+  registry.ticking.push_back(this);
+  registry.supplied.push_back(this);
+  registry.fans.push_back(this);
 }
 
 void FanPart::begin_tick(SimTime) {

@@ -22,8 +22,8 @@ std::shared_ptr<const PartSpec> read_fan(PartReader&);
 class FanSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Number downforce;  ///< kg, the weight of its downforce at full speed
-  Number spin_up;    ///< s
+  Parameter downforce;  ///< kg, the weight of its downforce at full speed
+  Parameter spin_up;    ///< s
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -33,7 +33,7 @@ class FanPart final : public Part {
  public:
   FanPart(const FanSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void power(bool on, SimTime) override { state_.powered = on; }
   void read(std::vector<Reading>&) const override;

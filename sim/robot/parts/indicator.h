@@ -22,7 +22,7 @@ class IndicatorPart final : public Part {
  public:
   IndicatorPart(const IndicatorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
 
-  void join(Roster&) override {}
+  void register_with(PartRegistry&) override {}
   void read(std::vector<Reading>&) const override;
 
  private:

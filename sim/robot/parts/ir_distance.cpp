@@ -62,19 +62,19 @@ IrDistancePart::IrDistancePart(const IrDistanceSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       mount_(spec.mount, context.view),
-      stream_(context.individual.noise(spec.name, "reading")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
+      stream_(context.sampler.noise(spec.name, "reading")),
+      noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")),
       supply_(context.description.board->supply_volts),
-      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")),
+      source_ohms_(context.sampler.draw(spec.source_ohms, spec.name, "source_ohms")),
       state_{.measures_until = kMeasurement} {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void IrDistancePart::join(Roster& roster) {
+void IrDistancePart::register_with(PartRegistry& registry) {
   context_.connect_analog(spec_.pin, *this, Scale::volts);
-  roster.ticking.push_back(this);
-  roster.lookouts.push_back({&mount_, kFarthest});
-  roster.breakable.push_back(this);
+  registry.ticking.push_back(this);
+  registry.sightlines.push_back({&mount_, kFarthest});
+  registry.breakable.push_back(this);
 }
 
 void IrDistancePart::begin_tick(SimTime t) {

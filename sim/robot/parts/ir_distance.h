@@ -26,8 +26,8 @@ class IrDistanceSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
   MountSpec mount;
-  Number noise;  ///< V, standard deviation of a reading
-  Number source_ohms;
+  Parameter noise;  ///< V, standard deviation of a reading
+  Parameter source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "V"}}; }
@@ -38,8 +38,8 @@ class IrDistancePart final : public Part, public PinSource, public Breakable {
  public:
   IrDistancePart(const IrDistanceSpec&, PartContext&);
 
-  void join(Roster&) override;
-  void meet(const Roster& roster) override { mount_.meet(roster); }
+  void register_with(PartRegistry&) override;
+  void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

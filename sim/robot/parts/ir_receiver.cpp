@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
-#include "sim/base/whole.h"
+#include "sim/base/parse_unsigned.h"
 
 namespace robosim::robot {
 namespace {
@@ -42,28 +42,28 @@ std::unique_ptr<Part> IrReceiverSpec::make(PartContext& context) const {
 
 IrReceiverPart::IrReceiverPart(const IrReceiverSpec& spec, PartContext& context)
     : spec_(spec), context_(context), supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void IrReceiverPart::join(Roster& roster) {
+void IrReceiverPart::register_with(PartRegistry& registry) {
   context_.board.connect(spec_.pin, *this);
-  roster.ticking.push_back(this);
-  roster.breakable.push_back(this);
-  roster.receivers.push_back(this);
+  registry.ticking.push_back(this);
+  registry.breakable.push_back(this);
+  registry.receivers.push_back(this);
 }
 
 void IrReceiverPart::check(const Message& message) const {
   if (message.held > kLongestHeld)
     throw InputError(
         fmt::format("send {} {}: the key is held too long: expected at most 60 s", spec_.name, message.text));
-  if (parse_whole(message.text).value_or(256) > 255)
+  if (parse_unsigned(message.text).value_or(256) > 255)
     throw InputError(fmt::format("send {}: expected a command from 0 to 255, such as 0x45, got “{}”",
                                  spec_.name, message.text));
 }
 
 void IrReceiverPart::send(const Message& message, SimTime t) {
   if (state_.dead) return;
-  const std::uint32_t command = static_cast<std::uint32_t>(parse_whole(message.text).value_or(0));
+  const std::uint32_t command = static_cast<std::uint32_t>(parse_unsigned(message.text).value_or(0));
   const std::uint32_t address = spec_.address;
   const std::uint32_t bits = address | (address ^ 0xFF) << 8 | command << 16 | (command ^ 0xFF) << 24;
   const SimTime begin = state_.line.empty() ? t : std::max(t, state_.line.end() + kPause);

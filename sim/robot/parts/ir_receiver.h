@@ -36,7 +36,7 @@ class IrReceiverPart final : public Part, public PinSource, public Receiver, pub
   void check(const Message&) const override;
   void send(const Message&, SimTime) override;
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

@@ -30,16 +30,16 @@ IrSwitchPart::IrSwitchPart(const IrSwitchSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       mount_(spec.mount, context.view),
-      range_(context.individual.draw(spec.range, spec.name, "range")),
+      range_(context.sampler.draw(spec.range, spec.name, "range")),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void IrSwitchPart::join(Roster& roster) {
+void IrSwitchPart::register_with(PartRegistry& registry) {
   context_.board.connect(spec_.pin, *this);
-  roster.ticking.push_back(this);
-  roster.lookouts.push_back({&mount_, kLetsGo * range_});
-  roster.breakable.push_back(this);
+  registry.ticking.push_back(this);
+  registry.sightlines.push_back({&mount_, kLetsGo * range_});
+  registry.breakable.push_back(this);
 }
 
 void IrSwitchPart::begin_tick(SimTime t) {

@@ -14,7 +14,7 @@ class IrSwitchSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
   MountSpec mount;
-  Number range;  ///< m
+  Parameter range;  ///< m
   bool active_high = false;
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -25,8 +25,8 @@ class IrSwitchPart final : public Part, public PinSource, public Breakable {
  public:
   IrSwitchPart(const IrSwitchSpec&, PartContext&);
 
-  void join(Roster&) override;
-  void meet(const Roster& roster) override { mount_.meet(roster); }
+  void register_with(PartRegistry&) override;
+  void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

@@ -56,12 +56,12 @@ KeypadPart::KeypadPart(const KeypadSpec& spec, PartContext& context)
     for (std::size_t column = 0; column < spec.columns.size(); ++column)
       keys_.push_back(std::make_unique<Key>(*this, fmt::format("{}.{}", spec.name, spec.keys[row][column]),
                                             row * spec.columns.size() + column));
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void KeypadPart::join(Roster& roster) {
+void KeypadPart::register_with(PartRegistry& registry) {
   for (std::size_t lead = 0; lead < pins_.size(); ++lead) context_.board.connect(pins_[lead], *leads_[lead]);
-  for (const auto& key : keys_) roster.pressable.push_back(key.get());
+  for (const auto& key : keys_) registry.pressable.push_back(key.get());
 }
 
 void KeypadPart::hold(std::size_t key, bool down, SimTime t) {

@@ -28,7 +28,7 @@ class KeypadPart final : public Part {
  public:
   KeypadPart(const KeypadSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void read(std::vector<Reading>&) const override;
 
  private:

@@ -33,12 +33,12 @@ std::unique_ptr<Part> LcdSpec::make(PartContext& context) const {
 }
 
 LcdPart::LcdPart(const LcdSpec& spec, PartContext& context) : spec_(spec), context_(context) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void LcdPart::join(Roster& roster) {
+void LcdPart::register_with(PartRegistry& registry) {
   context_.netlist.watch(spec_.enable, *this);
-  roster.tellers.push_back(this);
+  registry.text_outputs.push_back(this);
 }
 
 bool LcdPart::high(Pin pin) const { return high_share(context_.netlist.drive(pin)) > 0.5; }
@@ -55,10 +55,10 @@ void LcdPart::pin_changed(Pin, const PinDrive&, SimTime t) {
   state_.controller.write(high(spec_.rs), static_cast<std::uint8_t>(lines), t);
 }
 
-std::string LcdPart::tell(SimTime t) {
+std::string LcdPart::poll_text(SimTime t) {
   const SimTime changed = state_.controller.changed_at();
   if (!state_.text.is_due(changed, t)) return {};
-  return state_.text.tell(changed, state_.controller.text(spec_.columns, spec_.rows));
+  return state_.text.poll_text(changed, state_.controller.text(spec_.columns, spec_.rows));
 }
 
 void LcdPart::read(std::vector<Reading>& readings) const {

@@ -27,14 +27,14 @@ class LcdSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-class LcdPart final : public Part, public PinWatcher, public Teller {
+class LcdPart final : public Part, public PinWatcher, public TextOutput {
  public:
   LcdPart(const LcdSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
   /// 1 while it shows text.
   void read(std::vector<Reading>&) const override;
 

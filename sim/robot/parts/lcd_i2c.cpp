@@ -21,12 +21,12 @@ std::unique_ptr<Part> LcdI2cSpec::make(PartContext& context) const {
 }
 
 LcdI2cPart::LcdI2cPart(const LcdI2cSpec& spec, PartContext& context) : spec_(spec), context_(context) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void LcdI2cPart::join(Roster& roster) {
+void LcdI2cPart::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.tellers.push_back(this);
+  registry.text_outputs.push_back(this);
 }
 
 bool LcdI2cPart::write(std::uint8_t byte, SimTime t) {
@@ -36,10 +36,10 @@ bool LcdI2cPart::write(std::uint8_t byte, SimTime t) {
   return true;
 }
 
-std::string LcdI2cPart::tell(SimTime t) {
+std::string LcdI2cPart::poll_text(SimTime t) {
   const SimTime changed = state_.controller.changed_at();
   if (!state_.text.is_due(changed, t)) return {};
-  return state_.text.tell(changed, state_.controller.text(spec_.columns, spec_.rows));
+  return state_.text.poll_text(changed, state_.controller.text(spec_.columns, spec_.rows));
 }
 
 void LcdI2cPart::read(std::vector<Reading>& readings) const {

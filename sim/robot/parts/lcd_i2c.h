@@ -25,16 +25,16 @@ class LcdI2cSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-class LcdI2cPart final : public Part, public TwoWireDevice, public Teller {
+class LcdI2cPart final : public Part, public TwoWireDevice, public TextOutput {
  public:
   LcdI2cPart(const LcdI2cSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   bool address(std::uint8_t address, bool, SimTime) override { return address == spec_.address; }
   bool write(std::uint8_t byte, SimTime t) override;
   std::uint8_t read(SimTime) override { return state_.pins; }
   const std::string& name() const override { return spec_.name; }
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
   /// 1 while it shows text.
   void read(std::vector<Reading>&) const override;
 

@@ -42,7 +42,7 @@ MotorPart::MotorPart(const MotorSpec& spec, PartContext& context)
       chip_(*context.description.driver.chip),
       standby_(context.description.driver.standby),
       has_inductance_(context.description.motors.inductance.value > 0.0) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
 [[gnu::noinline]] double MotorPart::period() const {
@@ -70,10 +70,10 @@ inline void MotorPart::take(Pin pin, const PinDrive& drive) {
   if (pin == standby_) state_.awake = share;
 }
 
-void MotorPart::join(Roster& roster) {
-  roster.motor[spec_.wheel] = this;
-  roster.differential = spec_.both;
-  roster.breakable.push_back(this);
+void MotorPart::register_with(PartRegistry& registry) {
+  registry.motor[spec_.wheel] = this;
+  registry.differential = spec_.both;
+  registry.breakable.push_back(this);
   for (const Pin pin : {spec_.en, spec_.in1, spec_.in2, standby_}) {
     if (pin == kNoPin) continue;
     context_.netlist.watch(pin, *this);

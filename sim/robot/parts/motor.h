@@ -28,7 +28,7 @@ class MotorPart final : public WheelMotor, public PinWatcher {
  public:
   MotorPart(const MotorSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 #include "sim/robot/parts/servo.h"
 
 namespace robosim::robot {
@@ -22,17 +22,17 @@ MountSpec read_mount(PartReader& reader) {
 Mount::Mount(const MountSpec& spec, const View& view)
     : spec_(spec), view_(view), direction_(direction_of(spec.facing)) {}
 
-void Mount::meet(const Roster& roster) {
-  for (const ServoPart* servo : roster.servos)
+void Mount::resolve_mounts(const PartRegistry& registry) {
+  for (const ServoPart* servo : registry.servos)
     if (servo->name() == spec_.servo) servo_ = servo;
 }
 
 double Mount::arm() const { return length(spec_.at) + (servo_ ? servo_->arm() : 0.0); }
 
-double Roster::sight() const {
+double PartRegistry::sight() const {
   if (has_radio || !fans.empty()) return std::numeric_limits<double>::infinity();
   double sight = 0.0;
-  for (const Lookout& lookout : lookouts) sight = std::max(sight, lookout.mount->arm() + lookout.reach);
+  for (const Sightline& lookout : sightlines) sight = std::max(sight, lookout.mount->arm() + lookout.reach);
   return sight;
 }
 

@@ -24,7 +24,7 @@ class Mount {
  public:
   Mount(const MountSpec& spec, const View& view);
   /// Looks up its servo.
-  void meet(const Roster&);
+  void resolve_mounts(const PartRegistry&);
 
   /// Returns the maximum distance from the axle's centre, m.
   double arm() const;

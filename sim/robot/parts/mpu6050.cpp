@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 #include "sim/base/units.h"
 
 namespace robosim::robot {
@@ -19,8 +19,8 @@ constexpr double kGyroScale = 131.0;     // LSB per deg/s
 constexpr double kAccelScale = 16384.0;  // LSB per g
 constexpr double kAccelNoise = 0.0039;   // g
 constexpr double kCodeAt25 = (25.0 - 36.53) * 340.0;
-constexpr Number kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};
-constexpr Number kScale{1.0, 0.0, Spread{1.0, 0.03}}, kAccelBias{0.0, 0.0, Spread{0.0, 0.05}};
+constexpr Parameter kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};
+constexpr Parameter kScale{1.0, 0.0, Spread{1.0, 0.03}}, kAccelBias{0.0, 0.0, Spread{0.0, 0.05}};
 
 // Returns the full scale, by bits 3 and 4 of the configuration.
 double scale(double finest, std::uint8_t config) { return finest / (1 << (config >> 3 & 3)); }
@@ -46,19 +46,18 @@ Mpu6050Part::Mpu6050Part(const Mpu6050Spec& spec, PartContext& context)
     : RegisterDevice(spec.address, state_.cursor),
       spec_(spec),
       context_(context),
-      stream_(context.individual.noise(spec.name, "sample")),
+      stream_(context.sampler.noise(spec.name, "sample")),
       axis_(direction_of(spec.facing)),
-      bias_{context.individual.draw(spec.bias, spec.name, "bias x"),
-            context.individual.draw(spec.bias, spec.name, "bias y"),
-            context.individual.draw(spec.bias, spec.name, "bias")},
-      accel_bias_{context.individual.draw(spec.accel_bias, spec.name, "accel_bias x"),
-                  context.individual.draw(spec.accel_bias, spec.name, "accel_bias y"),
-                  context.individual.draw(spec.accel_bias, spec.name, "accel_bias z")},
-      scale_(context.individual.draw(spec.scale, spec.name, "scale")),
-      gyro_noise_(context.individual.ideal() ? 0.0
-                                             : context.individual.draw(spec.gyro_noise, spec.name, "noise")) {
+      bias_{context.sampler.draw(spec.bias, spec.name, "bias x"),
+            context.sampler.draw(spec.bias, spec.name, "bias y"),
+            context.sampler.draw(spec.bias, spec.name, "bias")},
+      accel_bias_{context.sampler.draw(spec.accel_bias, spec.name, "accel_bias x"),
+                  context.sampler.draw(spec.accel_bias, spec.name, "accel_bias y"),
+                  context.sampler.draw(spec.accel_bias, spec.name, "accel_bias z")},
+      scale_(context.sampler.draw(spec.scale, spec.name, "scale")),
+      gyro_noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.gyro_noise, spec.name, "noise")) {
   reset();
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
 void Mpu6050Part::reset() {
@@ -69,9 +68,9 @@ void Mpu6050Part::reset() {
 
 bool Mpu6050Part::asleep() const { return state_.registers[kPower] & kSleep; }
 
-void Mpu6050Part::join(Roster& roster) {
+void Mpu6050Part::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.ticking.push_back(this);
+  registry.ticking.push_back(this);
 }
 
 void Mpu6050Part::begin_tick(SimTime) {
@@ -95,7 +94,7 @@ void Mpu6050Part::hold(SimTime t) {
   if (sampled_at == state_.sampled_at) return;
   state_.sampled_at = sampled_at;
   const world::Body& body = *context_.view.body;
-  const bool noisy = !context_.individual.ideal();
+  const bool noisy = !context_.sampler.ideal();
   const auto noise = [&] { return noisy ? stream_.gauss(state_.samples++) : 0.0; };
   const world::Lean& lean = body.lean();
   const auto own = [this](Vec2 v) { return Vec2{dot(v, axis_), dot(v, left_of(axis_))}; };

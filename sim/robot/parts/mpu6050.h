@@ -29,11 +29,11 @@ std::shared_ptr<const PartSpec> read_mpu6050(PartReader&);
 class Mpu6050Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
-  double facing = 0.0;  ///< rad: where its x axis points to, from ahead, counter-clockwise
-  Number bias;          ///< rad/s
-  Number scale;         ///< gyroscope reading per rad/s
-  Number accel_bias;    ///< g
-  Number gyro_noise;    ///< rad/s, standard deviation of a sample
+  double facing = 0.0;   ///< rad: where its x axis points to, from ahead, counter-clockwise
+  Parameter bias;        ///< rad/s
+  Parameter scale;       ///< gyroscope reading per rad/s
+  Parameter accel_bias;  ///< g
+  Parameter gyro_noise;  ///< rad/s, standard deviation of a sample
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "deg/s"}}; }
@@ -43,7 +43,7 @@ class Mpu6050Part final : public Part, public RegisterDevice {
  public:
   Mpu6050Part(const Mpu6050Spec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   /// Returns the measured turn rate, without noise.
   void read(std::vector<Reading>&) const override;

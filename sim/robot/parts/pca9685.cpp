@@ -35,12 +35,12 @@ Pca9685Part::Pca9685Part(const Pca9685Spec& spec, PartContext& context)
   state_.registers[kPrescale] = 0x1E;
   for (int n = 0; n < kChannels; ++n)
     state_.registers[static_cast<std::size_t>(kFirstChannel + kBytesOfChannel * n + 3)] = kAlways;
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void Pca9685Part::join(Roster& roster) {
+void Pca9685Part::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.tellers.push_back(this);
+  registry.text_outputs.push_back(this);
 }
 
 std::uint8_t Pca9685Part::behind(std::uint8_t number) const {
@@ -92,13 +92,13 @@ void Pca9685Part::stop(SimTime t) {
     context_.netlist.drive_output(output_pin(spec_.index, n), channel(n), t);
 }
 
-std::string Pca9685Part::tell(SimTime t) {
+std::string Pca9685Part::poll_text(SimTime t) {
   if (!state_.text.is_due(state_.changed_at, t)) return {};
   std::string text;
   for (int n = 0; n < kChannels; ++n)
     if (const std::string given = pulse(n); !given.empty())
       text += fmt::format("{}{}:{}", text.empty() ? "" : " ", n, given);
-  return state_.text.tell(state_.changed_at, text);
+  return state_.text.poll_text(state_.changed_at, text);
 }
 
 void Pca9685Part::read(std::vector<Reading>& readings) const {

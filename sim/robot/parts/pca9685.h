@@ -27,13 +27,13 @@ class Pca9685Spec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-class Pca9685Part final : public Part, public RegisterDevice, public Teller {
+class Pca9685Part final : public Part, public RegisterDevice, public TextOutput {
  public:
   Pca9685Part(const Pca9685Spec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   const std::string& name() const override { return spec_.name; }
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
   /// Returns the number of channels that are not off.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;

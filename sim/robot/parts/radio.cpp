@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
-#include "sim/base/whole.h"
+#include "sim/base/parse_unsigned.h"
 
 namespace robosim::robot {
 namespace {
@@ -26,7 +26,7 @@ std::vector<bool> bits_of(const std::string& text) {
     const std::string digits = text.substr(2);
     if (digits.size() > kMostRadioBits || digits.find_first_not_of("01") != std::string::npos) return {};
     for (const char digit : digits) bits.push_back(digit == '1');
-  } else if (const auto byte = parse_whole(text); byte && *byte <= 255) {
+  } else if (const auto byte = parse_unsigned(text); byte && *byte <= 255) {
     for (int bit = 7; bit >= 0; --bit) bits.push_back((*byte >> bit & 1) != 0);
   }
   return bits;
@@ -53,17 +53,17 @@ RadioPart::RadioPart(const RadioSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       outputs_{{*this, data}, {*this, clock}, {*this, enable}},
-      stream_(context.individual.noise(spec.name, "air")),
-      bit_(static_cast<SimTime>(context.individual.draw(spec.bit, spec.name, "bit") * 1e9)),
+      stream_(context.sampler.noise(spec.name, "air")),
+      bit_(static_cast<SimTime>(context.sampler.draw(spec.bit, spec.name, "bit") * 1e9)),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void RadioPart::join(Roster& roster) {
+void RadioPart::register_with(PartRegistry& registry) {
   for (const Line line : {data, clock, enable}) context_.board.connect(pin_of(line), outputs_[line]);
-  roster.ticking.push_back(this);
-  roster.breakable.push_back(this);
-  roster.receivers.push_back(this);
+  registry.ticking.push_back(this);
+  registry.breakable.push_back(this);
+  registry.receivers.push_back(this);
 }
 
 Pin RadioPart::pin_of(Line line) const {

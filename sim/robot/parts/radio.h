@@ -26,7 +26,7 @@ class RadioSpec final : public PartSpec {
   Pin data = kNoPin;
   Pin clock = kNoPin;
   Pin enable = kNoPin;
-  Number bit;  ///< s, duration of a bit
+  Parameter bit;  ///< s, duration of a bit
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -39,7 +39,7 @@ class RadioPart final : public Part, public Receiver, public Breakable {
   void check(const Message&) const override;
   void send(const Message&, SimTime) override;
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 

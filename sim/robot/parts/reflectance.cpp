@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/base/for_avx.h"
+#include "sim/base/function_multiversioning.h"
 #include "sim/robot/parts/motor_driver.h"
 #include "sim/robot/parts/reflectance_rc.h"
 
@@ -28,8 +28,8 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
 
 // Footprint by height, if the file has none: one for all elements of a part. Measured edges suggest 0.3 and
 // 0.97: docs/explanation/fidelity.md.
-constexpr Number kSpot{2.0, 0.0, Spread{0.6, 0.36}};
-constexpr Number kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
+constexpr Parameter kSpot{2.0, 0.0, Spread{0.6, 0.36}};
+constexpr Parameter kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau relative to the time from 10 to 90 %
 constexpr std::size_t kMostElements = 16;
 
@@ -67,18 +67,18 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
 // Reads the levels of each element over white and over black, once their number is known.
 void read_levels(PartReader& reader, ReflectanceSpec& spec) {
   const std::size_t count = spec.elements.size();
-  std::vector<Number> white(count), black(count);
+  std::vector<Parameter> white(count), black(count);
   if (spec.read == Read::rc) {
     white = reader.figures("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1, count);
     black = reader.figures("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1, count);
   } else if (spec.read == Read::analog) {
-    const Number light{0.08, 0.0};  // of the supply
-    const Number dark{0.9, 0.0};
+    const Parameter light{0.08, 0.0};  // of the supply
+    const Parameter dark{0.9, 0.0};
     white = reader.volts_of_each("white_volts", spec.black_high ? light : dark, count);
     black = reader.volts_of_each("black_volts", spec.black_high ? dark : light, count);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const Number &w = white[i], &b = black[i];
+    const Parameter &w = white[i], &b = black[i];
     if (spec.read == Read::rc && w.value + w.spread >= b.value - b.spread)
       throw InputError(reader.table().table().place,
                        fmt::format("{}: expected white_time shorter than black_time, including their spreads",
@@ -99,7 +99,7 @@ PinUse use_of(const ReflectanceSpec& spec) {
 class ReflectancePart final : public Part {
  public:
   ReflectancePart(const ReflectanceSpec& spec, PartContext& context)
-      : spec_(spec), context_(context), emitter_(context.kept, lag_of(spec, context.individual)) {
+      : spec_(spec), context_(context), emitter_(context.snapshots, lag_of(spec, context.sampler)) {
     for (const ReflectanceSpec::Element& element : spec.elements) {
       switch (spec.read) {
         case Read::analog:
@@ -115,17 +115,17 @@ class ReflectancePart final : public Part {
     }
   }
 
-  void join(Roster& roster) override {
-    if (spec_.read == Read::rc) roster.ticking.push_back(this);
-    if (spec_.read == Read::digital) roster.edge_makers.push_back(this);
+  void register_with(PartRegistry& registry) override {
+    if (spec_.read == Read::rc) registry.ticking.push_back(this);
+    if (spec_.read == Read::digital) registry.edge_makers.push_back(this);
     if (spec_.emitter != kNoPin) {
       context_.netlist.watch(spec_.emitter, emitter_);
       emitter_.pin_changed(spec_.emitter, context_.netlist.drive(spec_.emitter), 0);
     }
     for (std::size_t i = 0; i < sensors_.size(); ++i) {
-      sensors_[i]->join(context_, spec_.elements[i].pin);
-      roster.sensors.push_back(sensors_[i].get());
-      roster.breakable.push_back(sensors_[i].get());
+      sensors_[i]->connect(context_, spec_.elements[i].pin);
+      registry.sensors.push_back(sensors_[i].get());
+      registry.breakable.push_back(sensors_[i].get());
     }
   }
 
@@ -145,11 +145,11 @@ class ReflectancePart final : public Part {
   std::vector<std::unique_ptr<Sensor>> sensors_;
 };
 
-double footprint_of(const ReflectanceSpec& spec, const Individual& individual, const std::string& element,
+double footprint_of(const ReflectanceSpec& spec, const ParameterSampler& sampler, const std::string& element,
                     double height) {
-  if (spec.footprint.value == 0.0) return individual.draw(kSpot, spec.name, "footprint") * height;
-  const bool each = individual.profile() < Profile::typical_2;
-  return individual.draw(spec.footprint, each ? element : spec.name, "footprint");
+  if (spec.footprint.value == 0.0) return sampler.draw(kSpot, spec.name, "footprint") * height;
+  const bool each = sampler.profile() < Profile::typical_2;
+  return sampler.draw(spec.footprint, each ? element : spec.name, "footprint");
 }
 
 // Returns e^-x within 1e-4, for x >= 0.
@@ -227,23 +227,23 @@ double Emitter::lagging(SimTime t) const {
   return state_.brightness + (state_.from - state_.brightness) * decay(x);
 }
 
-double lag_of(const ReflectanceSpec& spec, const Individual& individual) {
-  return kLagOfRise * individual.draw(spec.rise, spec.name, "rise");
+double lag_of(const ReflectanceSpec& spec, const ParameterSampler& sampler) {
+  return kLagOfRise * sampler.draw(spec.rise, spec.name, "rise");
 }
 
 ElementFigures::ElementFigures(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
-                               const Individual& individual)
-    : height(individual.draw(spec.height, element.name, "height")),
-      footprint(footprint_of(spec, individual, element.name, height)),
-      light(light_from(height, individual.profile())),
-      shift(-individual.draw(spec.ambient, element.name, "ambient")),
-      noise(individual.ideal() ? 0.0 : individual.draw(spec.noise, element.name, "noise")),
-      dark_noise(individual.draw(kDarkNoise, element.name, "dark_noise")),
-      stream(individual.noise(element.name, "reading")) {}
+                               const ParameterSampler& sampler)
+    : height(sampler.draw(spec.height, element.name, "height")),
+      footprint(footprint_of(spec, sampler, element.name, height)),
+      light(light_from(height, sampler.profile())),
+      shift(-sampler.draw(spec.ambient, element.name, "ambient")),
+      noise(sampler.ideal() ? 0.0 : sampler.draw(spec.noise, element.name, "noise")),
+      dark_noise(sampler.draw(kDarkNoise, element.name, "dark_noise")),
+      stream(sampler.noise(element.name, "reading")) {}
 
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                const PartContext& context, const Emitter& emitter)
-    : Sensor(spec, element, ElementFigures(spec, element, context.individual), context, emitter) {}
+    : Sensor(spec, element, ElementFigures(spec, element, context.sampler), context, emitter) {}
 
 Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                const ElementFigures& figures, const PartContext& context, const Emitter& emitter)
@@ -261,7 +261,7 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       healthy_{figures.light, figures.shift, figures.noise, figures.dark_noise},
       stream_(figures.stream),
       state_{.at = home_, .now = healthy_} {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
 ROBOSIM_ALSO_FOR("avx") double Sensor::blackness(SimTime t) {
@@ -313,7 +313,7 @@ Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
       context_.view.body->raised(state_.at) - context_.view.world->ground()->height(pose.to_world(state_.at));
   if (higher == 0.0) return {state_.now.light, footprint_, exposure_};
   const double height = std::clamp(height_ + higher, kLowest, kHighest);
-  const Profile profile = context_.individual.profile();
+  const Profile profile = context_.sampler.profile();
   return {state_.now.light * light_from(height, profile) / light_from(height_, profile),
           widens_ ? footprint_ * height / height_ : footprint_, world::exposure(height)};
 }
@@ -349,29 +349,29 @@ void Sensor::fail(const Fault& fault) {
 AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                            const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
-      white_(context.individual.draw(element.white, name(), "white_volts")),
-      span_(context.individual.draw(element.black, name(), "black_volts") - white_),
+      white_(context.sampler.draw(element.white, name(), "white_volts")),
+      span_(context.sampler.draw(element.black, name(), "black_volts") - white_),
       supply_(context.description.board->supply_volts),
       step_volts_(supply_ / context.description.board->adc_steps),
-      source_ohms_(context.individual.draw(spec.source_ohms, name(), "source_ohms")) {}
+      source_ohms_(context.sampler.draw(spec.source_ohms, name(), "source_ohms")) {}
 
-void AnalogSensor::join(PartContext& context, Pin pin) {
+void AnalogSensor::connect(PartContext& context, Pin pin) {
   context.connect_analog(pin, *this, Scale::share_of_supply);
 }
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                              const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
-      threshold_(context.individual.draw(spec.threshold, name(), "threshold")),
-      hysteresis_(context.individual.draw(spec.hysteresis, name(), "hysteresis")),
+      threshold_(context.sampler.draw(spec.threshold, name(), "threshold")),
+      hysteresis_(context.sampler.draw(spec.hysteresis, name(), "hysteresis")),
       rises_(threshold_ + 0.5 * hysteresis_),
       falls_(threshold_ - 0.5 * hysteresis_),
       supply_(context.description.board->supply_volts),
       black_high_(spec.black_high) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void DigitalSensor::join(PartContext& context, Pin pin) {
+void DigitalSensor::connect(PartContext& context, Pin pin) {
   RobotPort& board = context.board;
   board_ = &board;
   pin_ = pin;

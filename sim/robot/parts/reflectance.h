@@ -55,19 +55,19 @@ class ReflectanceSpec final : public PartSpec {
     std::string name;
     Vec2 at;  ///< m
     Pin pin;
-    Number white, black;  ///< its output: volts (analog), s (rc)
+    Parameter white, black;  ///< its output: volts (analog), s (rc)
   };
 
   Read read = Read::analog;
   bool black_high = true;
-  Number threshold;    ///< digital: of blackness
-  Number hysteresis;   ///< digital: of blackness, full width
-  Number noise;        ///< standard deviation of blackness
-  Number ambient;      ///< of blackness
-  Number height;       ///< m
-  Number footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/explanation/models.md
-  Number source_ohms;  ///< analog
-  Number rise;         ///< s, from 10 to 90 % of a step of light
+  Parameter threshold;    ///< digital: of blackness
+  Parameter hysteresis;   ///< digital: of blackness, full width
+  Parameter noise;        ///< standard deviation of blackness
+  Parameter ambient;      ///< of blackness
+  Parameter height;       ///< m
+  Parameter footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/explanation/models.md
+  Parameter source_ohms;  ///< analog
+  Parameter rise;         ///< s, from 10 to 90 % of a step of light
   Pin emitter = kNoPin;
   std::vector<Element> elements;
 
@@ -77,7 +77,7 @@ class ReflectanceSpec final : public PartSpec {
 
 /// The drawn parameters of one element of one robot.
 struct ElementFigures {
-  ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const Individual&);
+  ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ParameterSampler&);
 
   double height, footprint;  ///< m
   double light;              ///< share of light that returns from white
@@ -88,14 +88,14 @@ struct ElementFigures {
 };
 
 /// Returns tau, the lag of a part's phototransistors, s.
-double lag_of(const ReflectanceSpec&, const Individual&);
+double lag_of(const ReflectanceSpec&, const ParameterSampler&);
 
 /// The emitter LEDs of a part. They have full brightness unless their pin drives them otherwise (their
 /// transistor's gate is pulled up on the board).
 class Emitter final : public PinWatcher {
  public:
   /// `lag_s`: tau of the phototransistors.
-  Emitter(Kept& kept, double lag_s) : lag_(lag_s * 1e9) { kept.add(state_); }
+  Emitter(SnapshotRegistry& snapshots, double lag_s) : lag_(lag_s * 1e9) { snapshots.add(state_); }
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   /// Returns the brightness at `t` as the phototransistors see it.
   double brightness(SimTime t) const {
@@ -145,7 +145,7 @@ class Sensor : public Breakable {
   }
   /// Returns the value for display: 0 white .. 1 black.
   double shown() const;
-  virtual void join(PartContext&, Pin) = 0;
+  virtual void connect(PartContext&, Pin) = 0;
   virtual void begin_tick(SimTime) {}
 
   std::span<const FaultKind> fault_kinds() const override;
@@ -178,14 +178,14 @@ class Sensor : public Breakable {
                hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
   }
   /// A place on the floor, with the number of changes of the floor at that time.
-  struct Glance {
+  struct FloorCacheKey {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     int changes = 0;
   };
-  bool is_as_before(Vec2 p, const Glance& last) const {
+  bool is_as_before(Vec2 p, const FloorCacheKey& last) const {
     return p.x == last.at.x && p.y == last.at.y && context_.view.floor->patches().changes() == last.changes;
   }
-  bool is_new(Vec2 p, Glance& last) const {
+  bool is_new(Vec2 p, FloorCacheKey& last) const {
     if (is_as_before(p, last)) return false;
     last = {p, context_.view.floor->patches().changes()};
     return true;
@@ -222,9 +222,9 @@ class Sensor : public Breakable {
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
-    Glance looked_at;  ///< for its darkness
+    FloorCacheKey looked_at;  ///< for its darkness
     double darkness = 0.0;
-    Glance line_sought;  ///< for its footprint's share on the line
+    FloorCacheKey line_sought;  ///< for its footprint's share on the line
     double coverage = 0.0;
     world::NearStripe near;  ///< of its footprint, for a plane floor
   };
@@ -245,7 +245,7 @@ class Sensor : public Breakable {
 class AnalogSensor final : public Sensor, public PinSource {
  public:
   AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(PartContext&, Pin) override;
+  void connect(PartContext&, Pin) override;
   double volts(SimTime t) override {
     if (stuck()) return (stuck_at() + 0.5) * step_volts_;
     const double v = white_ + span_ * blackness(t);
@@ -264,7 +264,7 @@ class AnalogSensor final : public Sensor, public PinSource {
 class DigitalSensor final : public Sensor, public PinSource {
  public:
   DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(PartContext&, Pin) override;
+  void connect(PartContext&, Pin) override;
   void begin_tick(SimTime) override;
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override {

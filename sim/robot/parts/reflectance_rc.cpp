@@ -14,13 +14,13 @@ constexpr double kThreshold = 0.5;        // of the supply: an input's threshold
 RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                    const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
-      white_rate_(1.0 / context.individual.draw(element.white, name(), "white_time")),
-      black_rate_(1.0 / context.individual.draw(element.black, name(), "black_time")),
+      white_rate_(1.0 / context.sampler.draw(element.white, name(), "white_time")),
+      black_rate_(1.0 / context.sampler.draw(element.black, name(), "black_time")),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void RcSensor::join(PartContext& context, Pin pin) {
+void RcSensor::connect(PartContext& context, Pin pin) {
   RobotPort& board = context.board;
   board_ = &board;
   pin_ = pin;

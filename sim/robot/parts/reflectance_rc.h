@@ -17,7 +17,7 @@ namespace robosim::robot {
 class RcSensor final : public Sensor, public PinSource, public PinWatcher {
  public:
   RcSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
-  void join(PartContext&, Pin) override;
+  void connect(PartContext&, Pin) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   double volts(SimTime) override;

@@ -37,17 +37,17 @@ SerialLine::SerialLine(const SerialWiring& wiring, PartContext& context, Heard h
       on_uart_(is_serial(*context.description.board, wiring.txd, wiring.rxd)),
       bit_(kSecond / wiring.baud),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void SerialLine::join(Part& owner, Roster& roster) {
+void SerialLine::register_with(Part& owner, PartRegistry& registry) {
   if (on_uart_) {
     context_.board.watch_serial(*this);
     return;
   }
   context_.board.connect(wiring_.txd, *this);
   if (wiring_.rxd != kNoPin) context_.board.watch(wiring_.rxd, *this);
-  roster.ticking.push_back(&owner);
+  registry.ticking.push_back(&owner);
 }
 
 void SerialLine::send(std::uint8_t byte, SimTime t) {

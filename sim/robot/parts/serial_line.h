@@ -32,7 +32,7 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
   SerialLine(const SerialWiring& wiring, PartContext& context, Heard heard);
 
   /// Joins for `owner`, which must call begin_tick().
-  void join(Part& owner, Roster& roster);
+  void register_with(Part& owner, PartRegistry& registry);
   void begin_tick(SimTime t);
   /// Sends a byte to the sketch, after the pending ones.
   void send(std::uint8_t byte, SimTime t);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/world/air.h"
+#include "sim/world/radio_channel.h"
 
 namespace robosim::robot {
 namespace {
@@ -29,26 +29,26 @@ std::unique_ptr<Part> SerialRadioSpec::make(PartContext& context) const {
 
 SerialRadioPart::SerialRadioPart(const SerialRadioSpec& spec, PartContext& context)
     : spec_(spec),
-      air_(*context.view.air),
-      number_(air_.join(spec.channel)),
+      radio_(*context.view.radio),
+      number_(radio_.add_radio(spec.channel)),
       // At least one tick: else reception would depend on the order of firmwares in a tick.
-      delay_(std::max(kTick,
-                      static_cast<SimTime>(context.individual.draw(spec.delay, spec.name, "delay") * 1e9))),
-      loss_(context.individual.draw(spec.loss, spec.name, "loss")),
-      losses_(context.individual.noise(spec.name, "losses")),
+      delay_(
+          std::max(kTick, static_cast<SimTime>(context.sampler.draw(spec.delay, spec.name, "delay") * 1e9))),
+      loss_(context.sampler.draw(spec.loss, spec.name, "loss")),
+      losses_(context.sampler.noise(spec.name, "losses")),
       line_(spec.wiring, context, [this](std::uint8_t byte, bool sound, SimTime t) {
-        if (sound && !state_.dead) air_.send(number_, byte, t + delay_);
+        if (sound && !state_.dead) radio_.send(number_, byte, t + delay_);
       }) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void SerialRadioPart::join(Roster& roster) {
-  roster.has_radio = true;
-  roster.breakable.push_back(this);
-  roster.receivers.push_back(this);
-  line_.join(*this, roster);
-  if (std::find(roster.ticking.begin(), roster.ticking.end(), this) == roster.ticking.end())
-    roster.ticking.push_back(this);
+void SerialRadioPart::register_with(PartRegistry& registry) {
+  registry.has_radio = true;
+  registry.breakable.push_back(this);
+  registry.receivers.push_back(this);
+  line_.register_with(*this, registry);
+  if (std::find(registry.ticking.begin(), registry.ticking.end(), this) == registry.ticking.end())
+    registry.ticking.push_back(this);
 }
 
 void SerialRadioPart::send(const Message& message, SimTime t) {
@@ -57,7 +57,7 @@ void SerialRadioPart::send(const Message& message, SimTime t) {
 }
 
 void SerialRadioPart::begin_tick(SimTime t) {
-  while (const auto arrival = air_.take(number_, t + kTick)) {
+  while (const auto arrival = radio_.take(number_, t + kTick)) {
     const bool lost = losses_.uniform(state_.arrived++) < loss_;
     if (!lost && !state_.dead) line_.send(arrival->byte, std::max(t, arrival->at));
   }

@@ -19,8 +19,8 @@ std::shared_ptr<const PartSpec> read_serial_radio(PartReader&);
 class SerialRadioSpec final : public PartSpec {
  public:
   SerialWiring wiring;
-  Number delay;  ///< s
-  Number loss;   ///< 0..1
+  Parameter delay;  ///< s
+  Parameter loss;   ///< 0..1
   int channel = 1;
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -32,7 +32,7 @@ class SerialRadioPart final : public Part, public Receiver, public Breakable {
 
   void check(const Message&) const override {}
   void send(const Message&, SimTime) override;
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 
@@ -47,7 +47,7 @@ class SerialRadioPart final : public Part, public Receiver, public Breakable {
   };
 
   const SerialRadioSpec& spec_;
-  world::Air& air_;
+  world::RadioChannel& radio_;
   const std::size_t number_;  ///< among the senders
   const SimTime delay_;
   const double loss_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 
 namespace robosim::robot {
 namespace {
@@ -39,18 +39,18 @@ std::unique_ptr<Part> ServoSpec::make(PartContext& context) const {
 ServoPart::ServoPart(const ServoSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      shortest_(context.individual.draw(spec.shortest, spec.name, "shortest") * 1e9),
-      longest_(context.individual.draw(spec.longest, spec.name, "longest") * 1e9),
-      range_(context.individual.draw(spec.range, spec.name, "range")),
-      speed_(context.individual.draw(spec.speed, spec.name, "speed") * 1e-9) {
+      shortest_(context.sampler.draw(spec.shortest, spec.name, "shortest") * 1e9),
+      longest_(context.sampler.draw(spec.longest, spec.name, "longest") * 1e9),
+      range_(context.sampler.draw(spec.range, spec.name, "range")),
+      speed_(context.sampler.draw(spec.speed, spec.name, "speed") * 1e-9) {
   state_.from = state_.target = 0.5 * range_;
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void ServoPart::join(Roster& roster) {
+void ServoPart::register_with(PartRegistry& registry) {
   context_.netlist.watch(spec_.pin, *this);
-  roster.breakable.push_back(this);
-  roster.servos.push_back(this);
+  registry.breakable.push_back(this);
+  registry.servos.push_back(this);
 }
 
 double ServoPart::angle(SimTime t) const {

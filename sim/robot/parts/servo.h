@@ -23,10 +23,10 @@ class ServoSpec final : public PartSpec {
   Pin pin = kNoPin;
   Vec2 at;              ///< m, its axis
   double facing = 0.0;  ///< rad, of its middle: 0 ahead, counter-clockwise
-  Number shortest;      ///< s, the pulse for angle 0
-  Number longest;       ///< s, the pulse for `range`
-  Number range;         ///< rad
-  Number speed;         ///< rad/s
+  Parameter shortest;   ///< s, the pulse for angle 0
+  Parameter longest;    ///< s, the pulse for `range`
+  Parameter range;      ///< rad
+  Parameter speed;      ///< rad/s
   bool reversed = false;
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -47,7 +47,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   /// once.
   void turn_wheels(world::Body& body, double ratio, double most);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   /// In degrees, as in Servo.write().

@@ -13,7 +13,7 @@ class SettledText {
   /// Returns whether at `t` a text that last changed at `changed` must be reported, if it differs.
   bool is_due(SimTime changed, SimTime t) const { return changed != told_at_ && t - changed >= kSettles; }
   /// Returns the text to report; "" = none. An empty text is reported as a space.
-  std::string tell(SimTime changed, const std::string& text) {
+  std::string poll_text(SimTime changed, const std::string& text) {
     told_at_ = changed;
     if (text == told_) return {};
     told_ = text;

@@ -29,7 +29,7 @@ class SevenSegmentPart final : public Part {
  public:
   SevenSegmentPart(const SevenSegmentSpec& spec, PartContext& context) : spec_(spec), context_(context) {}
 
-  void join(Roster&) override {}
+  void register_with(PartRegistry&) override {}
   void read(std::vector<Reading>&) const override;
 
  private:

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/base/spelling.h"
+#include "sim/base/did_you_mean.h"
 #include "sim/robot/parts/motor_driver.h"
 
 namespace robosim::robot {
@@ -13,7 +13,7 @@ namespace {
 // A register after another one: the first of its chain does its work.
 class ChainedRegister final : public Part {
  public:
-  void join(Roster&) override {}
+  void register_with(PartRegistry&) override {}
 };
 
 std::vector<const ShiftRegisterSpec*> registers_of(const Description& robot) {
@@ -110,13 +110,13 @@ std::unique_ptr<Part> ShiftRegisterSpec::make(PartContext& context) const {
 ShiftRegisterPart::ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain,
                                      PartContext& context)
     : spec_(head), context_(context), chain_(std::move(chain)) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void ShiftRegisterPart::join(Roster& roster) {
+void ShiftRegisterPart::register_with(PartRegistry& registry) {
   for (const Pin pin : {spec_.clock, spec_.latch, spec_.enable})
     if (pin != kNoPin) context_.netlist.watch(pin, *this);
-  roster.supplied.push_back(this);
+  registry.supplied.push_back(this);
   forget();
   show(0);
 }
@@ -144,8 +144,8 @@ void ShiftRegisterPart::power(bool on, SimTime t) {
 
 void ShiftRegisterPart::forget() {
   state_.shifted = state_.latched = 0;
-  if (context_.individual.ideal()) return;
-  const NoiseStream stream = context_.individual.noise(spec_.name, "power-on");
+  if (context_.sampler.ideal()) return;
+  const NoiseStream stream = context_.sampler.noise(spec_.name, "power-on");
   state_.shifted = stream.bits(state_.power_ons++);
   state_.latched = stream.bits(state_.power_ons++);
 }

@@ -45,7 +45,7 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
  public:
   ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   void power(bool on, SimTime) override;
 

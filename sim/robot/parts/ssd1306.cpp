@@ -54,12 +54,12 @@ std::unique_ptr<Part> Ssd1306Spec::make(PartContext& context) const {
 }
 
 Ssd1306Part::Ssd1306Part(const Ssd1306Spec& spec, PartContext& context) : spec_(spec), context_(context) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void Ssd1306Part::join(Roster& roster) {
+void Ssd1306Part::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.tellers.push_back(this);
+  registry.text_outputs.push_back(this);
 }
 
 bool Ssd1306Part::address(std::uint8_t address, bool, SimTime) {
@@ -169,9 +169,9 @@ std::string Ssd1306Part::picture() const {
                      text.empty() ? "" : ": ", text);
 }
 
-std::string Ssd1306Part::tell(SimTime t) {
+std::string Ssd1306Part::poll_text(SimTime t) {
   if (!state_.text.is_due(state_.changed_at, t)) return {};
-  return state_.text.tell(state_.changed_at, picture());
+  return state_.text.poll_text(state_.changed_at, picture());
 }
 
 void Ssd1306Part::read(std::vector<Reading>& readings) const {

@@ -31,19 +31,19 @@ class Ssd1306Spec final : public PartSpec {
   std::vector<Gauge> gauges() const override { return {{name, "lit"}}; }
 };
 
-class Ssd1306Part final : public Part, public TwoWireDevice, public Teller {
+class Ssd1306Part final : public Part, public TwoWireDevice, public TextOutput {
  public:
   static constexpr int kWidth = 128, kPages = 8;
 
   Ssd1306Part(const Ssd1306Spec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   bool address(std::uint8_t address, bool, SimTime) override;
   bool write(std::uint8_t byte, SimTime t) override;
   /// Returns the status; bit 6: it is off.
   std::uint8_t read(SimTime) override { return state_.on ? 0x00 : 0x40; }
   const std::string& name() const override { return spec_.name; }
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
   /// Returns the number of lit pixels.
   void read(std::vector<Reading>&) const override;
   bool lit(int x, int y) const;

@@ -38,15 +38,14 @@ std::unique_ptr<Part> StepperSpec::make(PartContext& context) const {
 StepperPart::StepperPart(const StepperSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      steps_(context.individual.draw(spec.steps, spec.name, "steps")),
-      rate_(context.individual.draw(spec.speed, spec.name, "speed") / (2.0 * std::numbers::pi) * steps_ *
-            1e-9) {
-  context.kept.add(state_);
+      steps_(context.sampler.draw(spec.steps, spec.name, "steps")),
+      rate_(context.sampler.draw(spec.speed, spec.name, "speed") / (2.0 * std::numbers::pi) * steps_ * 1e-9) {
+  context.snapshots.add(state_);
 }
 
-void StepperPart::join(Roster& roster) {
+void StepperPart::register_with(PartRegistry& registry) {
   for (const Pin pin : spec_.coils) context_.netlist.watch(pin, *this);
-  roster.breakable.push_back(this);
+  registry.breakable.push_back(this);
 }
 
 // 3 x 3 sums of opposite coils: IN1 - IN3, IN2 - IN4.

@@ -27,8 +27,8 @@ std::shared_ptr<const PartSpec> read_stepper(PartReader&);
 class StepperSpec final : public PartSpec {
  public:
   std::vector<Pin> coils;  ///< IN1 to IN4
-  Number steps;            ///< half steps per turn of the shaft
-  Number speed;            ///< rad/s of the shaft
+  Parameter steps;         ///< half steps per turn of the shaft
+  Parameter speed;         ///< rad/s of the shaft
   bool reversed = false;
 
   std::unique_ptr<Part> make(PartContext&) const override;
@@ -39,7 +39,7 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
  public:
   StepperPart(const StepperSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   /// In degrees from its start; positive for the order IN1, IN2, IN3, IN4.
   void read(std::vector<Reading>&) const override;

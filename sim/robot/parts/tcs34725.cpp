@@ -34,12 +34,12 @@ Tcs34725Part::Tcs34725Part(const Tcs34725Spec& spec, PartContext& context)
     : RegisterDevice(spec.address, state_.cursor), spec_(spec), context_(context) {
   state_.registers[kAtime] = 0xFF;
   state_.registers[kId] = kTcsIdentity;
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void Tcs34725Part::join(Roster& roster) {
+void Tcs34725Part::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.ticking.push_back(this);
+  registry.ticking.push_back(this);
 }
 
 SimTime Tcs34725Part::integration() const { return kCycle * (256 - state_.registers[kAtime]); }

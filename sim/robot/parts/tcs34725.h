@@ -32,7 +32,7 @@ class Tcs34725Part final : public Part, public RegisterDevice {
  public:
   Tcs34725Part(const Tcs34725Spec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   /// Returns the counts of clear.
   void read(std::vector<Reading>&) const override;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 
 namespace robosim::robot {
 namespace {
@@ -41,20 +41,20 @@ UltrasonicPart::UltrasonicPart(const UltrasonicSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       mount_(spec.mount, context.view),
-      stream_(context.individual.noise(spec.name, "echo")),
-      reach_(context.individual.draw(spec.reach, spec.name, "reach")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
+      stream_(context.sampler.noise(spec.name, "echo")),
+      reach_(context.sampler.draw(spec.reach, spec.name, "reach")),
+      noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")),
       half_beam_(direction_of(0.5 * spec.beam)),
       supply_(context.description.board->supply_volts) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void UltrasonicPart::join(Roster& roster) {
+void UltrasonicPart::register_with(PartRegistry& registry) {
   context_.board.connect(spec_.echo, *this);
   context_.board.watch(spec_.trig, *this);
-  roster.ticking.push_back(this);
-  roster.lookouts.push_back({&mount_, reach_});
-  roster.breakable.push_back(this);
+  registry.ticking.push_back(this);
+  registry.sightlines.push_back({&mount_, reach_});
+  registry.breakable.push_back(this);
 }
 
 void UltrasonicPart::pin_changed(Pin, const PinDrive& drive, SimTime t) {

@@ -30,8 +30,8 @@ class UltrasonicSpec final : public PartSpec {
   Pin echo = kNoPin;  ///< equal to trig with one wire
   MountSpec mount;
   double beam = 0.0;  ///< rad, full angle
-  Number reach;       ///< m
-  Number noise;       ///< m, standard deviation
+  Parameter reach;    ///< m
+  Parameter noise;    ///< m, standard deviation
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "cm"}}; }
@@ -42,8 +42,8 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
  public:
   UltrasonicPart(const UltrasonicSpec&, PartContext&);
 
-  void join(Roster&) override;
-  void meet(const Roster& roster) override { mount_.meet(roster); }
+  void register_with(PartRegistry&) override;
+  void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
   /// Returns its last result in cm; 0 before, and if nothing was near.
   void read(std::vector<Reading>&) const override;

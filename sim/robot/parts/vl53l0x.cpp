@@ -34,20 +34,20 @@ Vl53l0xPart::Vl53l0xPart(const Vl53l0xSpec& spec, PartContext& context)
       spec_(spec),
       context_(context),
       mount_(spec.mount, context.view),
-      stream_(context.individual.noise(spec.name, "reading")),
-      reach_(context.individual.draw(spec.reach, spec.name, "reach")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")) {
+      stream_(context.sampler.noise(spec.name, "reading")),
+      reach_(context.sampler.draw(spec.reach, spec.name, "reach")),
+      noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")) {
   state_.registers[kModel] = 0xEE;
   state_.registers[kModel + 1] = 0xAA;
   state_.registers[kModel + 2] = 0x10;
   state_.registers[kStartUp] = 0x01;
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void Vl53l0xPart::join(Roster& roster) {
+void Vl53l0xPart::register_with(PartRegistry& registry) {
   context_.board.connect(*this);
-  roster.ticking.push_back(this);
-  roster.lookouts.push_back({&mount_, reach_ + kBeyond});
+  registry.ticking.push_back(this);
+  registry.sightlines.push_back({&mount_, reach_ + kBeyond});
 }
 
 void Vl53l0xPart::set(std::uint8_t number, std::uint8_t value, SimTime t) {

@@ -24,8 +24,8 @@ class Vl53l0xSpec final : public PartSpec {
  public:
   std::uint8_t address = 0;
   MountSpec mount;
-  Number reach;  ///< m
-  Number noise;  ///< share of the distance, standard deviation
+  Parameter reach;  ///< m
+  Parameter noise;  ///< share of the distance, standard deviation
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "mm"}}; }
@@ -36,8 +36,8 @@ class Vl53l0xPart final : public Part, public RegisterDevice {
  public:
   Vl53l0xPart(const Vl53l0xSpec&, PartContext&);
 
-  void join(Roster&) override;
-  void meet(const Roster& roster) override { mount_.meet(roster); }
+  void register_with(PartRegistry&) override;
+  void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
   /// Returns its last measurement, mm.
   void read(std::vector<Reading>&) const override;

@@ -25,17 +25,17 @@ std::unique_ptr<Part> VoltageSpec::make(PartContext& context) const {
 VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
-      stream_(context.individual.noise(spec.name, "reading")),
+      stream_(context.sampler.noise(spec.name, "reading")),
       supply_(context.description.board->supply_volts),
-      volts_(context.individual.draw(spec.volts, spec.name, "volts")),
-      battery_volts_(context.individual.draw(spec.share, spec.name, "share") *
-                     context.individual.draw(context.description.motors.supply, "motors", "supply")),
-      noise_(context.individual.ideal() ? 0.0 : context.individual.draw(spec.noise, spec.name, "noise")),
-      source_ohms_(context.individual.draw(spec.source_ohms, spec.name, "source_ohms")) {
-  context.kept.add(state_);
+      volts_(context.sampler.draw(spec.volts, spec.name, "volts")),
+      battery_volts_(context.sampler.draw(spec.share, spec.name, "share") *
+                     context.sampler.draw(context.description.motors.supply, "motors", "supply")),
+      noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")),
+      source_ohms_(context.sampler.draw(spec.source_ohms, spec.name, "source_ohms")) {
+  context.snapshots.add(state_);
 }
 
-void VoltagePart::join(Roster&) { context_.connect_analog(spec_.pin, *this, Scale::volts); }
+void VoltagePart::register_with(PartRegistry&) { context_.connect_analog(spec_.pin, *this, Scale::volts); }
 
 double VoltagePart::volts(SimTime) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;

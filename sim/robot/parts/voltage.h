@@ -15,10 +15,10 @@ std::shared_ptr<const PartSpec> read_voltage(PartReader&);
 class VoltageSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Number volts;  ///< V; not used if share is not 0
-  Number share;  ///< of the battery's voltage
-  Number noise;  ///< V, standard deviation
-  Number source_ohms;
+  Parameter volts;  ///< V; not used if share is not 0
+  Parameter share;  ///< of the battery's voltage
+  Parameter noise;  ///< V, standard deviation
+  Parameter source_ohms;
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -27,7 +27,7 @@ class VoltagePart final : public Part, public PinSource {
  public:
   VoltagePart(const VoltageSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   double volts(SimTime) override;
   bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
   double source_ohms() const override { return source_ohms_; }

@@ -21,7 +21,7 @@ world::WheelCommand over_a_tick(const world::WheelCommand& command) {
 }
 
 WheelMotor::WheelMotor(const PartSpec& spec, PartContext& context) : name_(spec.name), view_(context.view) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
 void WheelMotor::spoil(world::WheelCommand& command) const {

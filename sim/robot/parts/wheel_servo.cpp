@@ -29,17 +29,17 @@ WheelServoPart::WheelServoPart(const WheelServoSpec& spec, PartContext& context)
     : WheelMotor(spec, context),
       spec_(spec),
       context_(context),
-      stop_(context.individual.draw(spec.stop, spec.name, "stop") * 1e9),
-      full_(context.individual.draw(spec.full, spec.name, "full") * 1e9),
-      dead_band_(context.individual.draw(spec.dead_band, spec.name, "dead_band") * 1e9),
+      stop_(context.sampler.draw(spec.stop, spec.name, "stop") * 1e9),
+      full_(context.sampler.draw(spec.full, spec.name, "full") * 1e9),
+      dead_band_(context.sampler.draw(spec.dead_band, spec.name, "dead_band") * 1e9),
       forward_((spec.wheel == world::left) != spec.reversed ? 1.0 : -1.0) {
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void WheelServoPart::join(Roster& roster) {
-  roster.motor[spec_.wheel] = this;
-  roster.breakable.push_back(this);
-  roster.ticking.push_back(this);
+void WheelServoPart::register_with(PartRegistry& registry) {
+  registry.motor[spec_.wheel] = this;
+  registry.breakable.push_back(this);
+  registry.ticking.push_back(this);
   context_.netlist.watch(spec_.pin, *this);
 }
 

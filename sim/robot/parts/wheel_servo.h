@@ -26,9 +26,9 @@ class WheelServoSpec final : public PartSpec {
   Pin pin = kNoPin;
   Side wheel = world::left;
   bool reversed = false;
-  Number stop;       ///< s, the pulse for standstill
-  Number full;       ///< s, difference from stop for full speed
-  Number dead_band;  ///< s to each side of stop
+  Parameter stop;       ///< s, the pulse for standstill
+  Parameter full;       ///< s, difference from stop for full speed
+  Parameter dead_band;  ///< s to each side of stop
 
   std::unique_ptr<Part> make(PartContext&) const override;
   int driven_wheel() const override { return wheel; }
@@ -38,7 +38,7 @@ class WheelServoPart final : public WheelMotor, public PinWatcher {
  public:
   WheelServoPart(const WheelServoSpec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
 

@@ -27,12 +27,12 @@ std::unique_ptr<Part> Ws2812Spec::make(PartContext& context) const {
 
 Ws2812Part::Ws2812Part(const Ws2812Spec& spec, PartContext& context) : spec_(spec), context_(context) {
   state_.shown.resize(static_cast<std::size_t>(spec.leds));
-  context.kept.add(state_);
+  context.snapshots.add(state_);
 }
 
-void Ws2812Part::join(Roster& roster) {
+void Ws2812Part::register_with(PartRegistry& registry) {
   context_.board.watch(spec_.pin, *this);
-  roster.tellers.push_back(this);
+  registry.text_outputs.push_back(this);
 }
 
 void Ws2812Part::pin_changed(Pin, const PinDrive& drive, SimTime t) {
@@ -65,7 +65,7 @@ void Ws2812Part::show() {
   state_.bits = 0;
 }
 
-std::string Ws2812Part::tell(SimTime t) {
+std::string Ws2812Part::poll_text(SimTime t) {
   if (!state_.high && !state_.coming.empty() && t - state_.since >= kReset) show();
   if (state_.changed_at == kNever || t - state_.changed_at < kStays) return {};
   state_.changed_at = kNever;

@@ -28,14 +28,14 @@ class Ws2812Spec final : public PartSpec {
   std::vector<Gauge> gauges() const override { return {{name, "lit"}}; }
 };
 
-class Ws2812Part final : public Part, public PinWatcher, public Teller {
+class Ws2812Part final : public Part, public PinWatcher, public TextOutput {
  public:
   Ws2812Part(const Ws2812Spec&, PartContext&);
 
-  void join(Roster&) override;
+  void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
-  std::string tell(SimTime) override;
+  std::string poll_text(SimTime) override;
   /// Returns the number of lit LEDs.
   void read(std::vector<Reading>&) const override;
 

@@ -11,7 +11,7 @@
 #include "robosim/random_worlds.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/testing/stage.h"
+#include "sim/testing/request_builder.h"
 #include "sim/worlds/fault_plan.h"
 #include "sim/worlds/line_network.h"
 #include "sim/worlds/robot_variant.h"
@@ -27,9 +27,11 @@ template <typename Thing, typename Draw>
 rc::Gen<Thing> drawn(Draw draw) {
   return [draw](const rc::Random& seed, int size) {
     rc::Random random = seed;
-    const Die die = [&](int below) { return static_cast<int>(random.next() % static_cast<unsigned>(below)); };
+    const RandomSource rng = [&](int below) {
+      return static_cast<int>(random.next() % static_cast<unsigned>(below));
+    };
     return rc::shrinkable::shrinkRecur(
-        draw(die, size), [](const Thing& thing) { return rc::seq::fromContainer(thing.smaller()); });
+        draw(rng, size), [](const Thing& thing) { return rc::seq::fromContainer(thing.smaller()); });
   };
 }
 
@@ -56,10 +58,10 @@ wire::RobotInfo described(const std::string& robot) { return Borrowed("host")->d
 
 rc::Gen<std::string> networks(Networks limits) {
   check_apart(limits.apart);
-  const auto draw = [limits](const Die& die, int size) {
+  const auto draw = [limits](const RandomSource& rng, int size) {
     return grow(
-        {1 + die(share(limits.lines, size)), limits.apart, limits.most_ways, limits.cycles, limits.obstacles},
-        die);
+        {1 + rng(share(limits.lines, size)), limits.apart, limits.most_ways, limits.cycles, limits.obstacles},
+        rng);
   };
   return rc::gen::map(drawn<LineNetwork>(draw), [](const LineNetwork& network) { return network.map(); });
 }
@@ -71,8 +73,8 @@ rc::Gen<std::string> tracks(Tracks limits) {
   const std::string front = fmt::format(
       "+++\ncell = \"{:g} mm\"\ncorner = \"{:g} mm\"\ngoal = \"laps:1\"\n[legend]\n3 = \"gap\"\n+++\n",
       limits.cell_mm, limits.corner_mm);
-  const auto draw = [limits](const Die& die, int size) {
-    return lay_out({1 + die(share(limits.squares, size)), limits.apart, limits.gaps}, die);
+  const auto draw = [limits](const RandomSource& rng, int size) {
+    return lay_out({1 + rng(share(limits.squares, size)), limits.apart, limits.gaps}, rng);
   };
   return rc::gen::map(drawn<Track>(draw), [front](const Track& track) { return front + track.grid(); });
 }
@@ -82,7 +84,7 @@ rc::Gen<std::string> robots(const std::string& file, double mounting_mm) {
   const std::vector<Figure> figures = figures_of(read_file(robot.file), robot.file, mounting_mm);
   const bool is_path = file.find_first_of("/.") != std::string::npos;
   const std::string base = is_path ? std::filesystem::absolute(file).string() : file;
-  const auto draw = [figures](const Die& die, int) { return assemble(figures, die); };
+  const auto draw = [figures](const RandomSource& rng, int) { return assemble(figures, rng); };
   return rc::gen::map(drawn<RobotVariant>(draw),
                       [figures, base](const RobotVariant& variant) { return variant.file(base, figures); });
 }
@@ -94,8 +96,8 @@ rc::Gen<std::string> faults(const std::string& robot, Faults wanted) {
   for (const auto& sensor : info.sensors) parts.sensors.push_back(sensor.name);
   for (const auto& part : info.parts)
     if (part.type == "motor") parts.motors.push_back(part.name);
-  const auto draw = [limits, parts](const Die& die, int size) {
-    return draw_up(limits, share(limits.at_most, size), parts, die);
+  const auto draw = [limits, parts](const RandomSource& rng, int size) {
+    return draw_up(limits, share(limits.at_most, size), parts, rng);
   };
   return rc::gen::map(drawn<FaultPlan>(draw),
                       [limits](const FaultPlan& plan) { return plan.script(limits); });

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "robosim/random_worlds.h"
-#include "sim/testing/rehearsal.h"
+#include "sim/testing/silent_run.h"
 
 namespace robosim::testing {
 namespace {
@@ -83,7 +83,7 @@ void InRandomWorlds(const Worlds& worlds, Runs runs, const std::function<void(Si
     const rc::Shrinkable<Trial> world = any(random.split(), params.maxSize * i / params.maxSuccess);
     if (!fails_in(world.value(), body)) continue;
     const Smallest found = params.disableShrinking ? Smallest{world.value()} : smallest_like(world, body);
-    run_for_all_to_see(found.trial, body, story(found, i, params.maxSuccess, worlds), file, line);
+    rerun_and_report(found.trial, body, story(found, i, params.maxSuccess, worlds), file, line);
     return;
   }
 }

@@ -34,10 +34,10 @@ bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 // An uno5 with random parameters.
 robot::Description some_uno5(Chance& chance) {
   robot::Description robot = robot::load_description("uno5");
-  const auto vary = [&](Number& number) { number = number.scaled(chance.within(0.7, 1.4)); };
-  for (Number* number : {&robot.chassis.mass, &robot.chassis.track, &robot.chassis.wheel, &robot.chassis.grip,
-                         &robot.chassis.rolling, &robot.motors.no_load, &robot.motors.stall_torque,
-                         &robot.motors.supply, &robot.motors.rotor_inertia})
+  const auto vary = [&](Parameter& number) { number = number.scaled(chance.within(0.7, 1.4)); };
+  for (Parameter* number : {&robot.chassis.mass, &robot.chassis.track, &robot.chassis.wheel,
+                            &robot.chassis.grip, &robot.chassis.rolling, &robot.motors.no_load,
+                            &robot.motors.stall_torque, &robot.motors.supply, &robot.motors.rotor_inertia})
     vary(*number);
   if (chance.once_in(4)) robot.chassis.grip = {0.15, 0.0};  // it skids and slips
   if (chance.once_in(6)) robot.chassis.height = {0.03, 0.0};

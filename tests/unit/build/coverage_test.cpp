@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "sim/base/bundle.h"
+#include "sim/base/archive.h"
 #include "sim/base/file.h"
 
 namespace robosim::build {

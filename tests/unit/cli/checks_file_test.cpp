@@ -163,7 +163,7 @@ TEST_F(ChecksFile, SaysOfAllRunsWhatMustNeverAndAlwaysBe) {
   const auto checks = parse_checks(
       "never = [\"serial: ERROR\", \"shows: E\"]\nalways = \"serial: ready\"\n[[check]]\nname = \"a\"\n",
       "checks.toml");
-  ASSERT_EQ(checks.at(0).promises.size(), 3u);
+  ASSERT_EQ(checks.at(0).assertions.size(), 3u);
   wire::RunResult result;
   result.verdict = "reached";
   result.serial = "ready\n";

@@ -92,14 +92,14 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
   EXPECT_THAT(combinations, ElementsAre(ElementsAre(0, 1), ElementsAre(2, 3)));
   EXPECT_EQ(worst_of(runs, combinations[0]), 1u) << "the slowest";
   EXPECT_EQ(worst_of(runs, combinations[1]), 3u) << "the one that failed";
-  Shown shown;
-  shown.replays[3] = "runs/Bo.html";
-  shown.other = 2;
+  ReportExtras extras;
+  extras.replays[3] = "runs/Bo.html";
+  extras.other = 2;
   record::FloorShapes floor;
   floor.width_mm = 1000;
   floor.height_mm = 500;
-  shown.add({"m", "its text", floor, {{100.0, 200.0}}});
-  const std::string page = sweep_page("runs.csv", runs, shown);
+  extras.add({"m", "its text", floor, {{100.0, 200.0}}});
+  const std::string page = sweep_page("runs.csv", runs, extras);
   EXPECT_THAT(
       page,
       AllOf(HasSubstr("4 runs, 3 reached their goal"), HasSubstr("</span>2/2"), HasSubstr("</span>1/2"),
@@ -132,14 +132,14 @@ TEST(AReport, ShowsTheRunThatFailedSoonest) {
 
 TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
   using Ending = JunitCase::Ending;
-  Shown shown;
-  shown.replays[3] = "class-runs/Bo-laps.html";
+  ReportExtras extras;
+  extras.replays[3] = "class-runs/Bo-laps.html";
   const std::string page = junit_page("class.xml",
                                       {{"Ada", "starts", Ending::passed, 0.1, ""},
                                        {"Ada", "laps", Ending::passed, 0.2, ""},
                                        {"Bo", "starts", Ending::passed, 0.1, ""},
                                        {"Bo", "laps", Ending::failed, 0.2, "lost \"it\""}},
-                                      shown);
+                                      extras);
   EXPECT_THAT(
       page,
       AllOf(HasSubstr("4 checks: 3 passed, 1 failed, 0 left out"), HasSubstr("<th>starts</th><th>laps</th>"),

@@ -2,8 +2,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/program_sandbox.h"
+#include "sim/exec/host/asan_build.h"
 #include "sim/exec/host/image_file.h"
-#include "sim/exec/host/under_asan.h"
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

@@ -101,8 +101,8 @@ class RandomProgram : public Program {
     return made;
   }
   /// Where a round of loop() begins.
-  Rounds rounds() const {
-    Rounds rounds;
+  LoopMarks rounds() const {
+    LoopMarks rounds;
     rounds.each = {round_};
     return rounds;
   }
@@ -196,7 +196,7 @@ class Level final : public PinSource {
 };
 
 struct Pill {
-  explicit Pill(const Firmware& firmware, const Rounds& rounds)
+  explicit Pill(const Firmware& firmware, const LoopMarks& rounds)
       : memory(firmware.flash), engine(memory), machine(firmware, rounds, clocked, memory, engine, 0) {
     for (Pin pin = 0; pin < board.spec().pin_count; ++pin) board.connect(pin, level);
   }

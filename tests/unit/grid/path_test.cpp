@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/angle.h"
+#include "sim/base/deterministic_trig.h"
 #include "sim/base/noise.h"
 #include "sim/grid/map.h"
 #include "sim/grid/map_writer.h"

@@ -62,7 +62,7 @@ class Sketch : public testing::Test {
   }
 
   void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
-  Tree tree() { return parse(build::reading_of({folder_ / "S", *find_board("uno")})); }
+  Tree tree() { return parse(build::parse_context_of({folder_ / "S", *find_board("uno")})); }
 
   /// "relational < -> <=", of the file.
   std::multiset<std::string> changes(const std::string& name) {
@@ -141,7 +141,7 @@ TEST_F(Sketch, HasThoseOfItsLibrariesThatAreAskedFor) {
   EXPECT_EQ(first_of(mutations(tree()), "constant").edits[0].file, "S.ino");
   const std::filesystem::path library = std::filesystem::canonical(folder_ / "S/libraries/Scale");
   std::multiset<std::string> places;
-  for (const Mutation& one : mutations(parse(build::reading_of({folder_ / "S", *find_board("uno")}),
+  for (const Mutation& one : mutations(parse(build::parse_context_of({folder_ / "S", *find_board("uno")}),
                                              {library / "Scale.h", library / "Scale.cpp"})))
     if (one.kind == "arithmetic") places.insert(where(one) + ' ' + one.now);
   EXPECT_THAT(places, ElementsAre((library / "Scale.cpp").string() + ":2 *",

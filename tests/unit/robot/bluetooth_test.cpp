@@ -53,10 +53,10 @@ void send(BenchRobot& bench, const std::string& text, SimTime bit = kBit) {
 }
 
 std::vector<std::string> told(BenchRobot& bench) {
-  std::vector<Told> all;
-  for (int i = 0; i < 10; ++i) bench.robot.tell(bench.now, all);
+  std::vector<PartText> all;
+  for (int i = 0; i < 10; ++i) bench.robot.poll_text(bench.now, all);
   std::vector<std::string> texts;
-  for (const Told& one : all) texts.push_back(one.part + ": " + one.text);
+  for (const PartText& one : all) texts.push_back(one.part + ": " + one.text);
   return texts;
 }
 

@@ -11,13 +11,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 std::vector<std::string> told(BenchRobot& bench, int ticks) {
-  std::vector<Told> all;
+  std::vector<PartText> all;
   for (int i = 0; i < ticks; ++i) {
     bench.tick();
-    bench.robot.tell(bench.now, all);
+    bench.robot.poll_text(bench.now, all);
   }
   std::vector<std::string> texts;
-  for (const Told& one : all) texts.push_back(one.text);
+  for (const PartText& one : all) texts.push_back(one.text);
   return texts;
 }
 

@@ -44,13 +44,13 @@ class TwoWireBench : public BenchRobot {
     return high << 8 | low;
   }
   std::vector<std::string> told(int ms) {
-    std::vector<Told> all;
+    std::vector<PartText> all;
     for (int i = 0; i < ms; ++i) {
       tick();
-      robot.tell(now, all);
+      robot.poll_text(now, all);
     }
     std::vector<std::string> texts;
-    for (const Told& one : all) texts.push_back(one.text);
+    for (const PartText& one : all) texts.push_back(one.text);
     return texts;
   }
 };

@@ -77,12 +77,12 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
 }
 
 // Else it may be written a second time, and its times stay the same.
-TEST(Stamp, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
+TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   constexpr long long kSecond = 1'000'000'000;
-  const Stamp fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
+  const FileIdentity fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
   EXPECT_FALSE(is_settled(fine, 500 * kSecond + 300'000'000));
   EXPECT_TRUE(is_settled(fine, 500 * kSecond + 400'000'000));
-  const Stamp coarse = {1, 2, 3, 500, 0, 498, 223'456'789};
+  const FileIdentity coarse = {1, 2, 3, 500, 0, 498, 223'456'789};
   EXPECT_FALSE(is_settled(coarse, 502 * kSecond));
   EXPECT_TRUE(is_settled(coarse, 504 * kSecond));
   EXPECT_FALSE(is_settled(fine, 400 * kSecond)) << "of a clock that is ahead of ours";
@@ -106,7 +106,7 @@ TEST_F(ReadingAhead, AMapIsReadOnceAndStandsAsSimulationsFindIt) {
   let_files_settle();
   const ReadMap* const map = read_the_map();
   ASSERT_TRUE(map);
-  EXPECT_TRUE(map->scenery);
+  EXPECT_TRUE(map->prepared_map);
   EXPECT_EQ(map->sha256, grid::sha256_of_map(map_));
   request_.seed = 2;
   EXPECT_EQ(read_the_map(), map) << "nothing of it has a spread";

@@ -19,7 +19,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/child.h"
 #include "sim/base/file.h"
-#include "sim/exec/host/under_asan.h"
+#include "sim/exec/host/asan_build.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "sim/wire/batch.h"

@@ -23,7 +23,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/serve/folder.h"
-#include "sim/serve/workshop.h"
+#include "sim/serve/job_manager.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::serve {
@@ -50,11 +50,11 @@ class Serving : public testing::Test {
     write(outside_.path() / "Theirs/Theirs.ino", "");
     fs::create_directory_symlink(outside_.path(), root() / "away");
   }
-  void serve(const std::string& program, std::chrono::milliseconds patience = std::chrono::seconds(10)) {
+  void serve(const std::string& program, std::chrono::milliseconds deadline = std::chrono::seconds(10)) {
     const fs::path file = outside_.path() / "robosim";
     write(file, "#!/bin/sh\n" + program);
     fs::permissions(file, fs::perms::owner_all);
-    server_.emplace(Settings{root(), file, "127.0.0.1", 0, patience});
+    server_.emplace(Settings{root(), file, "127.0.0.1", 0, deadline});
     const std::string url = server_->url();
     http_.emplace(url.substr(0, url.size() - 1));
     http_->set_default_headers({{"X-Robosim", "1"}});

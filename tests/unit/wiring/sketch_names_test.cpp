@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/wiring/clues.h"
+#include "sim/wiring/pin_evidence.h"
 #include "sim/wiring/tokens.h"
 
 namespace robosim::wiring {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "sim/world/air.h"
 #include "sim/world/near_bodies.h"
+#include "sim/world/radio_channel.h"
 #include "sim/world/world.h"
 #include "tests/unit/world/maps.h"
 
@@ -92,9 +92,9 @@ TEST(World, SeesOtherBodiesFromAboveTheFloorButThoseInAHand) {
   EXPECT_GT(world.range_along(eye, from, {1.0, 0.0}, 5.0), 0.6);
 }
 
-TEST(Air, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
-  Air air;
-  const std::size_t a = air.join(1), b = air.join(1), c = air.join(2), d = air.join(1);
+TEST(RadioChannel, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
+  RadioChannel air;
+  const std::size_t a = air.add_radio(1), b = air.add_radio(1), c = air.add_radio(2), d = air.add_radio(1);
   air.send(a, 'x', 20);
   air.send(d, 'y', 10);
   EXPECT_FALSE(air.take(a, 10)) << "not before its time";
@@ -103,16 +103,16 @@ TEST(Air, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
   EXPECT_EQ(air.take(b, 100)->byte, 'y');
   EXPECT_EQ(air.take(b, 100)->at, 20);
   EXPECT_FALSE(air.take(c, 100)) << "another channel";
-  const Air::State before = air.save();
+  const RadioChannel::State before = air.save();
   EXPECT_TRUE(air.take(d, 100));
   air.restore(before);
   EXPECT_TRUE(air.take(d, 100));
 }
 
-TEST(Air, BringsWhatComesAtOnceInAnOrderThatNumbersDoNotShowIn) {
+TEST(RadioChannel, BringsWhatComesAtOnceInAnOrderThatNumbersDoNotShowIn) {
   for (const bool a_first : {false, true}) {
-    Air air;
-    const std::size_t a = air.join(1), b = air.join(1), c = air.join(1);
+    RadioChannel air;
+    const std::size_t a = air.add_radio(1), b = air.add_radio(1), c = air.add_radio(1);
     air.send(a_first ? a : b, a_first ? 'p' : 'q', 20);
     air.send(a_first ? b : a, a_first ? 'q' : 'p', 20);
     EXPECT_EQ(air.take(c, 100)->byte, 'p');

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/base/turn.h"
+#include "sim/base/trig_series.h"
 #include "sim/world/world.h"
 #include "tests/unit/world/maps.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "maps.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 #include "sim/world/world.h"
 
 namespace robosim::world {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "maps.h"
-#include "sim/world/step.h"
+#include "sim/world/step_constants.h"
 #include "sim/world/world.h"
 
 namespace robosim::world {

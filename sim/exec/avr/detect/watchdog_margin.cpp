@@ -38,9 +38,10 @@ WatchdogMargin::WatchdogMargin(Machine& machine, WhereNow where)
       where_(std::move(where)),
       cpu_(machine.chip().chip().cpu()),
       watchdog_(std::exchange(cpu_.on_wdr, robosim::avr::Cpu::call<&WatchdogMargin::fed>(this))),
-      reset_(std::exchange(
-          machine.chip().chip().core().reset,
-          [](void* self, std::uint8_t flags) { static_cast<WatchdogMargin*>(self)->bites(flags); })),
+      reset_(std::exchange(machine.chip().chip().core().reset,
+                           [](void* self, std::uint8_t flags) {
+                             static_cast<WatchdogMargin*>(self)->watchdog_resets(flags);
+                           })),
       reset_self_(std::exchange(machine.chip().chip().core().reset_self, this)) {}
 
 WatchdogMargin::~WatchdogMargin() {
@@ -56,7 +57,7 @@ bool WatchdogMargin::waits() const {
   return pc + 1 < flash.size() && (flash[pc] | flash[pc + 1] << 8) == kRjmpToItself;
 }
 
-void WatchdogMargin::bites(std::uint8_t flags) {
+void WatchdogMargin::watchdog_resets(std::uint8_t flags) {
   if (flags & kWdrf && !waits()) {
     if (bite_.empty()) {
       const std::uint32_t power = power_of(cpu_.data[cpu_.chip().at.watchdog]);

@@ -34,7 +34,7 @@ class WatchdogMargin final : public Detector {
 
  private:
   void fed();
-  void bites(std::uint8_t flags);
+  void watchdog_resets(std::uint8_t flags);
   /// Returns whether the chip only waits.
   bool waits() const;
   double now_s() const { return 1e-9 * static_cast<double>(machine_.now()); }

@@ -25,7 +25,7 @@ class Branches {
   bool decides(std::uint32_t branch, std::uint32_t next, std::uint32_t pc);
 
   /// Effects of the branch's other way before it reaches the point where both ways meet.
-  struct LeftOut {
+  struct SkippedWrites {
     static constexpr std::uint32_t kInCaller = ~0u;
     std::uint32_t meets = kInCaller;
     std::uint32_t registers = 0;       ///< one bit each
@@ -35,7 +35,7 @@ class Branches {
     std::map<std::uint8_t, std::vector<std::uint8_t>> bytes_by_pointer;
   };
   /// Returns the effects of the other way. `next`: where the branch has led.
-  const LeftOut& left_out(std::uint32_t branch, std::uint32_t next);
+  const SkippedWrites& skipped_writes(std::uint32_t branch, std::uint32_t next);
 
  private:
   std::uint32_t led_to(std::uint32_t pc, std::int32_t by) const;
@@ -48,14 +48,14 @@ class Branches {
   std::vector<std::uint32_t> reached(std::uint32_t from, std::uint32_t end, std::uint32_t stop) const;
   bool leaves(std::uint32_t from, std::uint32_t branch, std::uint32_t pc) const;
   std::uint32_t meeting(std::uint32_t branch, std::uint32_t next, std::uint32_t other) const;
-  void add_writes(const std::vector<std::uint32_t>& places, LeftOut& left_out);
-  void add_bytes_by_pointer(const std::vector<std::uint32_t>& places, LeftOut& left_out);
+  void add_writes(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes);
+  void add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes);
   const std::vector<std::uint16_t>& bytes_of(std::uint32_t function);
 
   const robosim::avr::Cpu& cpu_;
   std::vector<std::uint32_t> writes_;
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, bool> known_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, LeftOut> left_out_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, SkippedWrites> skipped_writes_;
   std::map<std::uint32_t, std::vector<std::uint16_t>> bytes_of_;  ///< by the start of a function
 };
 

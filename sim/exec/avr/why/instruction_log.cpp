@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "sim/avr/effects.h"
+#include "sim/avr/instruction_effects.h"
 
 namespace robosim::exec::avr {
 namespace {
 
 using robosim::avr::Cpu;
-using robosim::avr::Effects;
 using robosim::avr::Instruction;
+using robosim::avr::InstructionEffects;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 using Touch = InstructionLog::Touch;
@@ -40,9 +40,10 @@ Entry entry_of(const Cpu& cpu, Cycle began) {
       touches(Touch::flash, cpu.pair(kPairZ), 1);
       break;
     default:
-      if (const Effects effects = effects_of(i, cpu); effects.memory != Effects::Memory::none)
-        touches(effects.memory == Effects::Memory::load ? Touch::load : Touch::store, effects.address,
-                effects.bytes);
+      if (const InstructionEffects effects = effects_of(i, cpu);
+          effects.memory != InstructionEffects::Memory::none)
+        touches(effects.memory == InstructionEffects::Memory::load ? Touch::load : Touch::store,
+                effects.address, effects.bytes);
   }
   return entry;
 }
@@ -54,8 +55,8 @@ bool reads_flash(Op op) {
 
 }  // namespace
 
-Effects effects_of_logged(const Instruction& i, const Cpu& cpu) {
-  Effects e = effects_of(i, cpu);
+InstructionEffects effects_of_logged(const Instruction& i, const Cpu& cpu) {
+  InstructionEffects e = effects_of(i, cpu);
   if (reads_flash(i.op)) {
     e.reads = 3u << 30;
     e.writes = 1u << (i.op == Op::lpm_0 || i.op == Op::elpm_0 ? 0 : i.a);
@@ -117,7 +118,7 @@ void InstructionLog::find_mask() {
   const ChipSpec& chip = chip_.spec();
   for (int pin = 0; mask >= 0 && pin < chip.pin_count; ++pin)
     if (chip.pins[pin].port == port_.number && mask == 1 << chip.pins[pin].bit)
-      looked_.push_back({port_.index, outside_.board_pin(pin)});
+      looked_.push_back({port_.index, adapter_.board_pin(pin)});
   if (mask >= 0 || entries_.size() > port_.index + kSoon) port_.number = -1;
 }
 
@@ -126,7 +127,7 @@ Pin InstructionLog::pin_looked_at(const Entry& entry) {
   for (int port = 0; port < chip.port_count; ++port) {
     if (entry.address != chip.ports[port].address) continue;
     const Cpu& cpu = chip_.chip().cpu();
-    if (cpu.bits_read(entry.pc) != Cpu::kAllBits) return outside_.last_read();
+    if (cpu.bits_read(entry.pc) != Cpu::kAllBits) return adapter_.last_read();
     port_ = {port, entries_.size(), cpu.instruction(entry.pc).a};
     return kNoPin;
   }
@@ -134,7 +135,7 @@ Pin InstructionLog::pin_looked_at(const Entry& entry) {
   int channel = chip_.data(chip.at.adc_multiplexer) & chip.adc.multiplexer_bits;
   if (chip.adc.high_channels && chip_.data(chip.at.adc_control_b) & chip.adc.high_channels) channel += 8;
   for (int pin = 0; pin < chip.pin_count; ++pin)
-    if (chip.pins[pin].analog_channel == channel) return outside_.board_pin(pin);
+    if (chip.pins[pin].analog_channel == channel) return adapter_.board_pin(pin);
   return kNoPin;
 }
 

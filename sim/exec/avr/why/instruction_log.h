@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/avr/effects.h"
-#include "sim/exec/avr/outside.h"
+#include "sim/avr/instruction_effects.h"
+#include "sim/exec/avr/board_adapter.h"
 #include "sim/exec/avr/watched_chip.h"
 
 namespace robosim::exec::avr {
 
 /// Returns effects on registers and flags, including those of reading flash. The log has the effects on data
 /// memory.
-robosim::avr::Effects effects_of_logged(const robosim::avr::Instruction& instruction,
-                                        const robosim::avr::Cpu& cpu);
+robosim::avr::InstructionEffects effects_of_logged(const robosim::avr::Instruction& instruction,
+                                                   const robosim::avr::Cpu& cpu);
 
 class InstructionLog {
  public:
@@ -34,7 +34,7 @@ class InstructionLog {
   static_assert(sizeof(Entry) == 16);
 
   /// Both outlive its use.
-  InstructionLog(WatchedChip& chip, const Outside& outside) : chip_(chip), outside_(outside) {}
+  InstructionLog(WatchedChip& chip, const BoardAdapter& adapter) : chip_(chip), adapter_(adapter) {}
 
   void begin();
   // Call before() and after() around each step.
@@ -55,7 +55,7 @@ class InstructionLog {
   void find_mask();
 
   WatchedChip& chip_;
-  const Outside& outside_;
+  const BoardAdapter& adapter_;
   std::vector<Entry> entries_;
   std::vector<Looked> looked_;  ///< in the order of entries
   Cycle began_ = 0;

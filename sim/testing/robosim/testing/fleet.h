@@ -72,11 +72,11 @@ class Fleet {
   std::string replay_command() const;
 
  private:
-  struct Inside;
+  struct Impl;
   std::vector<std::string> names_;
   std::filesystem::path scratch_;  ///< texts as files
   std::vector<std::unique_ptr<Simulation>> robots_;
-  std::unique_ptr<Inside> in_;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace robosim::testing

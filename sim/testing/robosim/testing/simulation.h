@@ -101,14 +101,14 @@ class Simulation {
   std::uint64_t eeprom_writes();
 
  private:
-  struct Inside;
+  struct Impl;
   friend class Fleet;
   friend struct SharedRun;
   /// Makes one robot of a fleet.
-  Simulation(Trial trial, std::unique_ptr<Inside> inside);
+  Simulation(Trial trial, std::unique_ptr<Impl> inside);
 
   Trial trial_;
-  std::unique_ptr<Inside> in_;
+  std::unique_ptr<Impl> impl_;
 };
 
 void PrintTo(const Simulation& simulation, std::ostream* out);

@@ -1,0 +1,35 @@
+// Predicts what an instruction accesses before it runs, for observers that follow firmware without executing
+// it. Source: AVR Instruction Set Manual, DS40002198B, as in decode.h.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "sim/avr/cpu.h"
+
+namespace robosim::avr {
+
+struct InstructionEffects {
+  enum class Memory : std::uint8_t { none, load, store };
+
+  std::uint32_t reads = 0, writes = 0;  ///< registers, one bit each
+  std::uint8_t flags_read = 0, flags_written = 0;
+  Memory memory = Memory::none;
+  Address address = 0;       ///< in data memory, the lowest of `bytes`
+  std::uint8_t bytes = 0;    ///< of data memory
+  std::uint8_t touched = 0;  ///< cycles from its beginning to the access
+  bool elsewhere = false;    ///< it has effects other than registers, flags and data memory
+};
+
+/// Calls `visit` with the number of each register.
+template <typename Visit>
+void each(std::uint32_t registers, Visit visit) {
+  for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));
+}
+
+/// Returns the effects of the instruction that `cpu` would run next. Accesses to the addresses of SREG and
+/// the stack pointer count as data memory; the effects of calls and pushes on the stack pointer are not
+/// included.
+InstructionEffects effects_of(const Instruction& instruction, const Cpu& cpu);
+
+}  // namespace robosim::avr

@@ -1,0 +1,37 @@
+// Decides whether examining a loop pays off: its savings against its cost, in cycles of the firmware. A loop
+// that does not pay is ignored for a while, each time twice as long.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace robosim {
+
+class BackoffBudget {
+ public:
+  /// Records that `cycles` were saved (or, if negative, spent). Returns whether it still pays to look.
+  bool pay(std::int64_t cycles, std::uint64_t now) {
+    budget_ = std::min(budget_ + cycles, kMost);
+    if (budget_ > kLeast) return true;
+    banned_until_ = now + (kFirstBan << bans_);
+    bans_ = std::min(bans_ + 1, kMostBans);
+    return false;
+  }
+  bool is_banned(std::uint64_t now) const { return now < banned_until_; }
+  void begin_anew() { budget_ = 0; }
+  /// Handles a jump back in time to `now`: no ban lasts longer than its full duration from then on.
+  void moved_in_time(std::uint64_t now) {
+    banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
+  }
+
+ private:
+  static constexpr std::int64_t kMost = 1'000'000, kLeast = -20'000;
+  static constexpr std::uint64_t kFirstBan = 4'000'000;
+  static constexpr int kMostBans = 20;
+
+  std::int64_t budget_ = 0;
+  std::uint64_t banned_until_ = 0;
+  int bans_ = 0;
+};
+
+}  // namespace robosim

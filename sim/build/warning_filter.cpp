@@ -1,0 +1,97 @@
+#include "sim/build/warning_filter.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace robosim::build {
+namespace {
+
+bool has(std::string_view text, std::string_view what) { return text.find(what) != text.npos; }
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(" \t");
+  return last == text.npos ? "" : text.substr(0, last + 1);
+}
+
+bool ends_in_word(std::string_view text, std::string_view word) {
+  if (!text.ends_with(word)) return false;
+  if (text.size() == word.size()) return true;
+  const char before = text[text.size() - word.size() - 1];
+  return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
+}
+
+/// Returns whether the ; at `at` is the literal whole body of an if or else, and not the rest of a macro.
+bool is_whole_body(std::string_view line, std::size_t at) {
+  std::string_view before = trimmed(line.substr(0, at));
+  if (ends_in_word(before, "else")) return true;
+  int open = 0;
+  for (std::size_t i = before.size(); i-- > 0;) {
+    open += before[i] == ')' ? 1 : before[i] == '(' ? -1 : 0;
+    if (open == 0) return before[i] == '(' && ends_in_word(trimmed(before.substr(0, i)), "if");
+  }
+  return false;
+}
+
+bool is_context(std::string_view line) {
+  return line.starts_with("In file included from") || has(line, ": In ") || has(line, ": At global scope");
+}
+
+/// `message`: its line, and the source that gcc shows below it.
+bool is_slip(const std::vector<std::string>& message) {
+  const std::string& first = message.front();
+  if (has(first, "[-Wdangling-else]")) return false;
+  if (has(first, "[-Wparentheses]"))
+    return has(first, "assignment used as truth value") || has(first, "comparisons like");
+  if (!has(first, "[-Wempty-body]") || message.size() < 3) return true;
+  const std::size_t caret = message[2].find('^');
+  return caret >= message[1].size() || is_whole_body(message[1], caret);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string without_style_warnings(const std::string& messages) {
+  if (!has(messages, "[-Wparentheses]") && !has(messages, "[-Wempty-body]")) return messages;
+  std::string shown;
+  std::vector<std::string> context, message;  // "My.ino: In function 'void loop()':", and what follows it
+  const auto close = [&] {
+    if (!message.empty() && is_slip(message)) {
+      for (const std::vector<std::string>* part : {&context, &message})
+        for (const std::string& line : *part) shown += line + '\n';
+      context.clear();
+    }
+    message.clear();
+  };
+  for (std::string& line : lines_of(messages)) {
+    const bool follows = line.empty() || line.front() == ' ' || line.front() == '\t' || has(line, ": note: ");
+    std::vector<std::string>* part = &message;
+    if (follows && message.empty()) {
+      part = &context;
+    } else if (!follows && is_context(line)) {
+      if (!message.empty()) {
+        close();
+        context.clear();
+      }
+      part = &context;
+    } else if (!follows) {
+      close();
+    }
+    part->push_back(std::move(line));
+  }
+  close();
+  if (!shown.empty()) shown.pop_back();
+  return shown;
+}
+
+}  // namespace robosim::build

@@ -1,0 +1,56 @@
+// Decides whether a difference is chance. Runs each target with its clock a little off, and the program on
+// the host a fraction of a millisecond later. docs/howto/comparing.md explains the method.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "sim/analysis/edge.h"
+#include "sim/cli/compare/compare_report.h"
+#include "sim/cli/compare/observer.h"
+#include "sim/cli/compare/target_runs.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+/// A robot in two target runs.
+struct Pair {
+  std::size_t robot = 0;
+  std::array<TargetRun*, 2> target_runs{};
+  std::array<const analysis::History*, 2> histories{};
+  std::array<std::vector<wire::Lateness>, 2> late{};  ///< of their sketches: on the host only
+};
+
+class JitterProbe {
+ public:
+  /// `make_host` builds the robot for the host, if no target run has it there; null if that is impossible. It
+  /// is called at most once. All arguments must outlive this.
+  JitterProbe(const Observer& observer, tui::Progress& progress, std::function<TargetRun*()> make_host)
+      : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
+
+  /// Returns the edges for the difference in `compared`, whose sides are described. Empty: it is the
+  /// targets'. A difference is never chance if it has a named cause, or if the checks have found something.
+  std::vector<Edge> find(const Compared& compared, const Pair& pair);
+
+ private:
+  using FromStart = std::map<int, analysis::History>;  ///< by clock
+
+  std::vector<Edge> find_of_clocks(const Compared& compared, const Pair& pair);
+  std::vector<Edge> weigh(const Compared& compared, const Pair& pair);
+  std::optional<Edge> find_of_clock(const Compared& compared, std::size_t side, const Pair& pair);
+  std::vector<Edge> find_of_ticks(const Compared& compared, const Pair& pair);
+  const analysis::History& run_from_start(TargetRun& target_run, const ObservedRobot& observed, int ppm);
+  static ObservedRobot observed_robot_of(const Compared& compared, std::size_t side, const Pair& pair);
+
+  const Observer& observer_;
+  tui::Progress& progress_;
+  std::function<TargetRun*()> make_host_;
+  std::map<const TargetRun*, FromStart> from_start_;  ///< of the target runs of one difference
+};
+
+}  // namespace robosim::cli

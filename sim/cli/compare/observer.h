@@ -1,0 +1,55 @@
+// Observes a robot for `robosim compare`: the places of the map in its order, and the events that a run must
+// report.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/analysis/history.h"
+#include "sim/cli/compare/target_runs.h"
+#include "sim/grid/map.h"
+#include "sim/grid/places.h"
+
+namespace robosim::cli {
+
+/// One robot of a target run, in one run.
+struct ObservedRobot {
+  std::size_t robot = 0;
+  std::uint64_t seed = 1;
+  std::int64_t until_ns = 0;         ///< the latest end of the run; in whole milliseconds
+  std::vector<wire::Lateness> late;  ///< of its sketch
+};
+
+/// The deviation of a robot's clock in a run.
+struct ClockOffset {
+  std::int64_t from_ns = 0;
+  int ppm = 0;  ///< too fast, from that time on
+};
+
+class Observer {
+ public:
+  /// Uses the map and the robots' starts in `request`.
+  explicit Observer(const wire::RunRequest& request);
+  Observer(const Observer&) = delete;
+
+  std::size_t robots() const { return places_.size(); }
+  /// The recorder must not outlive this.
+  analysis::HistoryRecorder recorder_of(const TargetRun& target_run, std::size_t robot) const;
+  static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
+  static bool is_of(const wire::Event& event, std::size_t robot);
+  /// Runs a target run. With several robots, the others' clocks deviate in the other direction: which robot
+  /// comes first at a crossing may be chance, too.
+  analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
+                        const ClockOffset& off = {}) const;
+
+ private:
+  std::string place_of(std::size_t robot, const wire::Sample& sample) const;
+
+  grid::Map map_;
+  std::vector<grid::Places> places_;  ///< in the order of each robot, from its start on
+};
+
+}  // namespace robosim::cli

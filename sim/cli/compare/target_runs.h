@@ -1,0 +1,46 @@
+// The target runs of `robosim compare`: one for each target, with the same robots in each.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/run/run_json.h"
+#include "sim/client/runner.h"
+#include "sim/launch/fleet.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+/// A target, its robots, and its runner.
+struct TargetRun {
+  std::string target;  ///< of the robots that run on it
+  client::Runner runner;
+  launch::Fleet fleet;        ///< without members for a single robot
+  launch::PreparedFleet run;  ///< also for a single robot
+
+  /// Returns the name of one of its robots, by number.
+  const std::string& name(std::size_t robot) const;
+  /// Returns whether that robot's sketch runs on the host here.
+  bool is_on_host(std::size_t robot) const { return run.members[robot].target == "host"; }
+  static std::string& script(wire::RunRequest& request, std::size_t robot);
+  static std::vector<wire::Lateness>& late(wire::RunRequest& request, std::size_t robot);
+  RunInputs inputs(std::size_t robot) const;
+};
+
+/// Makes the target runs. Throws InputError and ToolMissing.
+std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, tui::Progress& progress);
+/// Makes a target run for a target that is not compared. Throws likewise.
+TargetRun target_run_of(const CompareArguments& arguments, const std::string& target,
+                        tui::Progress& progress);
+
+/// The result of each robot, in the order of their numbers.
+using Results = std::vector<wire::RunResult>;
+
+/// Runs one request on each target run, all simultaneously.
+std::vector<Results> run_all(const std::vector<TargetRun*>& target_runs,
+                             const std::vector<wire::RunRequest>& requests,
+                             const std::vector<wire::OnEvent>& listeners);
+
+}  // namespace robosim::cli

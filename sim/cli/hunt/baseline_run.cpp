@@ -1,0 +1,135 @@
+// The baseline run without any disturbance, and the sketch's purpose derived from it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cli/hunt/hunt.h"
+#include "sim/cli/hunt/stimuli.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
+constexpr double kWayAgain = 1.5,
+                 kWayOn_s = 15.0;  // added to a multiple of the way's time, for most runs
+constexpr double kSlower = 5.0;
+constexpr std::size_t kTours = 4, kEnoughTours = 2;
+
+bool reached(const std::optional<wire::RunResult>& result) { return result && result->verdict == "reached"; }
+
+}  // namespace
+
+double Hunt::time_of(const TestCase& test_case) const {
+  double usual = (span_ms(test_case, campaign_.space()) + test_case.later_ms) / 1000.0;
+  const bool waits = std::any_of(test_case.stimuli.begin(), test_case.stimuli.end(),
+                                 [](const Stimulus& stimulus) { return !stimulus.after.empty(); });
+  if (waits && baseline_.reached()) usual = std::min(kLongest_s, usual + baseline_.result.time_s);
+  if (!test_case.to_goal || !baseline_.reached()) return usual;
+  const double limit = std::ceil(longest_wait_s(test_case, campaign_.space(), baseline_));
+  return limit > kLongest_s ? usual : std::max(limit, usual);
+}
+
+bool Hunt::find_baseline() {
+  listener_.progress("recording the baseline run …");
+  const std::vector<std::vector<Stimulus>> ways = openings(campaign_.space());
+  std::vector<TestCase> test_cases;
+  for (std::size_t map = 0; map < (campaign_.maps_are_given() ? 1 : campaign_.space().maps.size()); ++map)
+    for (const std::vector<Stimulus>& way : ways) {
+      TestCase& test_case = test_cases.emplace_back();
+      test_case.map = map;
+      test_case.stimuli = way;
+      test_case.for_s = campaign_.space().for_ms / 1000.0;
+    }
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!campaign_.run(test_cases, results)) return false;
+  if (std::none_of(results.begin(), results.end(), reached)) {
+    // Robots that are still on their way may need longer.
+    std::vector<TestCase> slow;
+    for (std::size_t i = 0; i < test_cases.size(); ++i)
+      if (results[i] && results[i]->verdict == "timeout" && results[i]->metrics.distance_m > kMoved_m) {
+        slow.push_back(test_cases[i]);
+        slow.back().for_s = kSlower * test_cases[i].for_s;
+      }
+    std::vector<std::optional<wire::RunResult>> later;
+    if (!campaign_.run(slow, later)) return false;
+    if (std::any_of(later.begin(), later.end(), reached)) test_cases = slow, results = later;
+  }
+  const auto is_better = [](const wire::RunResult& a, const wire::RunResult& b) {
+    if ((a.verdict == "reached") != (b.verdict == "reached")) return a.verdict == "reached";
+    return b.metrics.distance_m < kMoved_m && a.metrics.distance_m > kMoved_m;
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < test_cases.size(); ++i)
+    if (results[i] && (!best || is_better(*results[i], *results[*best]))) best = i;
+  if (!best) throw InputError(campaign_.refusal());
+  baseline_ = {*results[*best], campaign_.robot()};
+  baseline_case_ = test_cases[*best];
+  if (!campaign_.maps_are_given()) {
+    // It is meant for all on which it reaches its goal, and does not collide.
+    std::vector<std::size_t> kept{baseline_case_.map};
+    for (std::size_t i = 0; i < test_cases.size(); ++i)
+      if (reached(results[i]) && results[i]->metrics.collisions <= baseline_.result.metrics.collisions &&
+          std::find(kept.begin(), kept.end(), test_cases[i].map) == kept.end())
+        kept.push_back(test_cases[i].map);
+    campaign_.keep_maps(kept);
+  }
+  HuntSpace& space = campaign_.space();
+  space.usual_ms = space.for_ms;
+  if (baseline_.reached())
+    space.usual_ms =
+        std::min(space.for_ms, static_cast<int>(1000.0 * (kWayAgain * baseline_.result.time_s + kWayOn_s)));
+  baseline_case_.map = 0;
+  campaign_.space().opening = baseline_case_.stimuli;
+  baseline_case_.for_s = time_of(baseline_case_);
+  return feel() && hear() && tour();
+}
+
+/// A read of a whole port includes the bumper's pin. So whether the sketch uses it is tested by pressing it.
+bool Hunt::feel() {
+  const auto& unused = baseline_.result.usage.unused;
+  std::vector<TestCase> pressed;
+  for (const auto& part : campaign_.robot().parts) {
+    if (part.type != "bumper" || std::find(unused.begin(), unused.end(), part.name) != unused.end()) continue;
+    TestCase& test_case = pressed.emplace_back(baseline_case_);
+    test_case.stimuli.push_back({static_cast<int>(500.0 * baseline_.result.time_s),
+                                 fmt::format("fault {} pressed for 2s", part.name), "press " + part.name});
+  }
+  if (!pressed.empty()) pressed.push_back(baseline_case_);
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!campaign_.run(pressed, results)) return false;
+  for (std::size_t i = 0; i + 1 < results.size(); ++i)
+    if (results[i] && results.back() && results[i]->trace_hash != results.back()->trace_hash)
+      campaign_.space().feels = true;
+  return true;
+}
+
+/// Collects its output, also after its goal: messages may come then.
+bool Hunt::hear() {
+  if (!hears(campaign_.space())) return true;
+  TestCase test_case = baseline_case_;
+  test_case.to_goal = false;
+  test_case.for_s = std::max(test_case.for_s, std::ceil(baseline_.result.time_s) + kAfter_s);
+  std::vector<std::optional<wire::RunResult>> results;
+  if (!campaign_.run({test_case}, results)) return false;
+  if (results.front()) campaign_.space().said = beginnings_of(results.front()->serial);
+  return true;
+}
+
+/// A follower of loops that turns at a line's end may tour one floor without being meant for others.
+bool Hunt::tour() {
+  HuntSpace& space = campaign_.space();
+  for (std::size_t map = 1; map < space.maps.size() && !campaign_.maps_are_given() && space.draws_maps;
+       ++map) {
+    if (!space.maps[map].networks) continue;
+    std::vector<TestCase> test_cases = networks_like(space, map, arguments_.seed, kTours);
+    for (TestCase& test_case : test_cases) test_case.for_s = time_of(test_case);
+    std::vector<std::optional<wire::RunResult>> results;
+    if (!campaign_.run(test_cases, results)) return false;
+    space.maps[map].tours =
+        static_cast<std::size_t>(std::count_if(results.begin(), results.end(), reached)) >= kEnoughTours;
+  }
+  return true;
+}
+
+}  // namespace robosim::cli

@@ -1,0 +1,84 @@
+// Makes a hunt's runs: a sketch compiled for each of its builds, test cases written as files.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/build/cache.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/hunt/test_case.h"
+#include "sim/client/pool.h"
+#include "sim/launch/launch.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+class CampaignRunner {
+ public:
+  /// Compiles. Throws InputError, ToolMissing and wire::RunnerError.
+  CampaignRunner(const HuntArguments& arguments, tui::Progress& progress);
+
+  HuntSpace& space() { return space_; }
+  const HuntSpace& space() const { return space_; }
+  const wire::RobotInfo& robot() const { return robot_; }
+  const launch::Prepared& of(const TestCase& test_case) const { return prepared_[test_case.build]; }
+  const std::string& version() const { return version_; }
+  /// Returns the board that replaces the robot's own; empty = none.
+  const std::string& board() const { return board_; }
+  /// Returns why requested builds are skipped, one sentence each.
+  const std::vector<std::string>& left_out() const { return left_out_; }
+  /// Returns the fingerprint of everything that affects the runs.
+  std::string fingerprint() const;
+  /// Returns whether the user has chosen the maps; else the first map is a guess, and others are possible.
+  bool maps_are_given() const { return maps_are_given_; }
+  void keep_maps(const std::vector<std::size_t>& maps);
+  /// Returns the names of the others, for which the sketch is apparently not meant.
+  const std::vector<std::string>& left_maps() const { return left_maps_; }
+
+  /// Returns the script of a test case: the user's, then the test case's.
+  std::string script_of(const TestCase& test_case) const { return script_ + script_text(test_case, space_); }
+  /// Returns the request of a test case. Writes missing files of the test case to `folder`: world.map,
+  /// robot.toml.
+  wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
+
+  /// Runs test cases. Sets the results, in their order; none for an impossible test case. `ran`: the sketch's
+  /// lines that ran, for test cases on a chip without checks. Returns false if it was interrupted.
+  bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
+           std::vector<std::vector<std::string>>* ran = nullptr);
+  client::Pool& pool() { return pool_; }
+  /// Return the number of impossible test cases, and the reason for the first.
+  std::size_t refused() const { return refused_; }
+  const std::string& refusal() const { return refusal_; }
+
+ private:
+  /// One run: of a test case, or of the test cases of a family.
+  struct Task {
+    std::size_t first = 0, count = 1;
+  };
+  std::vector<Task> tasks_of(const std::vector<TestCase>& test_cases) const;
+  wire::RunRequest request_of_all(const std::vector<TestCase>& test_cases, const Task& task,
+                                  const std::string& folder) const;
+  void prepare(const HuntArguments& arguments, tui::Progress& progress);
+  void look_at_maps(const HuntArguments& arguments);
+  void look_at_robot(const HuntArguments& arguments, client::Runner& describer);
+  void look_at_sketch();
+
+  build::WorkFolder work_;
+  client::Pool pool_;
+  HuntSpace space_;
+  wire::RobotInfo robot_;
+  std::string board_;                       ///< replaces the robot's own
+  std::string script_;                      ///< the user's
+  std::vector<launch::Prepared> prepared_;  ///< for each build
+  std::vector<std::string> map_files_;      ///< for each map
+  std::vector<std::string> left_maps_;
+  std::vector<std::string> left_out_;
+  std::string version_;
+  std::string options_;  ///< all options, one per line
+  std::size_t refused_ = 0;
+  std::string refusal_;
+  bool maps_are_given_ = false;
+};
+
+}  // namespace robosim::cli

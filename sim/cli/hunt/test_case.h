@@ -1,0 +1,162 @@
+// The test cases of a hunt: how they are drawn, and how they are shrunk.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/cli/check/text_assertions.h"
+#include "sim/grid/map.h"
+#include "sim/worlds/fault_plan.h"
+#include "sim/worlds/line_network.h"
+#include "sim/worlds/robot_variant.h"
+#include "sim/worlds/track.h"
+
+namespace robosim::cli {
+
+/// A stimulus for the robot.
+struct Stimulus {
+  int at_ms = 0;     ///< after power-on, or after the sketch has sent `after`
+  std::string what;  ///< in script syntax: "press start 100ms"
+  std::string kind;  ///< for display: "press start", "send"
+  std::string after = {};
+  bool operator==(const Stimulus&) const = default;
+};
+
+inline constexpr const char* kPowerOff = "power off";
+inline constexpr const char* kUsedEeprom = "an EEPROM that another sketch has filled";
+inline constexpr const char* kObstacle = "an obstacle";
+inline constexpr const char* kHeld = "a held wheel";
+inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
+
+/// Later than the one-time actions of a sketch after power-on. A multiple of 2^16, so that a clock of 16 bits
+/// starts at 0 here, too.
+inline constexpr std::int64_t kPast_ms = 4 << 16;
+
+/// The reason for a second run that is compared: see differential_testing.h.
+enum class Differential : std::uint8_t { none, host, clock };
+
+/// The moment when a run showed something new: a time, or after an output of the sketch. Empty = unknown.
+struct Moment {
+  int at_ms = -1;
+  std::string after = {};
+  bool is_known() const { return at_ms >= 0 || !after.empty(); }
+};
+
+struct TestCase {
+  Differential differential = Differential::none;
+  std::size_t build = 0;  ///< index in HuntSpace::builds
+  std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
+  std::optional<worlds::Track> track;
+  std::optional<worlds::LineNetwork> network;
+  worlds::RobotVariant robot;  ///< without levels it is the robot in its file
+  std::uint64_t seed = 1;
+  worlds::FaultPlan faults;
+  std::vector<Stimulus> stimuli;
+  int later_ms = 0;  ///< delay of its opening relative to the baseline: the robot waits first
+  std::int64_t clock_ms = 0;
+  std::uint64_t family = 0;  ///< of test cases that are equal up to `branch_point`, then each has its last
+                             ///< stimulus; 0 = no family. On a chip they are one run that branches
+                             ///< (wire::Ways)
+  Moment branch_point = {};
+  bool to_goal = true;   ///< ends there; else it runs until its time is up
+  bool is_long = false;  ///< takes the maximum time of a run
+  int least_ms = 0;      ///< minimum duration
+  double for_s = 60.0;
+
+  bool drawn() const { return track || network; }
+};
+
+/// The possible choices.
+struct HuntSpace {
+  /// A build: its target, and whether the sketch checks itself.
+  struct Build {
+    std::string target;
+    bool checked = false;
+  };
+  struct Map {
+    std::string name;
+    std::string goal;                       ///< empty = the map's
+    bool tracks = false, networks = false;  ///< the kind of maps drawn like this one
+    int cycles = 0;                         ///< of its network, approximately
+    double cell_mm = 100.0, corner_mm = 0.0;
+    std::vector<grid::CellAt> line = {};  ///< its cells with line, except the start
+    bool tours = true;                    ///< the sketch reaches its goal on similar ones, too
+  };
+  std::vector<Build> builds;
+  std::optional<std::size_t> host_counterpart;  ///< the build to which chips are compared, the last one
+  std::vector<Map> maps;
+  bool draws_maps = true;
+  std::string robot;  ///< the base of its variants: a name or a path
+  std::vector<worlds::Figure> figures;
+  worlds::Breakable parts;
+  worlds::FaultLimits limits;
+  std::vector<std::string> buttons;  ///< and keys
+  std::vector<std::pair<std::string, std::string>>
+      listeners;                   ///< parts that receive messages, and their types
+  std::vector<std::string> words;  ///< that may be sent; empty = none
+  std::size_t own_words = 0;       ///< the number of the sketch's own among them, at the end
+  std::vector<Stimulus> opening;   ///< what starts it
+  std::vector<std::string> said;   ///< the sketch's output in the baseline run: the beginnings of its lines,
+                                   ///< the last line last
+  bool uses_eeprom = false;        ///< it uses the EEPROM
+  bool feels = false;              ///< a bumper changes its behaviour, so that obstacles are useful
+  std::vector<TextAssertion> assertions;
+  int for_ms = 60'000;    ///< maximum of a run
+  int usual_ms = 60'000;  ///< of most runs
+};
+
+/// Returns the approximate duration of its run.
+inline int span_ms(const TestCase& test_case, const HuntSpace& space) {
+  return std::max(test_case.least_ms, test_case.is_long ? space.for_ms : space.usual_ms);
+}
+/// Returns the stimuli that start it there.
+std::vector<Stimulus> opening_of(const TestCase& test_case, const HuntSpace& space);
+
+/// Returns the number of builds that are drawn.
+inline std::size_t drawn_builds(const HuntSpace& space) {
+  return space.builds.size() - (space.host_counterpart ? 1 : 0);
+}
+
+/// A test case in which something new was seen.
+struct Noted {
+  TestCase test_case;
+  Moment moment = {};
+};
+
+/// Draws a test case for each run, by its number and the hunt's seed. Half of the test cases are variations
+/// of one in which something new was seen. A fifth of these branch from it: they are equal up to the moment,
+/// and then have another stimulus. So do the last ones of a whole round on a chip, all from one moment.
+std::vector<TestCase> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
+                                 const std::vector<std::uint64_t>& runs);
+inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< test cases
+
+/// Draws this number of test cases without stimuli, each on another network similar to the map.
+std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
+                                    std::size_t count);
+
+/// Returns the test cases that are simpler by a step; the much simpler ones first. Repeated calls end after
+/// finitely many steps.
+std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space);
+
+/// Returns the differences from the baseline: "another map", "chassis track", "fault noisy", "press start".
+/// Its opening does not count.
+std::set<std::string> needs_of(const TestCase& test_case, const HuntSpace& space);
+
+/// Returns the cells of its map that have line, except the start.
+std::vector<grid::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space);
+std::vector<grid::CellAt> cells_with_line(const grid::Map& map);
+
+/// Return the contents of files. The map's is empty if none is drawn; the robot's if it is unchanged.
+std::string map_text(const TestCase& test_case, const HuntSpace& space);
+std::string robot_text(const TestCase& test_case, const HuntSpace& space);
+std::string script_text(const TestCase& test_case, const HuntSpace& space);
+/// Returns the length of the lines of a drawn map.
+double line_length_m(const TestCase& test_case, const HuntSpace& space);
+
+}  // namespace robosim::cli

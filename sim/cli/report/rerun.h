@@ -1,0 +1,48 @@
+// Repeats a run for a report: its recording, and where its robot left the line.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/client/runner.h"
+#include "sim/launch/fleet.h"
+#include "sim/launch/launch.h"
+#include "sim/record/floor_shapes.h"
+#include "sim/record/recording.h"
+#include "sim/tui/progress.h"
+
+namespace robosim::cli {
+
+/// The parts of a recording that a report needs.
+struct RecordingExtract {
+  std::string map;       ///< its name
+  std::string map_text;  ///< empty, without `floor`, if the map is too large to be drawn
+  std::optional<record::FloorShapes> floor;
+  std::vector<std::array<double, 2>> left_mm;  ///< x, y: where no sensor had seen the line for 20 ms
+};
+
+RecordingExtract extract_of(const record::Recording& recording);
+
+class Rerun {
+ public:
+  Rerun();
+  /// Returns the bytes of a .rec; nothing if the run differs. Throws InputError, ToolMissing.
+  std::optional<std::string> operator()(launch::Launch launch, const std::string& trace_hash);
+  /// Repeats a run of several robots; `common`: what their requests have in common.
+  std::optional<std::string> operator()(launch::Fleet fleet, wire::RunRequest common,
+                                        const std::string& trace_hash);
+
+ private:
+  std::optional<std::string> run(client::Runner& by, const record::RecordedRun& what,
+                                 const std::string& trace_hash);
+  client::Runner& runner(const std::string& target);
+
+  tui::Progress progress_;
+  launch::Launcher launcher_;
+  std::map<std::string, client::Runner> runners_;  ///< by target
+};
+
+}  // namespace robosim::cli

@@ -1,0 +1,46 @@
+#include "sim/cli/run/end_screen.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/base/profile.h"
+#include "sim/tui/terminal.h"
+
+namespace robosim::cli {
+namespace {
+
+constexpr int kWidest_columns = 78;
+// Above this size a picture of the map takes longer than the run.
+constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
+
+}  // namespace
+
+ScreenSize screen_size() {
+  const auto size = tui::terminal_size(STDOUT_FILENO);
+  return {std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns),
+          tui::look_from_environment(size.has_value())};
+}
+
+void check_view(const RunArguments& arguments) {
+  if (arguments.view && ::isatty(STDOUT_FILENO) == 0) {
+    throw InputError(
+        "--view requires a terminal as standard output; omit --view, or do not redirect the output");
+  }
+}
+
+grid::Map map_of(const wire::RunRequest& request) {
+  return grid::read_map(request.map, {request.seed, profile_of(request.profile)});
+}
+
+std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(request.map, error);
+  if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
+  return std::make_unique<grid::Map>(map_of(request));
+}
+
+}  // namespace robosim::cli

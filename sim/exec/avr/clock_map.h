@@ -1,0 +1,43 @@
+// Converts between the chip's cycles and the board's time.
+#pragma once
+
+#include "hal/board/cycle_time.h"
+#include "sim/avr/cycle.h"
+
+namespace robosim::exec::avr {
+
+using robosim::avr::Cycle;
+
+/// Times are by the chip's own clock.
+class ClockMap {
+ public:
+  /// The power came on at `began`, with cycle 0.
+  ClockMap(std::int64_t clock_hz, SimTime began) : clock_hz_(clock_hz), cycles_(clock_hz), began_(began) {}
+
+  SimTime time_of(Cycle cycle) const {
+    return began_ + cycles_.of(static_cast<SimTime>(cycle) - static_cast<SimTime>(first_));
+  }
+  /// Returns the first cycle at or after `t`.
+  Cycle cycle_at(SimTime t) const {
+    return t <= began_ ? first_ : first_ + static_cast<Cycle>(cycles_.first_at(t - began_));
+  }
+  SimTime length_of(Cycle cycles) const { return cycles_.of(static_cast<SimTime>(cycles)); }
+  /// Divides the oscillator's clock by `divisor` for the processor, from cycle `at` on.
+  void divide(int divisor, Cycle at) {
+    began_ = time_of(at);
+    first_ = at;
+    cycles_ = CycleTime(clock_hz_ / divisor);
+    ++divisions_;
+  }
+  /// Returns how often the divisor was changed.
+  int divisions() const { return divisions_; }
+
+ private:
+  std::int64_t clock_hz_;
+  CycleTime cycles_;
+  SimTime began_;
+  Cycle first_ = 0;
+  int divisions_ = 0;
+};
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,47 @@
+// Static analysis of a sketch's instructions. Addresses are in words.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/avr/cpu.h"
+
+namespace robosim::exec::avr {
+
+/// Returns whether the next instruction always runs after this one.
+bool is_straight(robosim::avr::Op op);
+bool is_store_by_pointer(robosim::avr::Op op);
+/// Appends to `next` where the processor may continue after the instruction at `pc`, as far as the code
+/// determines it. For a call that is the following instruction, and with `into_calls` also its target.
+void add_next(const robosim::avr::Cpu& cpu, std::uint32_t pc, bool into_calls,
+              std::vector<std::uint32_t>& next);
+/// For each word, up to `code_end` in bytes: returns whether interrupts are off there, since every way there
+/// passes a CLI.
+std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
+/// For each word: returns whether it belongs to a handler, so that the main program never runs it. Functions
+/// that handlers call are not included.
+std::vector<bool> of_handlers(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
+
+/// Tracks the registers that hold a value read from memory, unchanged or changed.
+class ValueFlow {
+ public:
+  explicit ValueFlow(int reg) : read_(bit(reg)) {}
+  bool is_changed(int reg) const { return (changed_ & bit(reg)) != 0; }
+  void follow(const robosim::avr::Instruction& i);
+
+ private:
+  static std::uint32_t bit(int reg) { return std::uint32_t{1} << (reg & 31); }
+  bool has(int reg) const { return ((read_ | changed_) & bit(reg)) != 0; }
+  void drop(int reg) { read_ &= ~bit(reg), changed_ &= ~bit(reg); }
+  void change(int reg) { read_ &= ~bit(reg), changed_ |= bit(reg); }
+  void copy(int to, int from) {
+    const bool was_read = (read_ & bit(from)) != 0, was_changed = is_changed(from);
+    drop(to);
+    if (was_read) read_ |= bit(to);
+    if (was_changed) changed_ |= bit(to);
+  }
+
+  std::uint32_t read_, changed_ = 0;
+};
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,13 @@
+// Finds where a round of loop() begins in an image for this chip.
+#pragma once
+
+#include "sim/exec/avr/firmware.h"
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/loop_marker.h"
+
+namespace robosim::exec::avr {
+
+/// See sim/exec/elf/loop_locator.h.
+LoopMarks locate_loop(const Firmware& firmware, const DebugInfo& debug);
+
+}  // namespace robosim::exec::avr

@@ -1,0 +1,112 @@
+// Implements exec::CauseFinder for an AVR: a backward slice of the instructions that ran.
+//
+//   wanted             registers, flags and bytes whose value at this moment matters
+//   an instruction     that has computed a wanted value belongs to the slice; its operands are wanted now
+//   a branch           that decided that an instruction of the slice ran belongs to it, too
+//   external inputs    (pins, converter, clock, received bytes) end the slice
+//
+// Each instruction maps to its line of the sketch, or to the line that has called it, and to that line's
+// callers. The distance from the question is counted in lines.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/exec/avr/machine.h"
+#include "sim/exec/avr/why/branches.h"
+#include "sim/exec/avr/why/instruction_log.h"
+#include "sim/exec/avr/why/sketch_lines.h"
+#include "sim/exec/core/cause_finder.h"
+
+namespace robosim::exec::avr {
+
+class BackwardSlice final : public CauseFinder {
+ public:
+  /// All three outlive this.
+  BackwardSlice(const Firmware& firmware, const DebugInfo& debug, ClockedBoard& board)
+      : firmware_(firmware), sketch_(debug), board_(board) {}
+
+  /// Connects it at power-on and power-off.
+  void plug_into(Machine& machine);
+  void unplug();
+
+  void begin() override;
+  void end() override;
+  void ask(const std::vector<Pin>& pins, SimTime t) override;
+  void ask_place(SimTime t) override;
+  void follow(bool adjoins) override;
+  std::vector<std::uint16_t> open_bytes() const override;
+  void give_up(const std::vector<std::uint16_t>& bytes) override;
+  bool open_registers() const override;
+  std::uint8_t byte(std::uint16_t address) const override { return machine_->chip().data(address); }
+  void close() override;
+  std::vector<CauseStep> steps() const override;
+  SourceLine busiest(SimTime from, SimTime to) const override;
+  Share handlers(SimTime from, SimTime to) const override;
+  bool interrupts_on() const override;
+  std::optional<CauseStep> switched_off(bool on) override;
+
+ private:
+  using Index = std::int32_t;  ///< of an entry of the log
+  static constexpr Index kNone = -1;
+  static constexpr Index kLater = std::numeric_limits<Index>::max();
+  using Line = SketchLines::Line;  ///< null = not in the sketch
+  struct Want {
+    int far = 0;
+    Line line = nullptr;
+    Index by = kLater;  ///< last entry that reads it; kLater = after the record
+  };
+  /// An instruction whose deciding branch is not found yet.
+  struct Pending {
+    std::uint32_t pc = 0;  ///< kLast = the last branch of all
+    Want want;
+  };
+  static constexpr std::uint32_t kLast = ~0u;
+  static constexpr int kFarthest = 14;  ///< lines further away are not followed
+
+  void forget();
+  void find_frames();
+  void set_out(SimTime t);
+  SimTime time_of(Index index) const;
+  std::vector<Line> lines_of(Index index) const;
+  bool is_in_handler(Index index) const;
+  void visit(Index index);
+  void visit_branch(Index index);
+  void visit_skipped_writes(Index index);
+  Index meeting_behind(Index branch, std::uint32_t meets) const;
+  std::optional<std::uint16_t> pointer_at(Index index, unsigned pair) const;
+  std::optional<Want> take_wanted(Index index);
+  void take(Index index, Want want, CauseStep::Kind kind);
+  void want_operands(Index index, Want want);
+  void want_branch(Index index, Want want);
+  void add_pending(Index index, Want want);
+  int far_of_branch(std::uint32_t pc) const;
+  bool comes_from_outside(Index index, Want want);
+  void note(Line line, int far, CauseStep::Kind kind, SimTime t, Pin pin = kNoPin);
+  void note_variable(std::uint32_t address, Want want);
+
+  const Firmware& firmware_;
+  const SketchLines sketch_;
+  ClockedBoard& board_;
+  Machine* machine_ = nullptr;
+  std::optional<InstructionLog> log_;
+  std::optional<Branches> branches_;
+  std::vector<std::uint32_t> calls_before_;  ///< open when the log began, innermost first; in words
+  std::vector<Index> frames_;                ///< by entry: its call, or first of its handler; kNone = older
+  Index from_ = kNone;                       ///< where the next follow() starts
+
+  std::array<std::optional<Want>, 32> registers_;
+  std::array<std::optional<Want>, 8> flags_;
+  std::map<std::uint16_t, Want> bytes_;
+  std::map<std::uint16_t, std::uint8_t> bits_;       ///< the relevant bits of I/O registers
+  std::map<Index, std::vector<Pending>> pending_;    ///< by the call that they run in
+  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that it has read
+};
+
+}  // namespace robosim::exec::avr

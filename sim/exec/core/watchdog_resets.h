@@ -1,0 +1,37 @@
+// Counts resets by the watchdog. An occasional reset is the watchdog's purpose; firmware that makes no
+// progress between resets has crashed.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::exec {
+
+class WatchdogResets {
+ public:
+  static constexpr int kTooMany = 3;
+  static constexpr SimTime kRow = 10 * kSecond;  ///< a row continues if the next reset comes within
+
+  /// Counts one reset; returns true if there are too many in a row.
+  bool add(SimTime now) {
+    in_row_ = in_row_ > 0 && now - last_ < kRow ? in_row_ + 1 : 1;
+    last_ = now;
+    return in_row_ >= kTooMany;
+  }
+
+  /// Returns the reason for the crash report.
+  static std::string reason() {
+    return fmt::format(
+        "the watchdog has reset the chip {} times, each time within {} s of the previous reset", kTooMany,
+        kRow / kSecond);
+  }
+
+ private:
+  int in_row_ = 0;
+  SimTime last_ = 0;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,54 @@
+// Counts the rounds of loop(), and measures the longest.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace robosim::exec {
+
+/// `Time`: an integer, in the unit of the chip's clock.
+template <typename Time>
+class LoopTimer {
+ public:
+  /// Makes the next round the first: there was none before it.
+  void await() { running_ = false; }
+  bool is_running() const { return running_; }
+  /// Begins a round, which ends the previous one.
+  void began(Time at) {
+    if (running_) add(at - began_, 1);
+    running_ = true;
+    began_ = at;
+  }
+  /// Adds `rounds` that began at `first` and then every `period`.
+  void began(Time first, Time period, std::uint64_t rounds) {
+    began(first);
+    if (rounds == 1) return;
+    add(period, rounds - 1);
+    began_ += static_cast<Time>(rounds - 1) * period;
+  }
+  /// Adds rounds that were not longer than the earlier ones; the last one began at `at`.
+  void went_on(Time at, std::uint64_t rounds) {
+    count_ += rounds;
+    total_ += at - began_;
+    began_ = at;
+  }
+
+  /// Returns the number of rounds, each from one beginning to the next.
+  std::uint64_t count() const { return count_; }
+  Time total() const { return total_; }
+  /// Returns the longest round, including the one that runs at `now`.
+  Time longest(Time now) const { return std::max(longest_, running_ ? now - began_ : Time{0}); }
+
+ private:
+  void add(Time took, std::uint64_t rounds) {
+    count_ += rounds;
+    total_ += static_cast<Time>(rounds) * took;
+    longest_ = std::max(longest_, took);
+  }
+
+  bool running_ = false;
+  Time began_ = 0, total_ = 0, longest_ = 0;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace robosim::exec

@@ -1,0 +1,13 @@
+// Finds where a round of loop() begins in an image for this chip.
+#pragma once
+
+#include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/loop_marker.h"
+#include "sim/exec/stm32/firmware.h"
+
+namespace robosim::exec::stm32 {
+
+/// See sim/exec/elf/loop_locator.h.
+LoopMarks locate_loop(const Firmware& firmware, const DebugInfo& debug);
+
+}  // namespace robosim::exec::stm32

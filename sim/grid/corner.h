@@ -1,0 +1,31 @@
+// A bend: a line cell with two neighbours at a right angle, and the radius of its arc. An implementation
+// detail of Stripes.
+#pragma once
+
+#include <optional>
+
+#include "sim/grid/map.h"
+
+namespace robosim::grid {
+
+struct Corner {
+  CellAt cell;
+  Direction first;    ///< the legs; the arc runs counter-clockwise from the first to the second
+  Direction second;   ///< = first turned right
+  double radius = 0;  ///< m; 0 = square
+
+  /// Returns how far from the corner, along a leg, the arc's middle is: (1 - 1/sqrt 2) radius.
+  double middle() const { return radius * 0.29289321881345243; }
+};
+
+/// Returns the bend at a cell, or nullopt. The time is proportional to the legs, up to twice the corner
+/// radius.
+std::optional<Corner> corner_at(const Map& map, CellAt cell);
+
+/// Returns the bend whose arc replaces the centre of a line cell, if any.
+std::optional<Corner> corner_over(const Map& map, CellAt cell);
+
+/// Returns whether the legs have room for less than the map's corner radius.
+bool is_tight(const Map& map, const Corner& corner);
+
+}  // namespace robosim::grid

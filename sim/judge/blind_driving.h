@@ -1,0 +1,63 @@
+// Finds blind time: a robot that drives on without reading its floor sensors, and loses the line.
+//
+//   digitalRead(middle);  analogWrite(left, 160); …  delay(400);        // at 0.4 m/s: 160 mm without a look
+//
+// Anything that keeps a sketch from its sensors causes it: delay(), pulseIn() without a timeout, a print that
+// waits for room in Serial's buffer of 64 bytes, a loop that waits. On a straight it goes well. A finding is
+// a stretch from one reading of a floor sensor to the next on which
+//
+//   - the robot drove further than its sensors are ahead of its axle plus the width of the line. From there
+//     on its wheels are on floor that no sensor was ever read on, and a bend may already be behind it;
+//   - a sensor was over the line at the first reading, and none at the end of the stretch;
+//   - and the motor commands stayed the same throughout.
+//
+// The last condition excludes sketches that drive blind on purpose: to turn at a crossing, or round an
+// obstacle, they change the commands between two readings.
+//
+// To fix it, compare times (millis()) instead of calling delay(). Send shorter messages or use a faster
+// Serial. Give pulseIn() a timeout, and read the sensors in each loop that waits.
+//
+// Not detected: sketches that read their sensors and ignore them; blind time on straights only; sensors on a
+// shift register, or read by interrupts.
+#pragma once
+
+#include <vector>
+
+#include "sim/judge/floor_looks.h"
+
+namespace robosim::judge {
+
+class BlindDriving {
+ public:
+  /// lever_m: distance of its sensors ahead of its axle.
+  BlindDriving(exec::Executor& executor, double lever_m, double line_m);
+
+  void look(const Steering& now);
+  /// Returns the findings at the end of the run.
+  std::vector<exec::Detected> found() const;
+
+ private:
+  /// From one sensor read of the sketch to the next.
+  struct Stretch {
+    SimTime began = 0;
+    double from_m = 0.0;
+    bool saw_line = false;
+    bool planned = false;  ///< the motors' commands were changed meanwhile
+    double left = 0.0, right = 0.0;
+    int ticks = 0;
+    bool is_too_long = false;
+    exec::Activity busy;  ///< the sketch's activity when it became too long
+  };
+
+  void end(const Steering& now);
+  exec::Detected told(const Steering& now) const;
+
+  exec::Executor* executor_;
+  double most_m_;
+  int looks_ = 0;
+  Steering before_;
+  Stretch stretch_;
+  std::vector<exec::Detected> found_;
+};
+
+}  // namespace robosim::judge

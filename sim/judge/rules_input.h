@@ -1,0 +1,26 @@
+// The input of a competition's rules, once a tick.
+#pragma once
+
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/wire/events.h"
+#include "sim/wire/run_result.h"
+
+namespace robosim::world {
+class Body;
+}
+
+namespace robosim::judge {
+
+/// The events of a tick.
+using Events = std::vector<wire::RunEvent::What>;
+
+struct RulesInput {
+  const world::Body& body;
+  SimTime t = 0;
+  bool at_rest = false;
+  bool moved = false;  ///< by 4 mm or a degree since this was last true, or it has just stopped
+};
+
+}  // namespace robosim::judge

@@ -1,0 +1,76 @@
+// Bytes of a recording that are compressed as they arrive. So almost no work is left at the end of the run.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robosim::record {
+
+/// Compresses pieces independently: sim/record/compressed.h.
+class Packer {
+ public:
+  /// Packed bytes, to which further pieces may be appended.
+  struct Packed {
+    std::string bytes;
+    std::size_t unpacked_size = 0;
+    std::uint32_t checksum = 1;  ///< Adler-32 of the unpacked bytes
+  };
+
+  virtual ~Packer() = default;
+  /// Adds a piece.
+  virtual void pack(std::string_view piece, Packed& to) = 0;
+  /// Unpacks one piece, or several consecutive ones.
+  virtual std::string unpacked(std::string_view packed, std::size_t unpacked_size) = 0;
+};
+
+class CompressedBytes {
+ public:
+  /// Without a packer (null) they are stored unchanged.
+  explicit CompressedBytes(Packer* packer = nullptr) : packer_(packer) {}
+
+  void add(std::string_view bytes) {
+    rest_ += bytes;
+    if (packer_ && rest_.size() >= kPiece_bytes) pack_rest();
+  }
+  std::size_t size() const { return packed_.unpacked_size + rest_.size(); }
+  std::string all() const {
+    return packed_.bytes.empty() ? rest_ : packer_->unpacked(packed_.bytes, packed_.unpacked_size) + rest_;
+  }
+
+  const Packer::Packed& packed() const { return packed_; }
+  /// Returns the number of packed pieces.
+  std::size_t pieces() const { return ends_.size(); }
+  /// Returns one of them, unpacked.
+  std::string piece(std::size_t number) const {
+    const End begin = number > 0 ? ends_[number - 1] : End{}, end = ends_[number];
+    return packer_->unpacked(std::string_view(packed_.bytes).substr(begin.packed, end.packed - begin.packed),
+                             end.unpacked - begin.unpacked);
+  }
+  /// Returns the bytes that are not packed yet.
+  std::string_view rest() const { return rest_; }
+
+ private:
+  // Larger ones compress slightly better; but half of one is left of each column at the end of the run.
+  static constexpr std::size_t kPiece_bytes = 4096;
+
+  void pack_rest() {
+    packer_->pack(rest_, packed_);
+    ends_.push_back({packed_.bytes.size(), packed_.unpacked_size});
+    rest_.clear();
+  }
+
+  Packer* packer_;
+  /// The end of a piece, counted from the first one's beginning.
+  struct End {
+    std::size_t packed = 0, unpacked = 0;
+  };
+
+  Packer::Packed packed_;
+  std::vector<End> ends_;
+  std::string rest_;
+};
+
+}  // namespace robosim::record

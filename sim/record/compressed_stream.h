@@ -1,0 +1,42 @@
+// Stores a stream of a run's columns (sim/wire/columns.h) as it arrives; thins it if it is too large.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/record/recording_header.h"
+#include "sim/record/thinner.h"
+
+namespace robosim::record {
+
+class CompressedStream {
+ public:
+  /// `packer`: as in CompressedBytes; must live as long as this.
+  explicit CompressedStream(Packer* packer = nullptr) : packer_(packer), all_(0, packer) {}
+
+  /// Adds rows. Throws wire::BadValue if they do not match the earlier ones.
+  void add(const wire::Rows& rows);
+  /// Prepares for thin(): starts now, and works a little with each added row, so that less work is left.
+  void prepare_to_thin(std::int64_t span_ns);
+  /// Stores only the last row in each span, of the present and all later rows. The first column is t_ns.
+  void thin(std::int64_t span_ns);
+  /// Returns the unpacked size.
+  std::size_t bytes() const;
+  const std::vector<wire::ColumnSpec>& specs() const { return specs_; }
+  /// Returns the header's entry; appends its columns' bytes to `body`.
+  StreamInfo finish(const std::string& name, std::vector<const CompressedBytes*>& body);
+
+ private:
+  const CompressedRows& kept() const { return is_thin_ ? thinner_->kept() : all_; }
+
+  Packer* packer_;
+  std::vector<wire::ColumnSpec> specs_;
+  CompressedRows all_;
+  std::optional<Thinner> thinner_;
+  bool is_thin_ = false;
+};
+
+}  // namespace robosim::record

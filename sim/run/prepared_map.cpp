@@ -1,0 +1,37 @@
+#include "sim/run/prepared_map.h"
+
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/trace/trace_hash.h"
+
+namespace robosim::run {
+
+ResolvedMission::ResolvedMission(const Mission& mission, const grid::Map& map, const grid::Stripes& stripes)
+    : start(mission.start ? *mission.start : grid::default_start(map)),
+      network(grid::trace_reachable(map, start)),
+      goal(mission.goal ? *mission.goal : judge::default_goal(map, network)),
+      progress(goal, map, stripes, network, start) {}
+
+PreparedMap::PreparedMap(const grid::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
+
+void PreparedMap::prepare(std::size_t number, const Mission& mission) {
+  // The first hash detects the processor's vector extensions, which is slow in a virtual machine.
+  [[maybe_unused]] static const std::string hashed = trace::TraceHash().text();
+  if (number >= prepared_.size()) prepared_.resize(number + 1);
+  Prepared& prepared = prepared_[number];
+  if (prepared.resolved_mission && prepared.mission == mission) return;
+  prepared = {mission, std::nullopt};
+  try {
+    prepared.resolved_mission.emplace(mission, map_, stripes_);
+  } catch (const InputError&) {
+  }
+}
+
+ResolvedMission PreparedMap::resolve(std::size_t number, const Mission& mission) const {
+  if (number < prepared_.size() && prepared_[number].resolved_mission && prepared_[number].mission == mission)
+    return *prepared_[number].resolved_mission;
+  return ResolvedMission(mission, map_, stripes_);
+}
+
+}  // namespace robosim::run

@@ -1,0 +1,60 @@
+// Filters the repeated reports of a run that goes back in time, before they reach its listener. Equal runs
+// make equal reports in equal order, so it is enough to count.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/run/simulation.h"
+
+namespace robosim::runner {
+
+class DedupListener final : public run::Listener {
+ public:
+  explicit DedupListener(run::Listener& listener) : listener_(listener) {}
+
+  /// Returns the number of the run's reports since it began, as it would be without going back.
+  std::uint64_t count() const { return count_; }
+  /// Notes that the run is again where it had made `count` reports.
+  void go_back(std::uint64_t count) { count_ = count; }
+  /// Returns whether no earlier report lies ahead.
+  bool is_at_front() const { return count_ == most_; }
+
+  void began(const run::Beginning& beginning) override {
+    if (is_new()) listener_.began(beginning);
+  }
+  void sampled(const run::Sample& sample) override {
+    if (is_new()) listener_.sampled(sample);
+  }
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
+    if (is_new()) listener_.pin_changed(pin, drive, t);
+  }
+  void byte_sent(std::uint8_t byte, SimTime t) override {
+    if (is_new()) listener_.byte_sent(byte, t);
+  }
+  bool wants_inputs() const override { return listener_.wants_inputs(); }
+  void level_seen(Pin pin, bool level, SimTime t) override {
+    if (is_new()) listener_.level_seen(pin, level, t);
+  }
+  void volts_seen(Pin pin, double volts, SimTime t) override {
+    if (is_new()) listener_.volts_seen(pin, volts, t);
+  }
+  void byte_received(std::uint8_t byte, SimTime t) override {
+    if (is_new()) listener_.byte_received(byte, t);
+  }
+  bool minds_turns() const override { return listener_.minds_turns(); }
+  void happened(const wire::RunEvent& event) override {
+    if (is_new()) listener_.happened(event);
+  }
+
+ private:
+  bool is_new() {
+    if (++count_ <= most_) return false;
+    most_ = count_;
+    return true;
+  }
+
+  run::Listener& listener_;
+  std::uint64_t count_ = 0, most_ = 0;
+};
+
+}  // namespace robosim::runner

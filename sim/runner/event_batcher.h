@@ -1,0 +1,71 @@
+// Collects frequent events between a run and its listener. Passes them on in batches (wire/batch.h), in order
+// with all other events.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+#include "hal/board/board.h"
+#include "hal/board/sim_time.h"
+#include "sim/run/simulation.h"
+#include "sim/wire/batch.h"
+
+namespace robosim::runner {
+
+/// Receives events.
+using Tell = std::function<void(wire::Event)>;
+
+/// Batches that another process reads from shared memory. Empty = there is none: they are passed to Tell.
+struct SharedBatches {
+  wire::BatchMemory* first = nullptr;
+  /// Passes on the content of the present batch; returns the next one, which is empty.
+  std::function<wire::BatchMemory*()> hand_on = {};
+};
+
+class EventBatcher {
+ public:
+  explicit EventBatcher(Tell tell, SharedBatches shared = {})
+      : tell_(std::move(tell)), hand_on_(std::move(shared.hand_on)), waiting_(shared.first) {}
+  void tell(wire::Event event);
+  // Variants of events for the most frequent ones.
+  void sample(int agent, const run::Sample& sample);
+  void pin(int agent, SimTime t, Pin pin, const char* name, const PinDrive& drive, int source) {
+    waiting_.add_pin(agent, t, pin, name, static_cast<int>(drive.mode), drive.level, drive.pwm, drive.duty,
+                     drive.tone_hz, source);
+    look();
+  }
+  void level(int agent, SimTime t, Pin pin, const char* name, bool level) {
+    waiting_.add_level(agent, t, pin, name, level);
+    look();
+  }
+  void volts(int agent, SimTime t, Pin pin, const char* name, double volts) {
+    waiting_.add_volts(agent, t, pin, name, volts);
+    look();
+  }
+  /// Returns whether one of these three, of that pin at that time, can be appended to the waiting ones
+  /// unchanged.
+  bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
+  /// Announces that pins of the robot will have sources, and adds one of these.
+  void sources(int agent) { waiting_.add_sources(agent); }
+  void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
+  /// Passes on the waiting events.
+  void flush();
+
+ private:
+  /// The longest delay of an event, for observers of a slow run. Each flush costs as much as some hundred
+  /// events.
+  static constexpr SimTime kLongest = 1 * kSecond;
+
+  [[gnu::always_inline]] void look() {
+    if (waiting_.size() >= wire::BatchWriter::kFull_bytes || waiting_.latest_ns() - flushed_ns_ >= kLongest)
+      flush();
+  }
+
+  Tell tell_;
+  std::function<wire::BatchMemory*()> hand_on_;
+  wire::BatchWriter waiting_;
+  SimTime flushed_ns_ = 0;
+};
+
+}  // namespace robosim::runner

@@ -1,0 +1,78 @@
+// Converts a run's reports to protocol events.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "hal/board/board_spec.h"
+#include "sim/exec/core/executor.h"
+#include "sim/run/simulation.h"
+#include "sim/runner/event_batcher.h"
+#include "sim/wire/messages.h"
+#include "sim/wire/run_columns.h"
+
+namespace robosim::runner {
+
+class EventEncoder final : public run::Listener {
+ public:
+  /// Reports what `request` subscribes to, for robot number `agent`. Frequent events go through `batcher`,
+  /// unless it is null. All but `tell` must live as long as this.
+  EventEncoder(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
+               Tell tell, EventBatcher* batcher);
+
+  void began(const run::Beginning& beginning) override;
+  void sampled(const run::Sample& sample) override;
+  void happened(const wire::RunEvent& event) override;
+  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
+  bool wants_inputs() const override { return wants_inputs_ || columns_; }
+  bool minds_turns() const override;
+  void level_seen(Pin pin, bool level, SimTime t) override;
+  void volts_seen(Pin pin, double volts, SimTime t) override;
+  void byte_received(std::uint8_t byte, SimTime t) override;
+  void byte_sent(std::uint8_t byte, SimTime t) override;
+
+  /// Sends what is held back: the incomplete line of the sketch; the columns.
+  void flush_serial(SimTime t);
+  void flush_columns();
+
+ private:
+  bool in_span(SimTime t) const;
+  int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
+  int number_of_source(Pin pin, const PinDrive& drive);
+  /// Returns whether the batcher takes an event unchanged. Most are such; a recorded run has time only for
+  /// this small piece of code.
+  static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
+    return batcher && batcher->follows(agent, t, pin);
+  }
+  // Handles the others.
+  [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
+  [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
+  // Reports a pin without a batcher.
+  [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
+  [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
+  [[gnu::noinline]] void tell_volts(Pin pin, double volts, SimTime t);
+  /// Reports an event about its robot.
+  template <typename Event>
+  void tell(Event event);
+  template <typename Event>
+  void detail(Event event);
+
+  const wire::RunRequest& request_;
+  const int agent_;
+  const BoardSpec& board_;
+  exec::Executor& executor_;
+  Tell tell_;
+  EventBatcher* const batcher_;  ///< null = events and columns are passed on directly
+  const bool wants_columns_, wants_pins_, wants_inputs_;
+  const bool hears_pins_;               ///< else pins need no work
+  EventBatcher* quick_pins_ = nullptr;  ///< set if it gets all of them, and no sources
+  EventBatcher* const quick_inputs_;    ///< set if it gets all of them
+  std::string line_;
+  std::optional<wire::RunColumns> columns_;
+  std::optional<wire::SourceNumbers> sources_;  ///< for columns that the client makes
+  wire::Sample sample_;                         ///< the last one
+};
+
+}  // namespace robosim::runner

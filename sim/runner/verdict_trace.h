@@ -1,0 +1,77 @@
+// Runs a simulation, then traces its verdict back to the causes.
+//
+//   - The run is saved at intervals.
+//   - The verdict's decisive moment is run again, and each instruction is recorded (exec::CauseFinder).
+//   - For bytes that were written long before, it finds the last two snapshots between which one of them
+//     changed, and runs what lies between them again in the same way.
+//   - The lines found become links: one for a file, one for everything that was read, one for everything that
+//     was set long before.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/exec/core/cause_finder.h"
+#include "sim/run/simulation.h"
+#include "sim/runner/snapshot_index.h"
+
+namespace robosim::runner {
+
+class Inquiry final : run::Listener {
+ public:
+  /// Examines a run of one robot. All outlive this. Throws InputError if causes cannot be found.
+  Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<robot::WiredPin> wiring);
+
+  /// Returns the run's outcome, with its causes.
+  judge::Outcome go();
+
+ private:
+  struct Command {
+    SimTime t = 0;
+    double left = 0.0, right = 0.0;
+  };
+  using Steps = std::vector<exec::CauseStep>;
+
+  bool wants_inputs() const override { return true; }
+  void sampled(const run::Sample& sample) override;
+  void level_seen(Pin pin, bool level, SimTime t) override;
+  void volts_seen(Pin pin, double volts, SimTime t) override;
+
+  void run_and_save();
+  void run_again(std::size_t from, SimTime until);
+  template <typename Ask>
+  Steps trace(SimTime t, SimTime until, Ask ask);
+  void save_between(std::size_t moment);
+  std::vector<std::uint8_t> bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses);
+  void give_up_what_changes(std::size_t from);
+  bool go_back(std::size_t& from, bool for_registers);
+  std::pair<SimTime, SimTime> blind_around(SimTime t) const;
+
+  std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
+  void tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain);
+  /// Adds the steps that are missing in the chain, up to `most` links. `lines`: at most in each.
+  void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
+                 std::vector<wire::Cause>& chain) const;
+  void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
+  std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most, std::size_t lines) const;
+  wire::Cause motors_at(SimTime t, const std::string& text) const;
+  std::string name_of(Pin pin) const;
+  std::string read_at(const exec::CauseStep& step) const;
+
+  run::Setup setup_;
+  const BoardSpec& board_;
+  const std::vector<robot::WiredPin> wiring_;
+  exec::CauseFinder& causes_;
+  bool looks_again_ = false;
+
+  std::vector<Command> commands_;                                     ///< of the motors
+  std::vector<SimTime> looks_;                                        ///< at line sensors
+  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< during the second run
+
+  run::Simulation simulation_;  // after the fields to which it reports when it begins
+  SnapshotIndex moments_;
+};
+
+}  // namespace robosim::runner

@@ -1,0 +1,71 @@
+// Decides which requests are answered at all. A page of another site can make the browser of a user of
+// `robosim serve` send requests here. It can neither read the answers nor choose these headers:
+//
+//   Host             must be ours: else another site's name leads here (DNS rebinding)
+//   Origin           if present, must be ours
+//   Sec-Fetch-Site   if present: "same-origin", or "none" (typed by the user)
+//   X-Robosim        required for actions: a form of another site cannot send it
+//
+// The others limit the size of a request, so that the HTTP library does not read a larger one:
+//   Range            at most one, since the answer has the page once for each
+//   Content-Encoding none: a few bytes may unpack to any number
+//   Transfer-Encoding, Content-Length   the length must be known before the body arrives
+//
+// If other machines may connect, a token is required, too.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace robosim::serve {
+
+/// The relevant headers of a request; "" = missing.
+struct RequestHead {
+  std::string method;
+  std::string path;  ///< unchanged, with percent signs
+  std::string host;
+  std::string origin;
+  std::string fetch_site;
+  std::string robosim;  ///< X-Robosim
+  std::string content_type;
+  std::string token;  ///< from the query or the cookie
+  std::string range;
+  std::string content_encoding;
+  std::string transfer_encoding;
+  std::string content_length;
+};
+
+struct Refusal {
+  int status;
+  std::string sentence;
+};
+
+class OriginCheck {
+ public:
+  /// `address` is the listening address; `token` is "" if only this machine can connect.
+  OriginCheck(std::string address, int port, std::string token);
+
+  /// Returns the reason for a refusal; nothing = it may be answered.
+  std::optional<Refusal> refuse(const RequestHead& asked) const;
+
+  const std::string& token() const { return token_; }
+  /// Returns the address to open: "http://127.0.0.1:8080/".
+  std::string url() const;
+
+ private:
+  bool is_ours(std::string_view host) const;
+
+  const std::string address_;
+  const int port_;
+  const std::string token_;
+};
+
+/// Returns whether only this machine can connect to a listening address.
+bool is_loopback(std::string_view address);
+
+/// Returns 128 random bits as 32 hexadecimal digits. Throws InputError if the machine has no source of them.
+std::string random_token();
+
+}  // namespace robosim::serve

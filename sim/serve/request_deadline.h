@@ -1,0 +1,61 @@
+// Limits the time in which a client must send a request, and the length of its head. The HTTP library limits
+// only the time between two bytes, so that a client with rare bytes would occupy a thread. It limits the
+// length of a header, but not their number.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace robosim::serve {
+
+class RequestDeadline {
+  struct Connection;
+
+ public:
+  /// `port`: the server's. `answer`: sent to a client that is too slow, before the connection is closed.
+  RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
+  ~RequestDeadline();
+
+  /// Returns the connection that was just accepted, which the library does not pass on. Null if it has gone
+  /// already.
+  Connection* accepted();
+  /// Answers its request, by `work`, in this thread; the time limit starts now.
+  void answer(Connection* connection, const std::function<void()>& work);
+
+  // For the connection that this thread answers:
+  void head_is_here();
+  void is_here();    ///< the whole request
+  void read_away();  ///< input after the answer, or its sender would not see the answer
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Connection {
+    int socket = -1;
+    ino_t inode = 0;  // socket numbers are reused
+    Clock::time_point since{};
+    bool awaited = false;
+    bool head_awaited = false;
+  };
+  void watch();
+  static bool floods(const Connection& one);
+
+  static thread_local Connection* own_;
+
+  const int port_;
+  const std::chrono::milliseconds most_;
+  const std::string answer_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<Connection> connections_;
+  bool ends_ = false;
+  std::thread watcher_;
+};
+
+}  // namespace robosim::serve

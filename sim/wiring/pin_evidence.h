@@ -1,0 +1,69 @@
+// The facts about each pin that a sketch uses: its name, and how it was used.
+#pragma once
+
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sim/wiring/pin_facts.h"
+#include "sim/wiring/sketch_names.h"
+
+namespace robosim::wiring {
+
+enum class Side { unknown, left, right };
+
+/// Returns the side by a name's words: left, r, ENA, IN3, motorB, M2 … Of numbered motors and channels the
+/// first counts as the left one.
+Side side_of(const std::vector<std::string>& words);
+/// Returns whether one of the words begins with one of these.
+bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
+
+struct PinEvidence {
+  Pin pin = kNoPin;
+  std::string name;                ///< empty = none
+  std::vector<std::string> words;  ///< of the name
+  bool in_array = false;
+  int argument = -1;  ///< its position among the arguments of its object; -1 = none
+  Spot spot;
+  const PinFacts* facts = nullptr;
+
+  bool is_read() const { return facts->looked || facts->measured; }
+  bool is_used() const { return facts->driven || is_read() || facts->pulled_up; }
+};
+
+/// All pins that a sketch uses or names, sorted by their names' places in the source, then by number. A guess
+/// that identifies a pin's part takes the pin.
+class Evidence {
+ public:
+  Evidence(const BoardSpec& board, const SketchNames& names, const PinHistory& history);
+
+  const BoardSpec& board() const { return board_; }
+  const SketchNames& names() const { return names_; }
+  const PinHistory& history() const { return history_; }
+
+  const PinEvidence& of(Pin pin) const { return by_pin_[pin]; }
+  /// Returns the used pins that have not been taken.
+  std::vector<const PinEvidence*> left() const;
+  /// Returns the pins that have a name in the source, and were never used.
+  std::vector<const PinEvidence*> never_used() const;
+  /// Returns whether one of these functions gets it, or an array with it, as the first argument.
+  bool is_given_to(std::initializer_list<const char*> functions, Pin pin) const;
+  bool is_free(Pin pin) const { return pin != kNoPin && taken_.count(pin) == 0; }
+  void take(Pin pin) { taken_.insert(pin); }
+
+  /// Returns "5" or "\"A0\"", as in a robot file.
+  std::string toml(Pin pin) const;
+  /// Returns "ENA, follower.ino:3"; empty for a pin without a name.
+  std::string where(Pin pin) const;
+
+ private:
+  const BoardSpec& board_;
+  const SketchNames& names_;
+  const PinHistory& history_;
+  std::vector<PinEvidence> by_pin_;
+  std::vector<Pin> order_;
+  std::set<Pin> taken_;
+};
+
+}  // namespace robosim::wiring

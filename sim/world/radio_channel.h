@@ -1,0 +1,42 @@
+// Radio transmission between robots, byte by byte. All receivers on a channel hear all other senders there.
+// Not modelled: range, and collisions of bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+
+namespace robosim::world {
+
+class RadioChannel {
+ public:
+  /// A byte as it reaches a radio.
+  struct Arrival {
+    SimTime at = 0;
+    std::uint8_t byte = 0;
+  };
+
+  /// A new radio; its number.
+  std::size_t add_radio(int channel);
+  /// Sends a byte, which reaches the other radios at `at`. That must be in a later tick, so that the order of
+  /// calls within a tick has no effect.
+  void send(std::size_t from, std::uint8_t byte, SimTime at);
+  /// The next byte that has reached this radio before `t`, once.
+  std::optional<Arrival> take(std::size_t radio, SimTime t);
+
+  /// The state that changes during a run.
+  struct State {
+    std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time; at once, by byte, not by number
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  std::vector<int> channels_;  ///< of each radio
+  State state_;
+};
+
+}  // namespace robosim::world

@@ -1,0 +1,43 @@
+// Changes of the paint during a run: rectangles parallel to the floor's edges, of line or of bare floor, each
+// over the earlier ones.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace robosim::world {
+
+class RuntimePaint {
+ public:
+  struct Rectangle {
+    int id = 0;
+    Vec2 least, most;  ///< corners, m
+    bool line = false;
+  };
+  /// The state that changes during a run.
+  struct State {
+    std::vector<Rectangle> patches;
+    int next_id = 1;
+    int changes = 0;
+  };
+
+  bool empty() const { return state_.patches.empty(); }
+  /// So often the floor has changed: what was read of it before may no longer hold.
+  int changes() const { return state_.changes; }
+  int add(Vec2 least, Vec2 most, bool line);
+  /// Does nothing if there is no such patch.
+  void remove(int id);
+
+  /// Returns the value of a square of side `footprint` about p. Its value is `below` without these patches,
+  /// and `line` or `bare` if all of it is line or bare floor.
+  double over(double below, double line, double bare, Vec2 p, double footprint) const;
+
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  State state_;
+};
+
+}  // namespace robosim::world

@@ -1,0 +1,11 @@
+// Random numbers for code that does not need to know RapidCheck.
+#pragma once
+
+#include <functional>
+
+namespace robosim::worlds {
+
+/// Returns a number from 0 to below − 1.
+using RandomSource = std::function<int(int below)>;
+
+}  // namespace robosim::worlds

@@ -1,0 +1,75 @@
+#include "sim/build/warning_filter.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/build/fixture.h"
+
+namespace robosim::build {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Slips : public SketchTest {
+ protected:
+  /// The body of loop() begins in line 6.
+  std::string said_of(const std::string& body) {
+    write("My/My.ino",
+          "#define LOG(x)\nint x, y, z;\nvoid f() {}\nvoid setup() {}\nvoid loop() {\n" + body + "\n}\n");
+    return build_here("My").messages;
+  }
+};
+
+TEST_F(Slips, AreShownWithTheFunctionThatTheyAreIn) {
+  const std::string said = said_of(
+      "if (x = 1) f();\nwhile (x = y) f();\nif (400 < x < 600) f();\nif (x);\nif (x > (y + 1)) ;\n"
+      "if (x) f(); else;");
+  EXPECT_THAT(said, HasSubstr("loop()"));
+  for (int line = 6; line <= 11; ++line)
+    EXPECT_THAT(said, ContainsRegex("My.ino:" + std::to_string(line) + ":[0-9]+: warning"));
+}
+
+TEST_F(Slips, RightCodeIsNotWarnedOf) {
+  EXPECT_EQ(said_of("x = x & B11111000 | B001;\nif (x && y || z) f();\nx = y << 1 + 2;\nif (x) LOG(1);\n"
+                    "if (x == 1 & y == 2) f();\nif (x) if (y) f(); else LOG(y);\nif ((x = y)) f();"),
+            "");
+}
+
+TEST_F(Slips, ASlipBehindRightCodeKeepsItsPlaceAndWhatElseIsSaidIsKept) {
+  const std::string said = said_of("x = y & 4 | 1; if (x = 1) f(); x = 'ab';");
+  EXPECT_THAT(said, AllOf(HasSubstr("In function"), HasSubstr("assignment"), Not(HasSubstr("arithmetic"))));
+  EXPECT_THAT(said, HasSubstr("multi-character"));
+}
+
+TEST_F(Slips, AVariableThatAPathLeavesUnsetIsToldWhereItIsCompiledWithChecks) {
+  const auto said = [&](const std::string& body) {
+    write("My/My.ino", "int x;\nvoid setup() {}\nvoid loop() {\n" + body + "\n}\n");
+    return build({folder_ / "My", *find_board("uno"), "host", {}, Warnings::standard, true}).messages;
+  };
+  const std::string inverted =
+      said("bool inverted; if (Serial.read() == 'i') inverted = true;\nif (inverted) x++;");
+  EXPECT_THAT(inverted, AllOf(HasSubstr("My.ino:5:1: warning: 'inverted' may be used uninitialized"),
+                              HasSubstr("My.ino:4:6: note: 'inverted' was declared here")));
+  EXPECT_EQ(said("int n; const bool any = Serial.available(); if (any) n = Serial.read();\nif (any) x = n;"),
+            "");
+  EXPECT_EQ(said("int n; if (!Serial.readBytes((char*)&n, 2)) n = 0;\nx = n;"), "");
+}
+
+TEST(SlipsOf, MessagesOfAvrGccAreReadToo) {
+  const std::string both =
+      "My.ino: In function 'void loop()':\n"
+      "My.ino:3:9: warning: suggest parentheses around '&&' within '||' [-Wparentheses]\n"
+      "   if (a && b || c) f();\n         ^\n"
+      "My.ino:4:9: warning: suggest braces around empty body in an 'if' statement [-Wempty-body]\n"
+      "   if (a);\n         ^";
+  EXPECT_EQ(without_style_warnings(both),
+            "My.ino: In function 'void loop()':\n"
+            "My.ino:4:9: warning: suggest braces around empty body in an 'if' statement [-Wempty-body]\n"
+            "   if (a);\n         ^");
+}
+
+}  // namespace
+}  // namespace robosim::build

@@ -1,0 +1,25 @@
+#include "sim/cli/wire/candidate_trial.h"
+
+#include <gtest/gtest.h>
+
+namespace robosim::cli {
+namespace {
+
+TEST(FollowsALap, TakesALapAlongTheLineAlone) {
+  wire::RunResult result;
+  result.verdict = "reached";
+  result.metrics.cross_track_rms_mm = 12.0;
+  result.time_s = 24.0;
+  EXPECT_TRUE(follows_a_lap(result, false));
+  result.metrics.off_line_s = 19.0;
+  EXPECT_FALSE(follows_a_lap(result, false)) << "it saw the line by chance";
+  EXPECT_TRUE(follows_a_lap(result, true)) << "two sensors beside the line do not see it";
+  result.metrics.cross_track_rms_mm = 60.0;
+  EXPECT_FALSE(follows_a_lap(result, true)) << "it went round beside the line";
+  result.metrics.cross_track_rms_mm = 12.0;
+  result.verdict = "timeout";
+  EXPECT_FALSE(follows_a_lap(result, true));
+}
+
+}  // namespace
+}  // namespace robosim::cli

@@ -1,0 +1,59 @@
+// Tests losses while interrupts are off (sim/exec/avr/detect/missed_interrupts.h).
+
+#include "tests/unit/exec_avr/fixture.h"
+
+namespace robosim::exec {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class LossesTest : public AvrTest {
+ protected:
+  void before_power_on() override { avr_->detect({2}); }
+  /// Pulses of 0.2 ms come at pin 2, 1000 a second; loop() is `line`, the fourth.
+  std::vector<Detected> seen(const std::string& line, const std::string& handler = "++count;") {
+    start("volatile unsigned count; volatile float f = 1;\nvoid pulse() { " + handler +
+          " }\nvoid setup() { Serial.begin(115200); attachInterrupt(0, pulse, RISING); }\nvoid loop() { " +
+          line + " }\n");
+    for (int ms = 0; ms < 60; ++ms) {
+      const SimTime t = now_ + 300 * kMicrosecond;
+      board().schedule_edge(2, true, t);
+      board().schedule_edge(2, false, t + 200 * kMicrosecond);
+      run(kMillisecond);
+    }
+    return avr_->detected();
+  }
+};
+
+TEST_F(LossesTest, EdgesAndTicksThatComeWhileInterruptsAreOff) {
+  const auto found = seen("noInterrupts(); delayMicroseconds(5000); interrupts(); delay(3);");
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[0].detector, "lost_edge");
+  EXPECT_THAT(found[0].what, HasSubstr("an edge at pin 2 was lost"));
+  EXPECT_THAT(found[0].what, HasSubstr("because interrupts were off"));
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 4);
+  EXPECT_NEAR(static_cast<double>(found[0].times), 60.0 / 8.0 * 4.0, 6.0);
+  EXPECT_EQ(found[1].detector, "lost_tick");
+  EXPECT_THAT(found[1].what, HasSubstr("millis() lost"));
+  EXPECT_NEAR(static_cast<double>(found[1].times), 60.0 / 8.0 * 4.0, 8.0);
+}
+
+TEST_F(LossesTest, TicksThatComeWhileAHandlerRuns) {
+  const auto found = seen("", "if (++count % 20 == 0) for (int i = 0; i < 300; ++i) f = f * 1.01f;");
+  ASSERT_FALSE(found.empty());
+  for (const Detected& one : found) EXPECT_THAT(one.what, HasSubstr("handler was"));
+  EXPECT_EQ(found.back().where.line, 2);
+}
+
+TEST_F(LossesTest, AreNoneWhereInterruptsAreOffForAMoment) {
+  EXPECT_THAT(seen("noInterrupts(); unsigned n = count; interrupts(); Serial.println(n);"), IsEmpty());
+  EXPECT_THAT(seen("noInterrupts(); delayMicroseconds(600); interrupts(); delayMicroseconds(100);"),
+              IsEmpty())
+      << "each handler came before the next edge";
+}
+
+}  // namespace
+}  // namespace robosim::exec

@@ -1,0 +1,100 @@
+#include "sim/judge/wiring_usage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/exec/core/board_state.h"
+
+namespace robosim::judge {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Sensor final : public PinSource {
+ public:
+  bool level(SimTime) override { return now > 2.5; }
+  double volts(SimTime) override { return now; }
+  double now = 0.0;
+};
+
+class UsageTest : public testing::Test {
+ protected:
+  wire::Usage usage() { return usage_of(uno_, wiring, was_output, board); }
+  static std::vector<std::string> told(const std::vector<wire::Usage::Loose>& pins) {
+    std::vector<std::string> text;
+    for (const auto& pin : pins) text.push_back(pin.pin + " " + pin.how);
+    return text;
+  }
+  static std::vector<std::string> told(const std::vector<wire::Usage::Steady>& parts) {
+    std::vector<std::string> text;
+    for (const auto& part : parts) text.push_back(part.part + " " + part.reads);
+    return text;
+  }
+  void set(Pin pin, PinMode mode) {
+    PinDrive drive;
+    drive.mode = mode;
+    board.set_drive(pin, drive, 0);
+    if (mode == PinMode::output) was_output[pin] = true;
+  }
+
+  const BoardSpec& uno_ = *find_board("uno");
+  exec::BoardState board{uno_};
+  std::vector<bool> was_output = std::vector<bool>(uno_.pin_count);
+  std::vector<robot::WiredPin> wiring = {{"left", "motor", "in1", 7},
+                                         {"left", "motor", "in2", 8},
+                                         {"start", "button", "", 4},
+                                         {"S", "reflectance-array", "S1", 14},
+                                         {"S", "reflectance-array", "S2", 15}};
+};
+
+TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
+  EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
+  board.read_along(7, 0);  // with its port, say: a motor is driven
+  EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
+  set(8, PinMode::output);
+  board.read_volts(15, 0);
+  board.set_wants_edges(4, true, 0);
+  EXPECT_THAT(usage().unused, ElementsAre("S1"));
+}
+
+TEST_F(UsageTest, PinsThatAreUsedWithNothingWiredToThemAreNamed) {
+  EXPECT_THAT(usage().unwired, IsEmpty());
+  set(6, PinMode::output);
+  set(13, PinMode::output);  // the board's own LED
+  set(7, PinMode::output);   // wired
+  set(2, PinMode::input_pullup);
+  board.read_level(2, kMillisecond);
+  board.read_volts(16, kMillisecond);
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D2 read", "D6 driven", "A2 read"));
+}
+
+TEST_F(UsageTest, APinThatIsReadWithItsWholePortIsNotBlamed) {
+  for (int pass = 0; pass < 3; ++pass)
+    for (Pin pin = 0; pin < 8; ++pin) board.read_along(pin, pass * kMillisecond);
+  EXPECT_THAT(usage().unwired, IsEmpty());
+}
+
+TEST_F(UsageTest, PinsThatAreLookedAtInOneReadAreAllNamedAndSoIsOneThatIsReadOnce) {
+  for (const Pin pin : {2, 3}) board.read_level(pin, kMillisecond);  // PIND & 0x0C
+  board.read_level(5, kSecond);
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D2 read", "D3 read", "D5 read"));
+}
+
+TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot) {
+  Sensor s1;
+  Sensor s2;
+  board.connect(14, s1);
+  board.connect(15, s2);
+  board.read_level(4, 0);
+  for (int i = 0; i < 5; ++i) {
+    s1.now = 4.3 + 0.01 * i;  // noise
+    s2.now = 0.5 * i;
+    board.read_volts(14, i * kMillisecond);
+    board.read_volts(15, i * kMillisecond);
+  }
+  EXPECT_THAT(told(usage().steady), ElementsAre("start LOW", "S1 4.3 V"));
+}
+
+}  // namespace
+}  // namespace robosim::judge
