@@ -22,7 +22,7 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   const std::size_t at = good.find("octet-stream\">") + 14;
   const std::string lacking = base64(record::kRecordingMagic + record::deflated("{}\n"));
   for (const auto& [broken, sentence] :
-       {std::pair{good.substr(0, at) + good.substr(good.find("</script>", at)), "no recording of Robosim"},
+       {std::pair{good.substr(0, at) + good.substr(good.find("</script>", at)), "not a recording of Robosim"},
         std::pair{good.substr(0, at) + lacking + good.substr(good.find("</script>", at)),
                   "header is damaged"},
         std::pair{good.substr(0, at + 2000) + good.substr(good.find("</script>", at)), "damaged or cut off"},
@@ -74,7 +74,7 @@ TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
       {"newer.rec", "robosim.rec/2\n" + good.substr(14),
        "This recording was made by a newer version of Robosim than this page."},
       {"empty.rec", "", "This is not a recording of Robosim."},
-      {"other.html", "<!doctype html><title>Another page</title>", "This page has no recording of Robosim."},
+      {"other.html", "<!doctype html><title>Another page</title>", "This page has not a recording of Robosim."},
       {"bare.rec", made("{}"), "The recording’s header is damaged: record the run again."},
       {"hollow.rec", made(R"({"streams":[],"notes":[],"result":{},"started":{},"robot_info":{}})"),
        "The recording’s header is damaged: record the run again."},

@@ -348,11 +348,12 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
   for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // to who looks on, too
-    EXPECT_THAT(browser()
-                    .run(std::string(deed) + "await until(() => $('state').textContent.includes('gone')); "
-                                             "return $('state').textContent;")
-                    .get<std::string>(),
-                HasSubstr("start robosim serve again"));
+    EXPECT_THAT(
+        browser()
+            .run(std::string(deed) + "await until(() => $('state').textContent.includes('has stopped')); "
+                                     "return $('state').textContent;")
+            .get<std::string>(),
+        HasSubstr("start robosim serve again"));
 }
 
 }  // namespace
