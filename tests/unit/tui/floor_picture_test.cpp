@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/tui/looks.h"
+#include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
 namespace {

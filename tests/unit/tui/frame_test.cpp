@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "tests/unit/tui/looks.h"
+#include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/tui/looks.h"
+#include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tests/unit/tui/looks.h"
+#include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
 namespace {

@@ -1,4 +1,4 @@
-// Appearances of a terminal, for tests.
+// Looks of a terminal, for tests: plain, with colours, and in ASCII.
 #pragma once
 
 #include "sim/tui/frame.h"
