@@ -11,7 +11,7 @@ namespace robosim::museum {
 ///
 ///   Kind: units                     what sort of mistake it is
 ///   Tests: PidFollower              suites whose names have one of these words in them are run first
-///   Survives: nobody can notice it  only if no test finds it: why
+///   Survives: it changes no run     only if no test finds it: why
 struct Bug {
   std::string name;  ///< the file's, without ".patch"
   std::filesystem::path patch;

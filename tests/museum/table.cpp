@@ -16,7 +16,7 @@ constexpr const char* kEnd = "<!-- to here -->\n";
 std::string link_to(const Bug& bug) {
   std::string title = bug.name;
   std::replace(title.begin(), title.end(), '_', ' ');
-  return fmt::format("[{}](../tests/museum/bugs/{}.patch)", title, bug.name);
+  return fmt::format("[{}](../../tests/museum/bugs/{}.patch)", title, bug.name);
 }
 
 }  // namespace
@@ -37,17 +37,17 @@ std::string table_of(const std::vector<Result>& results, const std::string& targ
   const auto caught = count([](const Result& one) { return one.caught(); });
   const auto on_host = count([](const Result& one) { return one.on_host(); });
   const auto by_unit_tests = count([](const Result& one) { return one.by_unit_tests(); });
-  std::string text = fmt::format(
-      "{} of {} bugs are caught on {}; {} of them on a chip only, {} by the library's unit tests only.\n\n",
-      caught, results.size(), targets, caught - on_host - by_unit_tests, by_unit_tests);
+  std::string text =
+      fmt::format("{} of {} bugs are caught on {}: {} of them on a chip only, {} by unit tests only.\n\n",
+                  caught, results.size(), targets, caught - on_host - by_unit_tests, by_unit_tests);
   text += "| kind | bug | what is wrong | caught by | s |\n|---|---|---|---|---|\n";
   for (const Result& one : results)
     text += fmt::format("| {} | {} | {} | {} | {:.1f} |\n", one.bug->kind, link_to(*one.bug), one.bug->story,
                         one.caught() ? catches_of(one) : "**not caught**", one.seconds);
   if (caught == static_cast<std::ptrdiff_t>(results.size())) return text;
-  text += "\n### Not caught\n\n";
+  text += "\n### Not caught\n\n| bug | why no test finds it |\n|---|---|\n";
   for (const Result& one : results)
-    if (!one.caught()) text += fmt::format("- {}: {}\n", link_to(*one.bug), one.bug->survives);
+    if (!one.caught()) text += fmt::format("| {} | {} |\n", link_to(*one.bug), one.bug->survives);
   return text;
 }
 

@@ -126,6 +126,6 @@ if [[ $way == performance_table ]]; then
   exit 0
 fi
 [[ -z $worse ]] || {
-  echo "${worse}If that is meant: cmake --build build/ci --target performance_table writes docs/explanation/performance.md anew."
+  echo "${worse}If that is meant: cmake --build build/ci --target performance_table rewrites docs/explanation/performance.md."
   exit 1
 }
