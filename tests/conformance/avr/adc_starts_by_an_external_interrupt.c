@@ -1,4 +1,4 @@
-// A flag that is set starts a conversion: its prescaler starts anew 3 cycles behind it, and 13.5 clocks later it is done.
+// A flag that is set starts a conversion: its prescaler restarts 3 cycles later, and it is done after 13.5 clocks.
 // Source: DS40002061B, 24.3, 24.4, table 24-1
 // Expect: e0 b0
 #include "report.h"

@@ -1,4 +1,4 @@
-// A pin change passes a latch, a synchroniser and two registers: PCIF is set 3 cycles behind it.
+// A pin change passes a latch, a synchroniser and two registers: PCIF is set 3 cycles later.
 // Source: DS40002061B, figure 13-1
 // Expect: 00 01
 // Chips: atmega328p atmega2560 atmega32u4

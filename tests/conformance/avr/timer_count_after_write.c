@@ -1,4 +1,4 @@
-// What is written to TCNT0 is read as written in the next cycle, and as one more in each later one.
+// A value written to TCNT0 is read as written in the next cycle, and as one more in each later one.
 // Source: DS40002061B, 15.5.3
 // Expect: 30 31 32 39
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

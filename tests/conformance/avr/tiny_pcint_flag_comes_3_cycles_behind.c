@@ -1,4 +1,4 @@
-// A pin change passes a latch, a synchroniser and two registers: PCIF is set 3 cycles behind it.
+// A pin change passes a latch, a synchroniser and two registers: PCIF is set 3 cycles later.
 // Source: 2586Q, figure 9-1
 // Expect: 00 20
 // Chips: attiny85

@@ -1,4 +1,4 @@
-// SE and SM are in MCUCR. In power-down timers stand; the watchdog wakes, 4 cycles behind the oscillator's start.
+// SE and SM are in MCUCR. In power-down timers stand; the watchdog wakes, 4 cycles after the oscillator's start.
 // Source: 2586Q, 7.1, 7.5.1, 8.5.2
 // Expect: 05 0b
 // Ends: 1000000

@@ -1,4 +1,4 @@
-// WDR begins the time anew.
+// WDR restarts the watchdog's time.
 // Source: DS40002061B, 11.8
 // Expect: 08 08
 // Ends: 1000000
