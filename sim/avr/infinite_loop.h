@@ -17,8 +17,8 @@ struct InfiniteLoop {
   bool interruptible = false;  ///< somewhere in it, the I flag is set
 };
 
-/// Finds the loop. Returns nothing if the program accesses I/O registers except SREG and SP, needs more than
-/// the processor, or exceeds the limit of instructions. `cpu` does not change.
+/// Finds the loop, within the limit of instructions. Returns nothing if the program needs more than the
+/// processor, or accesses I/O registers other than SREG and SP. `cpu` does not change.
 std::optional<InfiniteLoop> find_infinite_loop(const Cpu& cpu, int most_instructions);
 
 /// The addresses in data memory that an interrupt's handler may change, without its own stack.

@@ -67,8 +67,8 @@ std::string man_page(const std::vector<CommandGroup>& groups) {
       ".SH NAME\nrobosim \\- run Arduino line followers on simulated robots and judge the runs\n"
       ".SH SYNOPSIS\n.B robosim\n\\fICOMMAND\\fR ...\n.SH DESCRIPTION\n" +
       roff(
-          "Robosim takes an Arduino sketch as it is, drives a simulated robot with it over a floor drawn as "
-          "text, and judges the run.") +
+          "Robosim takes an Arduino sketch as it is, and drives a simulated robot with it. The floor is "
+          "drawn as text. Robosim judges the run.") +
       "\n.PP\n" + roff(kNamingHelp) + "\n.SH COMMANDS\n";
   std::string pages;
   for (const CommandGroup& group : groups) {

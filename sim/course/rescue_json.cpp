@@ -309,7 +309,7 @@ class RescueReader {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";
     if (middles.size() != checkpoints_.size() || middles.size() < 2)
-      return remarks_.push_back("the path cannot be followed tile by tile, so the goal is none");
+      return remarks_.push_back("the path cannot be followed tile by tile, so the map has no goal");
     map.goal = "rescue-line";
     grid::RescueCourse& rescue = map.course.rescue.emplace();
     rescue.tile = kTile;

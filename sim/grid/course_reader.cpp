@@ -135,10 +135,9 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
   const Path& path = course.paths[static_cast<std::size_t>(race.path)];
   const bool is_drag_race = table.find("braking") != nullptr;
   if (!is_drag_race && !path.is_closed(line_m))
-    throw InputError(
-        value.place,
-        "[race] requires a closed path, whose end meets its beginning, or braking = \"1 m\", the distance "
-        "after the goal line of a drag race");
+    throw InputError(value.place,
+                     "[race] requires a closed path, whose end meets its beginning; a drag race requires "
+                     "braking = \"1 m\", the distance after its goal line");
   race.start = table.quantity("start", Dimension::length, 0.0, 0.0, path.length());
   const ConfigValue& goal = table.require("goal");
   race.goal = as_quantity(goal, "goal", Dimension::length, 0.0, path.length());

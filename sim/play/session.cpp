@@ -55,7 +55,7 @@ std::optional<CellAt> next_dead_end(const grid::Map& map, CellAt after) {
 }
 
 constexpr const char* kPlaceKeys =
-    "w a s d or arrows move it, t turns it, n goes to the next end of a line, Enter accepts, q quits";
+    "w a s d or arrows move it; t turns it; n goes to the next end of a line; Enter accepts; q quits";
 
 }  // namespace
 
@@ -212,7 +212,7 @@ void Session::choose_engine() {
     page.line(fmt::format("The robot starts at {}.", pose_text(start_)));
     page.blank();
     page.text("1 cells: from cell to cell, as the original program did: exact and fast");
-    page.text("2 driven robot: a simulated Arduino robot with motors and sensors, by a sketch of ours");
+    page.text("2 driven robot: a simulated Arduino robot with motors and sensors, and a sample sketch");
     page.blank();
   };
   for (;;) {
@@ -239,7 +239,8 @@ void Session::choose_speed() {
       speed_s_ = *speed;
       return;
     }
-    refuse(fmt::format("“{}” is no speed: give the seconds above 0 and up to 1000000, as in 0.5.", answer));
+    refuse(
+        fmt::format("“{}” is not a speed: expected seconds above 0 and up to 1000000, as in 0.5.", answer));
   }
 }
 
@@ -261,7 +262,7 @@ void Session::choose_algorithm() {
     } else if (is_any_of(answer, {"", "3", "a", "ai"})) {
       algorithm_ = Algorithm::ai;
     } else {
-      refuse(fmt::format("“{}” is no algorithm: answer 1 for left, 2 for right or 3 for ai.", answer));
+      refuse(fmt::format("“{}” is not an algorithm: expected 1 for left, 2 for right or 3 for ai.", answer));
       continue;
     }
     return;

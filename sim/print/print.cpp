@@ -253,7 +253,7 @@ class Printer {
                       pluralize(static_cast<std::size_t>(sheets_.columns), "column"),
                       count < all ? "; where nothing is painted there is none" : ""),
           std::string("Print at 100 %, not fitted to the page: on each sheet the bar must measure 100 mm."),
-          std::string("Cut off the left and the lower edge along the marks, and lay the sheet on the flaps "
+          std::string("Cut off the left and the lower edge along the marks. Lay the sheet on the flaps "
                       "of those to the left and below."),
           std::string(worn ? "What is worn here is printed whole." : ""),
           fmt::format("Marks that meet are {:.10g} mm apart to the right, {:.10g} mm upward.",

@@ -64,7 +64,8 @@ void fields(V& v, Same<V, Stop>& s) {
            "the firmware drives that pin high, or with PWM, however briefly");
   v.choice(s.kind, Kind::motors, "motors", s.level, "`true`: a motor is driven; `false`: none is");
   v.choice(s.kind, Kind::rest, "rest_ns", s.rest_ns,
-           "no wheel has turned for so long, counted from when the run went on", {.unit = "ns", .least = 0});
+           "no wheel has turned for this time, counted from when the run went on",
+           {.unit = "ns", .least = 0});
   if (V::kDescribes || s.kind == Kind::serial || s.kind == Kind::line)
     v("from", s.from, "with `serial` and `line`: number of the first byte that counts",
       {.presence = kOptional});

@@ -19,7 +19,7 @@ void fields(V& v, Same<V, Lateness>& l) {
     "before `setup()`",
     {.unit = "ns", .least = 0});
   v("by_ns", l.by_ns,
-    "so long nothing is done but to serve interrupts; negative: so much shorter the next `delay()` is",
+    "time in which only interrupts are served; negative: the next `delay()` is shorter by this time",
     {.unit = "ns"});
 }
 

@@ -109,7 +109,7 @@ void fields(V& v, Same<V, RobotInfo::Part>& p) {
   v("name", p.name, "as the robot's file has it");
   v("type", p.type, "`\"motor\"`");
   v("pins", PinsByUse{p.pins},
-    "for each use of a pin its number on the board; an output of a shift register is told by its name, "
+    "for each use of a pin, its number on the board, or the name of an output of a shift register: "
     "`\"REG1.Q4\"`");
 }
 

@@ -70,13 +70,13 @@ struct Ways {
 
 template <class V>
 void fields(V& v, Same<V, Ways>& w) {
-  v("at_ns", w.at_ns, "where the run parts, unless `after` says it; a multiple of the tick (1 ms)",
+  v("at_ns", w.at_ns, "where the run branches, unless `after` says it; a multiple of the tick (1 ms)",
     {.unit = "ns", .presence = kOptional, .least = 0, .multiple_of = 1'000'000});
-  v("after", w.after, "the run parts when the sketch has sent this text",
+  v("after", w.after, "the run branches when the sketch has sent this text",
     {.otherwise = "at `at_ns`", .presence = when(!w.after.empty())});
   v("scripts", w.scripts,
     "for each way, of which there are 1 to 64, lines that come at the end of the script. Nothing in them is "
-    "due before the run parts; they may wait for `after`");
+    "due before the run branches; they may wait for `after`");
 }
 
 /// One simulation.
@@ -143,10 +143,10 @@ void fields(V& v, Same<V, RunRequest>& r) {
     "nothing is streamed",
     {.presence = when(r.why)});
   v("ways", r.ways,
-    "the run parts, and goes on in several ways, each as a run of its own would whose script has these lines "
-    "at its end. The answer is the first way's and has the others' under the key `ways`. Counters of the "
-    "second way are written to `counters` with `.2` behind it, and so on. Of a run of one robot on a chip, "
-    "which is not driven, and of which nothing is streamed (else an `input` error)",
+    "the run branches: each way goes on like a run whose script ends with its lines. The answer is the first "
+    "way's and has the others' under the key `ways`. Counters of the second way are written to `counters` "
+    "with `.2` at its end, and so on. Only for a run of one robot on a chip that is neither driven nor "
+    "streamed (else an `input` error)",
     {.otherwise = "none"});
   v("script", r.script, "text of a scenario", {.otherwise = "empty", .presence = when(!r.script.empty())});
   v("script_file", r.script_file, "its name, for messages", {.presence = when(!r.script.empty())});

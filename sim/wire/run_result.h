@@ -96,7 +96,7 @@ template <class V>
 void fields(V& v, Same<V, Detected>& d) {
   v("detector", d.detector, "which one: `\"blind\"`");
   v("what", d.what, "a sentence: what was seen, and how it breaks");
-  v("mend", d.mend, "a sentence: how it is mended");
+  v("mend", d.mend, "a sentence: how to fix it");
   fields(v, d.where);
   v("first_s", d.first_s, "when it was seen first", {.unit = "s"});
   v("times", d.times, "how often it was seen there");
@@ -351,7 +351,7 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("others", r.others,
     "results of the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!r.others.empty())});
-  v("ways", r.ways, "of a run that parts, the results of its second and all further ways; else absent",
+  v("ways", r.ways, "of a run that branches, the results of its second and all further ways; else absent",
     {.presence = when(!r.ways.empty())});
 }
 

@@ -253,7 +253,7 @@ struct Batch {
 
 template <class V>
 void fields(V& v, Same<V, Batch>& b) {
-  v("size", b.size, "so many bytes follow the line, and the next line follows them",
+  v("size", b.size, "number of bytes after the line; the next line follows them",
     {.least = 0, .most = Batch::kMost_bytes});
 }
 

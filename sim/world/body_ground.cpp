@@ -24,9 +24,9 @@
 // least 0, instead of h. So a robot does not trip over a step if its mass is no higher than
 // its hubs.
 //
-// A wheel that goes from the slope k_0 to a steeper one, k_1, keeps its speed times the cosine of the angle
+// A wheel that meets a steeper slope, k_1 after k_0, keeps its speed times the cosine of the angle
 // between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
-// falls by at most 2 g r (1 - 1 / sqrt(1 + k_0^2)), the gain of its fall.
+// falls by no more than the gain of its fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
 //
 // Gaps between boards take the energy of each wheel's and the caster's share at once (floor_gaps.h). They
 // pull the wheel down while it is in them.

@@ -40,8 +40,8 @@ class Lighting {
   std::vector<bool> save() const;
   void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }
-  /// Returns L of all lights together. The floor at p looks whiter at `t` by this share of the range from
-  /// white to black, to a sensor 3 mm high.
+  /// Returns L of all lights together: the share of the range from white to black by which the floor at p
+  /// looks whiter at `t`. It holds for a sensor 3 mm high.
   double at(Vec2 p, SimTime t) const;
 
  private:

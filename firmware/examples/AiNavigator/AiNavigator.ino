@@ -29,7 +29,7 @@ const uint8_t BUTTON_PIN = 4, BUMPER_PIN = 12;
 const uint8_t LONGEST = 15;  // characters of a destination, at most
 
 typedef nav::FixedNetwork<60> Network;  // junctions less than 60 mm apart are one
-static_assert(Network::kRecordBytes <= STAND_AT, "the EEPROM is too small for so many nodes");
+static_assert(Network::kRecordBytes <= STAND_AT, "the EEPROM is too small for this number of nodes");
 typedef nav::Navigator<Walker, Network, nav::TreeOrDijkstra<> > Driver;
 
 AnalogLineSensors sensors(SENSOR_PINS);

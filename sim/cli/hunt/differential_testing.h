@@ -30,7 +30,7 @@ bool is_same(const Divergence& a, const Divergence& b);
 
 /// Returns the test case that should be alike.
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space);
-/// Returns the test case with other noise, a little later, and with more time if one of the two may only be
+/// Returns the test case with other noise, a little later. It has more time if one of the two may only be
 /// slow. A difference by chance would not repeat there.
 TestCase tried_again(const TestCase& test_case, const HuntSpace& space, int time);
 inline constexpr int kTriedAgain = 3;

@@ -37,8 +37,8 @@ struct HuntFinding {
   std::size_t times = 1;        ///< number of runs with apparently the same cause
   Shown shown;
 
-  /// Returns whether such a run apparently has the same cause. It has the same place in the sketch, or the
-  /// same behaviour in a test case with all the needs of this one.
+  /// Returns whether such a run apparently has the same cause. Then it has the same place in the sketch.
+  /// Or it has the same behaviour in a test case with all the needs of this one.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 

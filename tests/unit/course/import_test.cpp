@@ -350,7 +350,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("so the goal is none"));  // one tile makes no path
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // one tile makes no path
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 

@@ -109,7 +109,7 @@ void Heap::note_pieces(int asked, int end) {
             "had {}; {} bytes are left before it meets the stack",
             asked, free.bytes, free.count, free.largest, std::max(0, machine_.chip().lowest_sp() - end)),
         "Texts of many lengths, some stored and some temporary, leave holes: reserve() each stored one once, "
-        "in setup(), store texts in char arrays of fixed size, and print temporary texts instead of joining "
+        "in setup(), or store it in a char array of fixed size. Print temporary texts instead of joining "
         "them.",
         grown_at_,
         first_s,
