@@ -65,10 +65,10 @@ constexpr Phrase kMessages[] = {
 
 // Whole words of file names.
 const std::set<std::string> kBareNames = {
-    "instead", "late",    "whole", "counted",  "apart",    "anew",        "glance", "deed",   "deeds",
-    "shelf",   "walls",   "told",  "kept",     "lacks",    "inside",      "ours",   "rest",   "looks",
-    "ways",    "twin",    "plain", "again",    "standing", "spent",       "drawn",  "wanted", "resting",
-    "bites",   "outside", "shown", "patience", "die",      "surroundings"};
+    "instead", "late",    "whole", "counted", "apart", "anew",     "glance", "deed",
+    "deeds",   "shelf",   "told",  "kept",    "lacks", "inside",   "ours",   "rest",
+    "looks",   "ways",    "twin",  "plain",   "again", "standing", "spent",  "drawn",
+    "wanted",  "resting", "bites", "outside", "shown", "patience", "die",    "surroundings"};
 
 std::vector<std::string> split(const std::string& text, char mark) {
   std::vector<std::string> parts(1);

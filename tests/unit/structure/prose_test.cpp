@@ -1,37 +1,28 @@
-// Checks the English of documents, comments, messages, file names and commits by rules, with a ratchet while
-// older text is rewritten: prose_ratchet.txt holds the number of findings per rule and area.
-//
-//   ROBOSIM_WRITE_RATCHET=1 structure_test --gtest_filter='Prose.*'   writes that file
-//   ROBOSIM_LIST_PROSE=1 structure_test --gtest_filter='Prose.*'      prints all findings
+// Checks the English of documents, comments, messages, file names and commits by the rules of prose_rules.h.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <sstream>
 
-#include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "tests/unit/structure/documents.h"
-#include "tests/unit/structure/prose_ratchet.h"
 #include "tests/unit/structure/prose_rules.h"
 
 namespace robosim::structure {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
 const std::string kRoot = ROBOSIM_SOURCE_DIR;
-const std::string kRatchet = kRoot + "/tests/unit/structure/prose_ratchet.txt";
 /// The last commit before the rules.
 const std::string kFirstRevision = "883c866f";
 
@@ -74,46 +65,35 @@ History read_history() {
   return history;
 }
 
-void report(const Comparison& comparison) {
-  for (const std::string& message : comparison.risen) ADD_FAILURE() << message;
-  for (const std::string& message : comparison.fallen) fmt::print("note: {}\n", message);
+void add(std::vector<std::string>& findings, const std::vector<std::string>& more) {
+  findings.insert(findings.end(), more.begin(), more.end());
 }
 
-Ratchet stored_ratchet() {
-  return fs::exists(kRatchet) ? read_ratchet("prose_ratchet.txt", read_file(kRatchet)) : Ratchet{};
+void check(const std::vector<Passage>& passages, std::vector<std::string>& findings) {
+  for (const Passage& passage : passages)
+    for (const auto rule : {odd_words, long_sentences, odd_messages, bare_openings})
+      add(findings, rule(passage));
 }
 
-/// Returns the rows of the rule `commits`, or all others.
-Ratchet rows(const Ratchet& ratchet, bool of_commits) {
-  Ratchet some = ratchet;
-  std::erase_if(some, [&](const auto& row) { return (row.first.first == "commits") != of_commits; });
-  return some;
-}
-
-TEST(Prose, HasNoMoreFindingsThanBefore) {
-  const Files sources = read_sources(kRoot);
-  Findings findings;
-  check_documents(read_documents(kRoot), findings);
-  check_sources(sources, findings);
-  check_scripts(read_scripts(), findings);
-  check_names(sources, findings);
-  if (std::getenv("ROBOSIM_LIST_PROSE")) {
-    for (const auto& [key, messages] : findings)
-      for (const std::string& message : messages) fmt::print("{} {}\n", key.first, message);
+TEST(Prose, HasNoFindings) {
+  std::vector<std::string> findings;
+  for (const auto& [file, content] : read_documents(kRoot)) {
+    check(passages_of_document(file, content), findings);
+    add(findings, long_lines(file, content));
   }
-  if (std::getenv("ROBOSIM_WRITE_RATCHET")) {
-    check_subjects(read_history().subjects, findings);
-    return write_file(kRatchet, ratchet_text(findings));
+  for (const auto& [file, content] : read_sources(kRoot)) {
+    check(passages_of_source(file, content, !file.starts_with("tests/")), findings);
+    add(findings, odd_name(file));
   }
-  report(compare(findings, rows(stored_ratchet(), false)));
+  for (const auto& [file, content] : read_scripts()) check(passages_of_script(file, content), findings);
+  for (const std::string& finding : findings) ADD_FAILURE() << finding;
 }
 
 TEST(Prose, SubjectsOfCommitsHaveAnAreaAndAnImperative) {
   const History history = read_history();
   if (!history.missing.empty()) GTEST_SKIP() << history.missing;
-  Findings findings;
-  check_subjects(history.subjects, findings);
-  report(compare(findings, rows(stored_ratchet(), true)));
+  for (const std::string& subject : history.subjects)
+    for (const std::string& finding : odd_subject(subject)) ADD_FAILURE() << finding;
 }
 
 /// Returns the texts of passages, with their kinds' numbers.
@@ -143,6 +123,13 @@ TEST(Passages, OfDocumentsAreParagraphsItemsAndCells) {
                                          "| a | b c |\n")),
               ElementsAre("1 1  Title", "0 2 One [link and\n_.", "0 5 An item\ngoes on.", "0 7 Another.",
                           "1 11 a", "1 11 b c"));
+}
+
+TEST(Passages, HaveNoTagsAndAddresses) {
+  EXPECT_THAT(texts(passages_of_document("a.md", "A <b>tag</b>, <th class=\"left\">i < 3 and 4 > 3.\n")),
+              ElementsAre("0 1 A  tag ,  i < 3 and 4 > 3."));
+  EXPECT_THAT(texts(passages_of_document("a.md", "See (https://a.org/b?c=1). Next\n")),
+              ElementsAre("0 1 See (https). Next"));
 }
 
 TEST(Passages, OfSourcesAreCommentsRowsRemarksAndLiterals) {
@@ -279,6 +266,7 @@ TEST(LongLines, AreOfProse) {
 TEST(OddNames, AreBareWordsOfCppFiles) {
   EXPECT_THAT(odd_name("sim/serve/patience.h"), SizeIs(1));
   EXPECT_THAT(odd_name("sim/base/whole.cpp"), SizeIs(1));
+  EXPECT_THAT(odd_name("sim/world/walls.h"), IsEmpty());
   EXPECT_THAT(odd_name("sim/serve/request_deadline.h"), IsEmpty());
   EXPECT_THAT(odd_name("docs/whole.md"), IsEmpty());
 }
@@ -292,29 +280,6 @@ TEST(OddSubjects, AreNotAnAreaAndAnImperative) {
     EXPECT_THAT(odd_subject(subject), SizeIs(1)) << subject;
   EXPECT_THAT(odd_subject("cli: Fix " + std::string(kLongestSubject, 'a')),
               ElementsAre(HasSubstr("81 characters: expected at most 72")));
-}
-
-TEST(Ratchet, ReportsWhatRisesAndWhatMayBeLowered) {
-  const Findings findings = {{{"words", "docs/howto"}, {"a", "b"}}, {{"lines", "docs"}, {"c"}}};
-  const std::string text = ratchet_text(findings);
-  EXPECT_THAT(compare(findings, read_ratchet("r.txt", text)).risen, IsEmpty());
-  EXPECT_THAT(compare(findings, read_ratchet("r.txt", text)).fallen, IsEmpty());
-  EXPECT_THAT(
-      compare(findings, {{{"words", "docs/howto"}, 1}, {{"lines", "docs"}, 3}, {{"names", "sim"}, 1}}).risen,
-      ElementsAre(AllOf(HasSubstr("words in docs/howto: expected at most 1 findings, got 2"),
-                        HasSubstr("\n  a\n  b"))));
-  EXPECT_THAT(
-      compare(findings, {{{"words", "docs/howto"}, 2}, {{"lines", "docs"}, 3}, {{"names", "sim"}, 1}}).fallen,
-      ElementsAre("lines in docs: 1 findings are left of 3: lower the number",
-                  "names in sim: 0 findings are left of 1: lower the number"));
-  EXPECT_THROW(read_ratchet("r.txt", "words docs\n"), InputError);
-  EXPECT_THROW(read_ratchet("r.txt", "nothing docs 3\n"), InputError);
-}
-
-TEST(Ratchet, HasAreasOfTwoFolders) {
-  EXPECT_EQ(area_of("README.md"), "README.md");
-  EXPECT_EQ(area_of("docs/README.md"), "docs");
-  EXPECT_EQ(area_of("sim/exec/avr/detect/heap.cpp"), "sim/exec");
 }
 
 }  // namespace

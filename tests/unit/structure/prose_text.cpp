@@ -38,6 +38,9 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+/// Returns whether `text`, from `<` to before `>`, is an HTML tag.
+bool is_tag(std::string_view text) { return text.find(' ') == text.npos || text.find("=\"") != text.npos; }
+
 /// Replaces `inline code`, links' targets, web addresses and HTML tags.
 std::string without_code(std::string_view text) {
   std::string plain;
@@ -59,10 +62,11 @@ std::string without_code(std::string_view text) {
       ++i;
       skip_past(')');
     } else if (c == '<' && i + 1 < text.size() && (is_letter(text[i + 1]) || text[i + 1] == '/') &&
-               text.find('>', i) < text.find(' ', i) && skip_past('>')) {
+               is_tag(text.substr(i, text.find('>', i) - i)) && skip_past('>')) {
       plain.insert(before, " ");
     } else if (c == ':' && text.substr(i, 3) == "://") {
       while (i + 1 < text.size() && !is_space(text[i + 1])) ++i;
+      while (std::string_view(".,:;!?)").find(text[i]) != std::string_view::npos) --i;  // after the address
     } else {
       plain += c;
     }
