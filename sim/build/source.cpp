@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 #include "sim/base/did_you_mean.h"
@@ -84,6 +85,18 @@ std::vector<std::string> inos_in(const fs::path& folder) {
       names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+/// Returns a hint if a folder holds sketches in folders of its own, as archives and hand-ins do; else "".
+std::string nested_sketch_hint(const fs::path& folder) try {
+  std::set<std::string> nested;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (!hidden(entry.path()) && !entry.is_symlink() && entry.is_directory() &&
+        !inos_in(entry.path()).empty())
+      nested.insert(entry.path().filename().string());
+  return nested.empty() ? "" : fmt::format("; {} in it is one: name that folder", *nested.begin());
+} catch (const fs::filesystem_error&) {
+  return "";  // a folder that may not be read
 }
 
 // Puts the .ino with the folder's name first; if there is only one, its name does not matter.
@@ -225,7 +238,8 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   sketch.inos = inos_in(absolute);
   take_folder(sketch);
   if (sketch.inos.empty() && sketch.sources.empty())
-    throw InputError({path.string()}, "expected a sketch, got a folder without an .ino file");
+    throw InputError({path.string()},
+                     "expected a sketch, got a folder without an .ino file" + nested_sketch_hint(absolute));
   if (!sketch.inos.empty() && !put_main_first(sketch.inos, sketch.name))
     throw InputError(
         {path.string()},

@@ -177,7 +177,8 @@ SketchChoice choose_sketch(const std::string& name, const std::string& environme
 }
 
 std::string title_of(const std::string& name, const fs::path& folder) {
-  if (name.find_first_not_of("./") != std::string::npos) return name;
+  if (name.find_first_not_of("./") != std::string::npos)
+    return name.substr(0, name.find_last_not_of('/') + 1);
   std::error_code error;
   const std::string title = fs::canonical(folder, error).filename();
   return title.empty() ? name : title;

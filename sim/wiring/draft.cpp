@@ -27,6 +27,14 @@ bool has_motors(const RobotDraft& draft) {
 
 }  // namespace
 
+/// Returns the motor drivers that the same pins could belong to: "l293d, tb6612, …".
+std::string other_drivers(const std::string& chosen) {
+  std::string text;
+  for (const char* driver : {"l298n", "l293d", "tb6612", "drv8833", "drv8835", "transistor"})
+    if (driver != chosen) text += (text.empty() ? "" : ", ") + std::string(driver);
+  return text;
+}
+
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks) {
   std::string text;
   for (const std::string& remark : remarks) text += "# " + remark + '\n';
@@ -42,7 +50,7 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
   if (has_motors(draft)) {
     text += "\n[driver]\n";
     text += line(fmt::format("chip = \"{}\"", draft.driver),
-                 draft.driver == "servo" ? "" : "? or l298n, l293d, tb6612, drv8833, drv8835, transistor");
+                 draft.driver == "servo" ? "" : "? or " + other_drivers(draft.driver));
     if (!draft.standby.empty()) text += fmt::format("standby = {}\n", draft.standby);
   }
   for (const PartDraft& part : draft.parts) text += text_of(part);

@@ -187,6 +187,19 @@ TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOf
   }
 }
 
+TEST_F(Untrusted, ChecksForAllThatNameNoMapAreReportedAsThoseAPupilCanChoose) {
+  folder_.write("S/S.ino", empty_sketch(""));
+  const std::string begin = "[[check]]\nname = \"a\"\ngoal = \"none\"\nfor = \"10ms\"\n";
+  const auto warning = [&](const std::string& lines) {
+    folder_.write("class.toml", begin + lines);
+    return robosim({"test", "--untrusted", "--checks", "class.toml", "./S"}).err;
+  };
+  EXPECT_THAT(warning(""),
+              HasSubstr("class.toml: check \"a\" names no map and robot: files in the sketch's own"));
+  EXPECT_THAT(warning("map = \"oval\"\n"), HasSubstr("names no robot"));
+  EXPECT_THAT(warning("map = \"oval\"\nrobot = \"uno5\"\n"), Not(HasSubstr("names no")));
+}
+
 TEST_F(Untrusted, ASketchsOwnChecksTakeNoMoreThanAnHourOfSimulatedTimeTogether) {
   folder_.write("S/S.ino", empty_sketch(""));
   const auto check = [](const std::string& name, const std::string& times) {

@@ -40,13 +40,6 @@ Place place_in(const std::string& line, const fs::path& folder) {
   return {(fs::exists(folder / file, error) ? folder / file : file).string(), number, 0};
 }
 
-/// Returns pupils/anna for "pupils/anna/".
-std::string name_of(const std::string& sketch) {
-  if (sketch.empty()) return fs::current_path().filename().string();
-  const std::size_t last = sketch.find_last_not_of('/');
-  return last == std::string::npos ? sketch : sketch.substr(0, last + 1);
-}
-
 void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
@@ -125,7 +118,7 @@ analysis::Demand demand_of(const Check& check) {
 
 void CheckSession::add(const std::string& sketch, const std::string& file) {
   SketchResult& result = sketches_.emplace_back();
-  result.name = name_of(sketch);
+  result.name = sketch.empty() ? fs::current_path().filename().string() : launch::title_of(sketch, sketch);
   const std::size_t runs_before = runs_.size();
   fs::path folder;
   try {

@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/file_lock.h"
 #include "sim/cli/check/check_session.h"
+#include "sim/cli/check/checks_file.h"
 #include "sim/cli/check/github.h"
 #include "sim/cli/check/junit.h"
 #include "sim/cli/check/test_report.h"
@@ -32,6 +34,22 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
   return pool.run(batch);
 }
 
+/// Warns of checks of everyone's sketches that leave the choice of a file to the sketch's author.
+void warn_of_own_files(const std::string& checks) try {
+  for (const Check& check : read_checks(checks)) {
+    if (!check.fleet.empty()) continue;
+    std::string missing = check.sweep.maps.empty() ? "map" : "";
+    if (check.sweep.robots.empty()) missing += missing.empty() ? "robot" : " and robot";
+    if (!missing.empty())
+      complain(
+          fmt::format("robosim: {}: check \"{}\" names no {}: files in the sketch's own folder count, which "
+                      "its author wrote\n",
+                      checks, check.name, missing));
+  }
+} catch (const InputError&) {
+  // each sketch's result has the message
+}
+
 }  // namespace
 
 int test_command(const TestArguments& arguments) {
@@ -48,6 +66,7 @@ int test_command(const TestArguments& arguments) {
         "robosim: each sketch is tested by the checks.toml in its own folder, which its author wrote; "
         "--checks "
         "FILE tests all of them by one of yours\n");
+  if (arguments.untrusted && !arguments.checks.empty()) warn_of_own_files(arguments.checks);
   for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
   const bool complete = make_runs(session, arguments.jobs, progress);
   progress.clear();

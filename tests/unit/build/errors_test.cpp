@@ -122,12 +122,16 @@ TEST_F(SketchTest, ATwiceDefinedFunctionIsNamed) {
 
 TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   write("Nothing/readme.txt", "");
+  write("HandIn/.git/git.ino", kEmptySketch);
+  write("HandIn/Follower/Follower.ino", kEmptySketch);
   write("Many/a.ino", kEmptySketch);
   write("Many/b.ino", kEmptySketch);
   write("Asm/Asm.ino", kEmptySketch);
   write("Asm/fast.S", "nop\n");
   EXPECT_THAT(error_of("NoSuch"), HasSubstr("no such sketch"));
-  EXPECT_THAT(error_of("Nothing"), HasSubstr("got a folder without an .ino file"));
+  EXPECT_THAT(error_of("Nothing"), EndsWith("got a folder without an .ino file"));
+  EXPECT_THAT(error_of("HandIn"),
+              EndsWith("got a folder without an .ino file; Follower in it is one: name that folder"));
   EXPECT_THAT(error_of("Nothing/readme.txt"),
               HasSubstr("expected a sketch: a folder, an .ino or a .cpp file"));
   EXPECT_THAT(
