@@ -35,7 +35,7 @@ struct Counting {
   Top top = Top::fixed;
   uint16_t fixed_top = 0xFF;       ///< the value of TOP if `top` is `fixed`
   bool frequency_correct = false;  ///< of dual slope: OCRnx is taken over at BOTTOM, not at TOP
-  bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, always where OCR is TOP
+  bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, or always if OCR is TOP
 };
 
 /// Returns the mode by WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal. For
@@ -92,8 +92,8 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
 /// Returns COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA; 0 if the pin belongs to the port.
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
-/// Returns whether COM of a channel gives its pin to the timer, while DDRx makes it an output. COM = 1 does
-/// not in every PWM mode.
+/// Returns whether COM of a channel gives its pin to the timer, while DDRx makes it an output. In PWM modes,
+/// COM = 1 does so only for OCnA, and only in some of them.
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
                   : how.kind != Counting::Kind::pwm ||

@@ -12,7 +12,7 @@ PinSet followed;
 
 namespace {
 
-ROBOSIM_CLOCKWORK SimTime next_edges[kPins];  // of those
+ROBOSIM_CLOCKWORK SimTime next_edges[kPins];  // valid for followed pins
 
 bool level_at(Pin pin, SimTime at) {
   const TimerPin by = timer_of(pin);

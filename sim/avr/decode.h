@@ -11,7 +11,7 @@ namespace robosim::avr {
 
 // clang-format off
 /// Pairs of instructions that often follow each other and run as one: ONE(X, first, second) for each. This
-/// saves the jump between them, and flags that the second overwrites.
+/// saves the jump between them, and the work for flags that the second overwrites.
 #define ROBOSIM_AVR_PAIRS(ONE, X) \
   /* bytes of a number */ \
   ONE(X, add, adc) ONE(X, adc, adc) ONE(X, sub, sbc) ONE(X, sbc, sbc) ONE(X, subi, sbci) ONE(X, sbci, sbci) \
@@ -20,7 +20,7 @@ namespace robosim::avr {
   ONE(X, cp, brcs) ONE(X, cp, brcc) ONE(X, cp, breq) ONE(X, cp, brne) ONE(X, cp, brlt) ONE(X, cp, brge) \
   ONE(X, cpc, brcs) ONE(X, cpc, brcc) ONE(X, cpc, breq) ONE(X, cpc, brne) ONE(X, cpc, brlt) ONE(X, cpc, brge) \
   ONE(X, cpi, brcs) ONE(X, cpi, brcc) ONE(X, cpi, breq) ONE(X, cpi, brne) ONE(X, dec, brne) ONE(X, subi, brne) \
-  /* values on their way */ \
+  /* copies of values */ \
   ONE(X, ldi, ldi) ONE(X, mov, mov) ONE(X, movw, movw) ONE(X, movw, lpm) ONE(X, push, push) ONE(X, pop, pop) \
   ONE(X, lds_ram, lds_ram) ONE(X, sts_ram, sts_ram) \
   ONE(X, ldd_y, ldd_y) ONE(X, ldd_z, ldd_z) ONE(X, std_y, std_y) ONE(X, std_z, std_z)
@@ -42,13 +42,13 @@ namespace robosim::avr {
   X(lpm_0) X(lpm) X(lpm_inc) X(elpm_0) X(elpm) X(elpm_inc) X(spm) \
   /* I/O: a = the register, b = the bit's mask, k = the data address */ \
   X(in) X(out) X(sbi) X(cbi) X(sbic) X(sbis) \
-  /* jumps: k = the target's word address, or how far (signed); brbs, brbc, sbrc, sbrs: b = the bit's mask */ \
+  /* jumps: k = the target's word address, or the distance; brbs, brbc, sbrc, sbrs: b = the bit's mask */ \
   X(rjmp) X(rcall) X(jmp) X(call) X(ijmp) X(icall) X(eijmp) X(eicall) X(ret) X(reti) \
   X(brbs) X(brbc) X(sbrc) X(sbrs) \
   /* the status register: b = the bit's mask */ \
   X(bset) X(bclr) \
   X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
-  /* none of the chip's: a mark in front of an instruction, and what is behind the flash */ \
+  /* no instructions of the chip: a mark in front of an instruction, and addresses after the end of flash */ \
   X(mark) X(outside) \
   /* BRBS and BRBC, by the flags that compilers branch on */ \
   X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
@@ -56,11 +56,11 @@ namespace robosim::avr {
   X(lds_ram) X(sts_ram) \
   /* IN and OUT of SREG; OUT also between the halves of the stack pointer */ \
   X(in_sreg) X(out_sreg) X(prologue_out_sreg) \
-  /* what stands around four LDS: IN Rd,SREG; CLI; LDS ...; OUT SREG,Rd, as millis() reads its number */ \
+  /* four LDS with interrupts off, as in millis(): IN Rd,SREG; CLI; LDS ...; OUT SREG,Rd */ \
   X(read_number) \
-  /* BRNE behind SBIW Rd,1, back to it: a loop that counts down, run through at once. a = Rd */ \
+  /* BRNE back to the SBIW Rd,1 before it: a loop that counts down, executed in one step. a = Rd */ \
   X(count_down) \
-  /* all of a TimeCount, but for its RETI */ \
+  /* a whole TimeCount except its RETI */ \
   X(count_time) \
   ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_AS_ONE, X)
 

@@ -35,7 +35,7 @@ bool notes_reads(const InstructionEffects& effects, const Cpu& cpu, std::vector<
   return true;
 }
 
-// Follows the instructions of a handler once each, on both ways of every branch.
+// Visits each instruction of a handler once, on both ways of every branch.
 class HandlerCode {
  public:
   explicit HandlerCode(const Cpu& cpu) : cpu_(cpu), seen_(cpu.flash().size() / 2), stores_(cpu.data.size()) {}

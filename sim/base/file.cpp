@@ -28,7 +28,7 @@ namespace {
   throw InputError({path.string()}, std::string("cannot be ") + verb + ": " + std::strerror(error));
 }
 
-/// Returns the installed Robosim whose libraries a program links without being installed with it; else empty.
+/// Returns the installed Robosim that this program links, if it is not itself installed there; else empty.
 fs::path linked_installation() {
   return robosim_installation ? fs::path(robosim_installation()) : fs::path();
 }
@@ -85,10 +85,10 @@ std::string read_file(const Descriptor& file, const fs::path& path, std::size_t 
 
 namespace {
 
-/// Returns a neighbouring name for a file while it is written.
+/// Returns the temporary name, in the same folder, of a file that is being written.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
-/// Replaces a file like rename(), which on ext4 waits until the whole new file is on its way to the disk.
+/// Replaces a file as rename() does, but does not wait for the disk: on ext4, rename() writes the file first.
 bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::path& old) {
 #ifdef RENAME_EXCHANGE
   const auto change_places = [&] {
@@ -128,7 +128,7 @@ void place_file(const Descriptor& unnamed, const fs::path& path, int error) {
   try {
     if (error != 0) throw std::system_error(error, std::generic_category());
     const std::string itself = "/proc/self/fd/" + std::to_string(unnamed.get());
-    ::unlink(target.c_str());  // from an earlier process with our number
+    ::unlink(target.c_str());  // left by an earlier process with the same number
     if (::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) != 0)
       throw std::system_error(errno, std::generic_category());
     if (!replace(target, path)) fs::rename(target, path);

@@ -63,8 +63,8 @@ class CacheLock {
   Descriptor lock_;
 };
 
-/// A new, empty folder for work, on the cache's file system. It is removed with all its content, by the next
-/// one if its process is killed.
+/// A new, empty folder for work, on the cache's file system. The destructor removes it with all its content.
+/// If its process is killed, the next WorkFolder removes it.
 class WorkFolder {
  public:
   explicit WorkFolder(const Cache& cache);
@@ -75,9 +75,9 @@ class WorkFolder {
 
   /// Returns the folder that compilers read and this process writes.
   std::filesystem::path given() const;
-  /// Puts a result of the cache into it; returns its path there.
+  /// Puts a result of the cache into the folder given(). Returns its path there.
   std::filesystem::path give(const std::filesystem::path& result) const;
-  /// Returns a new folder, the only one that one compiler may write.
+  /// Returns a new folder for one compiler, which may write no other folder.
   std::filesystem::path scratch();
 
  private:

@@ -1,18 +1,18 @@
-// Divisions by zero in a sketch for the host. An AVR and a Cortex-M3 continue after one; an x86-64 raises a
-// signal, and an arm64 has a result of its own. So each division instruction in gcc's assembly is extended to
-// give what the chip gives.
+// Handles divisions by zero in a sketch for the host. An AVR and a Cortex-M3 continue after one; an x86-64
+// raises a signal, and an arm64 gives another result. So each division instruction in gcc's assembly is
+// extended to give the chip's result.
 //
 //   chip       quotient                             remainder      source
-//   AVR        all bits 1; of negative numbers 1    the dividend   libgcc, config/avr/lib1funcs.S: shift and
+//   AVR        all bits 1; 1 for a dividend below 0 the dividend   libgcc, config/avr/lib1funcs.S: shift and
 //                                                                  subtract, then the sign
 //   Cortex-M3  0                                    the dividend   DDI 0403E, A7.7.127 (SDIV), CCR.DIV_0_TRP;
-//                                                                  of 64 bits its library gives other numbers
+//                                                                  its library for 64 bits gives other values
 //
-// The most negative number divided by -1 is itself on both. arm has no instruction to divide: its function is
-// wrapped (hal/host/division.cpp).
+// The most negative number divided by -1 is itself on both. 32-bit ARM has no instruction to divide: its
+// library function is wrapped (hal/host/division.cpp).
 //
-// arm64 has no 16-bit division. gcc takes the one for 32 bits and does not truncate its result, which fits
-// except after a division by zero. So a uint16_t by a uint16_t may be -1 there, instead of 65535, until it is
+// arm64 has no 16-bit division. gcc uses that of 32 bits and does not truncate its result, which fits except
+// after a division by zero. So a uint16_t divided by zero may be -1 there, instead of 65535, until it is
 // stored.
 #pragma once
 
@@ -25,7 +25,7 @@ namespace robosim::build {
 
 enum class QuotientByZero { all_ones, zero };
 
-/// Returns what the chip of `board` gives.
+/// Returns the quotient that the chip of `board` gives.
 QuotientByZero quotient_by_zero(const BoardSpec& board);
 
 /// Returns lines that replace one line of gcc's assembly and give the chip's result if the divisor is

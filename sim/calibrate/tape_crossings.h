@@ -1,4 +1,4 @@
-// A sensor's readings in a sweep as a signal, and the places of the tape in it.
+// Converts a sensor's readings in a sweep to a signal, and finds the crossings of the tape in it.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Trace {
   const std::string* file = nullptr;
   std::vector<double> y;      ///< volts, or 1 / s
   std::vector<double> angle;  ///< rad the robot has turned, by its wheels; empty without encoder counts
-  double radius = 0.0;        ///< m from the centre of the turn to the sensor; with counts
+  double radius = 0.0;        ///< m from the centre of the turn to the sensor; 0 without encoder counts
   double step = 0.0;          ///< of the signal, between adjacent codes; 0 for RC sensors
   double timing = 0.0;        ///< s: resolution of an RC sensor's time; 0 = exact
 };

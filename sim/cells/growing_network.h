@@ -36,7 +36,7 @@ class GrowingNetwork {
     return here.x == at.x && here.y == at.y;
   }
   bool isTree() const { return is_tree_; }
-  /// Implements nav::headingOf(), which counts arms, by a table.
+  /// Returns nav::headingOf() from a table, without counting arms.
   nav::Heading heading(Id node, std::uint8_t slot) const {
     return static_cast<nav::Heading>(nodes_[node].headings >> 2 * slot & 3);
   }

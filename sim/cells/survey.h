@@ -1,8 +1,8 @@
 // The third algorithm: scans a floor into a graph, then uses it to drive from station to station.
 //
-// The scan is the navigator's (firmware/src/nav/Explorer.h), on the robot on cells. It ends where v1's does:
-// at the start, facing the line. If the start is not the end of a line, the robot continues to station 1 (if
-// there is one) by a shortest path.
+// The scan is that of the navigator (firmware/src/nav/Explorer.h), with the robot on cells. It ends as v1's
+// does: at the start, facing the line. If the start is not the end of a line, the robot continues to station
+// 1 (if there is one) by a shortest path.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
 // Junctions are numbered from 1 in the order of discovery.
@@ -24,7 +24,7 @@ namespace robosim::cells {
 
 /// The ending of a scan or a drive.
 enum class Ending {
-  complete,      ///< everything reachable was found, the destination was reached
+  complete,      ///< a scan found everything reachable, or a drive reached its destination
   lost,          ///< because of noise: the robot met something impossible
   out_of_moves,  ///< the limit was reached
   no_way,        ///< an obstacle blocks every path
@@ -44,12 +44,12 @@ struct Route {
   std::string why;             ///< if refused
   int from = 0, to = 0;        ///< stations
   std::vector<int> junctions;  ///< on the path
-  /// A letter for each junction: R is the first way out to the right of the robot's entry and L the last. At
-  /// four ways S is between them.
+  /// A letter for each junction. Counted from the right as the robot enters, R is the first way out and L the
+  /// last. With three ways out, S is the one between them.
   std::string turns;
   double time = 0.0;  ///< of this drive, seconds: its last move is the turn at the destination
   CellPose end;
-  double ratio_to_shortest = 1.0;  ///< its moves over those of a shortest path, which is measured on the map
+  double ratio_to_shortest = 1.0;  ///< number of its moves / number of moves of a shortest path on the map
 };
 
 class Survey {
@@ -57,7 +57,7 @@ class Survey {
   /// The robot must stand on the line.
   explicit Survey(CellRobot& robot) : robot_(robot), start_(robot.pose()), walker_(robot) {}
 
-  /// Called once, before anything else.
+  /// Scans the floor. Call it once, before all other functions.
   const Scan& scan();
   /// Puts the robot on a station, facing the line, like after a drive.
   void place_at(int station);
@@ -119,7 +119,7 @@ class Survey {
   Scan scan_;
   int here_ = 0;
   std::vector<Id> station_nodes_;  ///< by number, from 1
-  std::vector<int> numbers_;       ///< of each node among the stations or the junctions
+  std::vector<int> numbers_;       ///< number of each node among the stations or the junctions
   std::optional<Truth> truth_;
 };
 

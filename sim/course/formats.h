@@ -18,9 +18,9 @@ namespace robosim::course {
 /// apart, if they fit on the straight between the last circle and the first.
 Imported read_robotrace(const nlohmann::json& json, const std::string& file);
 
-/// Reads RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The way from the start tile is the first
-/// path, the way after the evacuation zone the second; then the rest of the drawings. Features that a map
-/// cannot hold are in the remarks. `json` has “tiles”.
+/// Reads RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The first path is the line from the
+/// start tile, the second the line after the evacuation zone. The tiles' other lines follow. The remarks name
+/// the features that a map cannot hold. `json` has the key “tiles”.
 Imported read_rescue(const nlohmann::json& json, const std::string& file);
 
 /// Returns JSON, or throws InputError with the line of the first error.
@@ -33,15 +33,15 @@ Imported read_curvature(std::string_view text, const std::string& file);
 /// Reads "x y" in metres: straights with corners between them, at most 0.3 mm off the points.
 Imported read_points(std::string_view text, const std::string& file);
 
-/// Reads a maze as text (mazefiles, mms): passages become lines, dead ends stations. `walls_m`: 0, or with
-/// its walls, from the middle of one cell to that of the next.
+/// Reads a maze as text (mazefiles, mms): passages become lines, dead ends stations. `walls_m` is 0 without
+/// walls; with walls, it is the distance between the middles of neighbouring cells.
 Imported read_maze(std::string_view text, const std::string& file, double walls_m);
 /// Reads mms's other format: "x y N E S W" per line, 1 = wall.
 Imported read_maze_numbers(std::string_view text, const std::string& file, double walls_m);
 
 // --- shared helpers ---
 
-/// Robotrace's rules 1-3 and 1-6 (NTF): the line's width, and from the line to the board's edge, m.
+/// Robotrace's rules 1-3 and 1-6 (NTF): the line's width, and its distance from the board's edge, in m.
 inline constexpr double kRobotraceLine = 0.019;
 inline constexpr double kBoardMargin = 0.20;
 
@@ -59,8 +59,8 @@ std::vector<double> numbers_in(const NumberedLine& line, const std::string& file
 /// Rounds to micrometres.
 double rounded(double m);
 
-/// Returns a map with this path on a floor that leaves `margin` m around it. The path is moved to fit. Its
-/// numbers are rounded to micrometres and millionths of a degree, for readability.
+/// Returns a map with these paths on a floor that leaves `margin` m around them. The paths are moved to fit.
+/// Their numbers are rounded to micrometres and millionths of a degree, for readability.
 grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double margin);
 
 }  // namespace robosim::course

@@ -32,7 +32,7 @@ bool read_plain(std::string_view row, Cell* out) {
   return strange == 0;
 }
 
-// Like std::count, but vectorised: sums that fit a byte.
+// Counts like std::count, but vectorised: each block's sum fits a byte.
 std::size_t count(std::string_view row, char c) {
   constexpr std::size_t kBlock = 128;
   std::size_t total = 0;
@@ -277,7 +277,7 @@ Map MapParser::finish() {
   return std::move(map_);
 }
 
-// Makes a floor without rows: paths on an empty one.
+// Makes an empty floor of the given size, for a map with paths and without rows.
 void MapParser::make_floor() {
   if (!front_.size)
     throw InputError(

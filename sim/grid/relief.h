@@ -20,7 +20,7 @@ struct Course;
 /// higher than the floor next to them are steps.
 struct Hill : Shape {
   std::vector<double> heights;  ///< m, at even distances from its beginning to its end, straight in between
-  double pivot = 0.0;           ///< m, of a seesaw: how high it turns; 0 = none. Its beginning is down first
+  double pivot = 0.0;           ///< m, height of a seesaw's axis; 0 = no seesaw. Its beginning is down first
   double plank_kg = 0.0;        ///< of a seesaw
 
   /// Returns the height at a point of it, m; 0 for a seesaw, which has no fixed height.
@@ -30,13 +30,13 @@ struct Hill : Shape {
 /// A kind of surface, relative to the one that the robot file's parameters are for.
 struct SurfaceKind {
   const char* name;
-  double grip;     ///< times the robot's
-  double rolling;  ///< comes to the robot's rolling resistance: force / weight
+  double grip;     ///< multiplies the robot's grip
+  double rolling;  ///< is added to the robot's rolling resistance: force / weight
 };
 
 // Rubber: wet asphalt has 0.55 to 0.65 of dry asphalt's friction, 0.4 to 0.5 against 0.7 to 0.8 (Engineering
-// ToolBox, friction coefficients of tyres). What dust leaves is an estimate. Rolling resistance of small
-// wheels on low pile: an estimate, from 0.02 on a hard floor to 0.07.
+// ToolBox, friction coefficients of tyres). The grip on dust is an estimate. So is the rolling resistance of
+// small wheels on low pile: 0.07, against 0.02 on a hard floor.
 constexpr SurfaceKind kSurfaces[] = {{"wet", 0.6, 0.0}, {"dusty", 0.5, 0.0}, {"carpet", 1.0, 0.05}};
 
 struct SurfaceFigures {
@@ -45,7 +45,7 @@ struct SurfaceFigures {
 };
 struct Surface : Shape, SurfaceFigures {};
 
-/// Returns their names, for messages: "wet, dusty or carpet".
+/// Returns the names of all kinds of surface, for messages: "wet, dusty or carpet".
 std::string surface_names();
 /// Reads kind, or grip and rolling, of a table that is a surface. Throws InputError.
 SurfaceFigures read_surface_figures(TableReader& table, const SampledParameters& figures);
@@ -61,7 +61,7 @@ void read_hills(const ConfigValue& value, Course& course, Draw draw = {});
 void read_surfaces(const ConfigValue& value, Course& course, Draw draw = {});
 void read_joints(const ConfigValue& value, Course& course, Draw draw = {});
 
-/// Writes all of them as they are read. An implementation detail of write_map.
+/// Returns the course's hills, surfaces and joints as in a map's file. An implementation detail of write_map.
 std::string relief_text(const Course& course);
 
 }  // namespace robosim::grid

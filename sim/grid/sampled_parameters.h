@@ -14,8 +14,8 @@ namespace robosim::grid {
 /// The seed and profile for which values are drawn.
 struct Draw {
   std::uint64_t seed = 0;
-  Profile profile = Profile::ideal;  ///< which draws nothing: the map is exactly its file
-  bool* differs = nullptr;           ///< is set where another seed would draw another figure; may be null
+  Profile profile = Profile::ideal;  ///< `ideal` draws nothing: all values are those of the file
+  bool* differs = nullptr;           ///< set to true if another seed would draw another value; may be null
 };
 
 /// Reads the parameters of one table, which `table` names: "[[hill]] 2".

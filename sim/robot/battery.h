@@ -1,23 +1,23 @@
-// [battery]: cells that sag under load, and discharge. Without it the motors have [motors] supply under any
-// load.
+// [battery]: cells that sag under load, and discharge. Without this table the motors' voltage is always the
+// `supply` of [motors].
 //
 //   V = cells OCV(charge) - R I
 //   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (its ohms)
 //   d charge / dt = - I / capacity
 //
-// V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). So two stalled
-// motors, each of R_m with its driver, lower the rest voltage E to
+// V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). For example, let E
+// be the voltage at rest, and R_m the resistance of a motor with its driver. Two stalled motors lower E to
 //
 //   V = (E + R (2 drop / R_m - board)) / (1 + 2 R / R_m)
 //
-// Below a charge of 0 the cells collapse, to no voltage at -2 %.
+// Below a charge of 0 the cells collapse: the voltage falls linearly to 0 V at -2 %.
 //
 // Open-circuit volts of a cell (battery.cpp): li-ion as measured by github.com/little-porter,
 // battery_health_inference_RJ; nimh and alkaline are estimates from makers' discharge curves at 0.2 C. If the
-// file has no resistance of a cell, it is a usual value of its kind: not measured, the same at any charge.
+// file gives no `resistance`, each cell has a usual value of its kind: not measured, and equal at any charge.
 //
-// Not modelled: recovery after load, temperature, a protection's cut-off; without inductance, current that
-// flows back.
+// Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current that flows
+// back into the battery requires motors with an inductance.
 #pragma once
 
 #include "sim/base/config.h"
@@ -33,12 +33,12 @@ struct BatteryKind {
 };
 
 struct Battery {
-  const BatteryKind* kind = nullptr;  ///< null: there is none
+  const BatteryKind* kind = nullptr;  ///< null: the robot has no battery
   double cells = 0.0;
-  Parameter resistance;   ///< ohm, of all, with their leads
+  Parameter resistance;   ///< ohm, of all cells and their leads
   Parameter capacity_as;  ///< A s
   Parameter charge;       ///< 0..1 at the start
-  Parameter board;        ///< A that all but the motors takes
+  Parameter board;        ///< A, the current of everything except the motors
 };
 
 /// Reads [battery]. Throws InputError.
@@ -49,9 +49,9 @@ struct Cells {
   const BatteryKind* kind = nullptr;
   double cells = 0.0, ohms = 0.0, capacity_as = 0.0, board_amps = 0.0;
 
-  /// V at rest.
+  /// Returns the voltage at rest.
   double rest_volts(double charge) const;
-  /// V while it feeds these motors, and what of its charge a tick takes, 0..1.
+  /// The voltage under a load, and the share of the charge (0..1) that one tick takes.
   struct Load {
     double volts, taken;
   };

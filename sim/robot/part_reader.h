@@ -18,7 +18,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
 /// The function that a wire needs of its pin.
 enum class PinUse {
-  digital,  ///< any pin but an analog input only
+  digital,  ///< any pin except one that is only an analog input
   driven,   ///< what the part follows: a digital pin, or an output of a shift register or PWM driver
   analog,   ///< a pin with an ADC channel
 };
@@ -56,7 +56,7 @@ class PartReader {
   /// Reads the parameter of each of `count` elements: one for all of them, or a list of that length.
   std::vector<Parameter> figures(const char* key, Dimension dimension, Parameter fallback, double least,
                                  double most, std::size_t count);
-  /// Reads such voltages.
+  /// Reads a voltage of each of `count` elements, as volts() does.
   std::vector<Parameter> volts_of_each(const char* key, Parameter fallback, std::size_t count);
   /// Reads PinSource::source_ohms() of a source that an ADC converts.
   Parameter source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }

@@ -31,10 +31,10 @@ constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Above the descriptors that a run's process gets (SandboxProxy::enter()).
+/// The first number above the descriptors that a run's process gets (SandboxProxy::enter()).
 constexpr int kAside = exec::kFirstSealed;
 
-/// A descriptor of /dev/null for all runs.
+/// Returns a descriptor of /dev/null, which all runs share.
 int nothing() {
   static const Descriptor null = [] {
     Descriptor opened(::open("/dev/null", O_RDWR | O_CLOEXEC));
@@ -68,7 +68,7 @@ void read_keyed(char* to, std::size_t bytes) {
   }
 }
 
-/// Limits the size: the run must not get further ahead than its reader allows.
+/// Gives a pipe the size of the pipe `as`: the run must not get further ahead than its reader allows.
 void make_as_short(int pipe, int as) {
   const int bytes = ::fcntl(as, F_GETPIPE_SZ);
   if (bytes > 0) ::fcntl(pipe, F_SETPIPE_SZ, bytes);
@@ -159,7 +159,7 @@ bool SandboxProxy::take_batches(std::size_t end, const wire::Id& id) {
   return true;
 }
 
-/// Firmware may leave unread what its run was to read: its watch goes on.
+/// Writes `text` to a pipe of the run. Firmware may leave the text unread, so the watch goes on meanwhile.
 void SandboxProxy::hand(const Pipe& pipe, std::string_view text, Told& told) {
   while (!text.empty()) {
     const ssize_t n = ::write(pipe.write.get(), text.data(), text.size());
@@ -225,11 +225,11 @@ SandboxProxy::Told SandboxProxy::serve(const Child& run, const Ask& ask, const w
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
     if (some == 0) {
-      // The run's messages before these batches have been taken by then.
+      // If nothing is left to read, all messages that precede these batches have been handled.
       const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
     }
-    // Also for a run that sends continuously.
+    // A run that sends continuously is watched, too.
     if (const std::int64_t now_us = wall_us(); some == 0 || now_us - looked_us >= 1000 * kLook_ms) {
       looked_us = now_us;
       if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;

@@ -43,7 +43,7 @@ std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
 std::atomic<int> acting_robot{0};
 SimTime reached_at_last_look = -2;  // for the watchdog
-int acting_at_last_look = 0;        // likewise
+int acting_at_last_look = 0;        // for the watchdog
 
 void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
 
@@ -112,7 +112,7 @@ std::vector<std::uintptr_t> offsets_in(const std::string& text) {
 constexpr char kAskLines = 'l';
 constexpr char kAskToKeepCounters = 'c';
 
-// In the runner: does for its confined run what that cannot do itself.
+// Runs in the runner. Does what its confined run asks for and may not do itself.
 std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
   if (what == kAskLines) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -190,17 +190,17 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const std::exception& error) {
     const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
-      exec::keyed_exit(exec::kNoMemoryStatus);  // all else it has already
+      exec::keyed_exit(exec::kNoMemoryStatus);  // all other resources were acquired before
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
 }
 
-// Runs in the fork.
+// Executes a request in the forked process. Returns its exit status.
 int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
                  pid_t runner, SandboxProxy* proxy, const ReadAhead& ahead) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != runner) return 0;  // it had ended before that
+  if (::getppid() != runner) return 0;  // the runner had ended before the call above
   if (proxy) {
     proxy->enter(sealed_images(ahead));
     route_through(*proxy);
@@ -222,7 +222,8 @@ bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
 }
 
-// A process that has closed its pipes is about to end; any other had no right to close them.
+// Waits for the end of a process that has closed its pipes. Returns nothing if it does not end soon: then it
+// had no right to close them.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
        waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {
@@ -255,7 +256,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   SandboxProxy proxy(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
-  bool finds_lines = true;  // an image with which that takes too long once is not asked about again
+  bool finds_lines = true;  // false after a search for lines took too long: it is not repeated
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();
@@ -342,7 +343,7 @@ int serve(const ExecutorFactory& factory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
   std::signal(SIGINT, SIG_IGN);        // sent to the run, not to its server
   std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
-  std::signal(SIGXFSZ, SIG_IGN);       // likewise a limit on files
+  std::signal(SIGXFSZ, SIG_IGN);       // a limit on file sizes is noticed when writing
   write_line(wire::to_line({}, hello_of(factory)));
   ReadAhead ahead;
   while (const auto line = read_line())

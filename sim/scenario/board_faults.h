@@ -3,12 +3,13 @@
 //
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
 //   brown_out_volts (both of its BoardSpec) the chip is held in reset, and restarts when the voltage rises
-//   again. A robot whose healthy battery gives less than that, or than kLogicKeeps, must have another supply
-//   for its board, so no sag resets it.
-// - Serial. Bytes on their way to the firmware, each byte independently, by a hash of (seed, its number).
-// - EEPROM. Writing a byte takes kEepromWriteTime. If the power fails meanwhile, the byte may hold anything:
-//   the script says what. A used chip holds what another sketch has left there: each byte by a hash of (seed,
-//   its address).
+//   again. If even the healthy battery gives less than that, or than kLogicKeeps, the board must have another
+//   supply. Then no sag resets it.
+// - Serial. Loses, doubles or corrupts bytes on their way to the firmware. A hash of (seed, number of the
+//   byte) selects them.
+// - EEPROM. Writing a byte takes kEepromWriteTime. If the power fails meanwhile, the byte may hold anything;
+//   the script selects its value. A used chip holds another sketch's bytes: each is a hash of (seed, its
+//   address).
 #pragma once
 
 #include <cstdint>
@@ -27,13 +28,13 @@
 
 namespace robosim::scenario {
 
-constexpr double kLogicKeeps = 2.0;  ///< V: less than that, and a 74HC's registers forget
+constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's registers lose their state
 /// V: if the supply is below this, an AVR treats it as off. V POT, falling, typical; 0.6 to 1.6 V (data sheet
-/// 8025I of the ATmega48P to 328P, table 26-3). That RAM holds until then is an assumption. No value was
-/// found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4, "RAM retention voltage").
+/// 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed to hold down to this voltage. No retention
+/// voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can request, read and checked. Their default values are faultless: the script's
+/// The faults that a script can request, read and checked. A default value is no fault: it is the script's
 /// "ok".
 struct PowerFault {
   enum class Kind { none, sag, brown_out };
@@ -45,10 +46,10 @@ struct SerialFault {
   enum class Kind { none, lost, doubled, corrupted };
   Kind kind = Kind::none;
   double share = 0.0;     ///< of the bytes
-  std::uint64_t nth = 0;  ///< only this one, from 1; 0 = by share
+  std::uint64_t nth = 0;  ///< number of the only such byte, from 1; 0 = by share
   bool repairs() const { return kind == Kind::none; }
 };
-/// Has no "ok".
+/// A flipped bit. Has no "ok".
 struct EepromFlip {
   std::uint16_t address = 0;
   int bit = 0;
@@ -59,7 +60,7 @@ struct EepromUsed {
   bool repairs() const { return false; }
 };
 struct ClockDrift {
-  std::optional<int> ppm = {};  ///< too fast
+  std::optional<int> ppm = {};  ///< by which the clock is too fast
   bool repairs() const { return !ppm; }
 };
 using BoardFault = std::variant<PowerFault, SerialFault, EepromFlip, EepromUsed, ClockDrift>;
@@ -67,7 +68,7 @@ bool repairs(const BoardFault& fault);
 
 class BoardFaults final : EepromWatcher {
  public:
-  /// `number` is the robot's in its world.
+  /// `number` is the robot's number in its world.
   BoardFaults(exec::Executor& executor, robot::Robot& robot, std::uint64_t seed, std::uint32_t number = 0);
 
   static bool knows(const std::string& name);
@@ -78,7 +79,7 @@ class BoardFaults final : EepromWatcher {
                   bool ends = false) const;
   /// Throws InputError if the firmware's EEPROM is inaccessible on this target.
   void check_eeprom() const;
-  /// Starts a fault. It replaces an earlier one of the same thing.
+  /// Starts a fault. It replaces an earlier fault of the same type, such as SerialFault.
   void fail(const BoardFault& fault, SimTime t);
   /// Ends this fault.
   void repair(const BoardFault& fault, SimTime t);
@@ -113,7 +114,7 @@ class BoardFaults final : EepromWatcher {
     bool powered = true;
     SimTime changed = 0;    ///< when `powered` last changed
     int resets = 0;         ///< because of low voltage
-    bool was_gone = false;  ///< the supply, since the chip last ran: power-on, not a brown-out
+    bool was_gone = false;  ///< the supply was off since the chip last ran: power-on, not a brown-out
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< of the chip's supply
     bool keeps = true;        ///< parts on the board's supply retain their state
@@ -140,7 +141,7 @@ class BoardFaults final : EepromWatcher {
   exec::Executor& executor_;
   robot::Robot& robot_;
   const NoiseStream noise_;
-  const NoiseStream left_there_;  ///< by another sketch, in the EEPROM
+  const NoiseStream left_there_;  ///< draws the bytes that another sketch left in the EEPROM
   State state_;
 };
 

@@ -26,7 +26,7 @@ class ScriptLine {
  public:
   /// Splits the line up to a comment; `place` is its beginning. `share` draws values with a spread.
   ScriptLine(std::string_view line, Place place, const Share& share);
-  /// Returns whether there are any.
+  /// Returns whether the line has values with a spread.
   bool varies() const { return varies_; }
 
   bool more() const { return next_ < words_.size(); }

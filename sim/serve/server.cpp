@@ -27,7 +27,7 @@ using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
 constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, a little over 2 MB
-constexpr const char* kFiles = "/api/file";             // for such files
+constexpr const char* kFiles = "/api/file";             // accepts such images
 constexpr std::size_t kLongestRequest = 4000;           // to a watched run
 constexpr std::size_t kThreads = 64;                    // each waits for its client
 constexpr int kUsualPort = 8080;
@@ -79,7 +79,7 @@ void refuse(Response& response, const Refusal& refusal) {
   response.set_content(json_text({{"error", refusal.sentence}}), "application/json");
 }
 
-/// Returns the complete answer.
+/// Returns the complete HTTP answer to a request that exceeds the deadline.
 std::string too_slow(std::chrono::milliseconds deadline) {
   const std::string sentence = fmt::format("the request is too slow: expected all of it within {} s",
                                            1e-3 * static_cast<double>(deadline.count()));
@@ -110,8 +110,8 @@ int number_of(std::string_view name) {
   return whole ? number : 0;
 }
 
-/// A pool whose threads answer each connection with its time limit. In some releases of the library enqueue()
-/// returns whether there was room, in others nothing. The library's own pool may be final.
+/// A pool of threads, which answer each connection within its time limit. In some releases of the library
+/// enqueue() returns whether there was room, in others nothing. The library's own pool may be final.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(RequestDeadline& deadline) : deadline_(deadline), pool_(kThreads) {}
@@ -155,8 +155,8 @@ struct Server::Impl {
         origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
-    // The library leaves the body of a refused request unread, and would treat it as the next one. Then a
-    // page of another site could send in such a body what its own headers cannot.
+    // The library leaves the body of a refused request unread, and would treat it as the next request. So a
+    // page of another site could put a request into a body, with headers that it may not send itself.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();
@@ -205,7 +205,7 @@ struct Server::Impl {
     });
   }
 
-  /// `answer` is called with the complete body.
+  /// Registers a handler of POST requests, which is called with the complete body.
   void post(const char* path, httplib::Server::Handler answer) {
     http.Post(path, [this, answer = std::move(answer)](const Request& request, Response& response) {
       deadline.is_here();
@@ -213,7 +213,8 @@ struct Server::Impl {
     });
   }
 
-  /// The request is {"name", "text"}; the answer is JSON, or the sentence of an exception from `work`.
+  /// Registers a handler of requests {"name", "text"}. It answers with JSON, or with the message of an
+  /// exception from `work`.
   void act(const char* path, std::function<Json(const Offered&)> work) {
     post(path, [work = std::move(work)](const Request& request, Response& response) {
       try {
@@ -266,7 +267,7 @@ struct Server::Impl {
                          "application/json");
   }
 
-  /// Returns nothing, after an answer with the reason, for an invalid request.
+  /// Reads the requested run. If the request is invalid, answers with the reason, and returns nothing.
   std::optional<RunForm> wanted_by(const Request& request, Response& response) const {
     try {
       return read_run_form(request.body, choices_in(jobs.folder()));

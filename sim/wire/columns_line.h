@@ -17,14 +17,14 @@ std::string columns_text(const Columns& columns);
 /// not base64.
 class LongTexts {
  public:
-  /// Returns the remaining line: all of it if it has a text that needs more than copying. The line must
+  /// Returns the line without its long texts; the whole line if a text in it has escapes. The line must
   /// outlive this.
   std::string cut(std::string_view line);
   /// Restores bytes from their base64. Throws BadValue if it is invalid.
   void put_back(Columns& columns) const;
 
  private:
-  std::vector<std::string_view> texts_;  ///< in the line
+  std::vector<std::string_view> texts_;  ///< the texts that were cut out, by number
 };
 
 }  // namespace robosim::wire

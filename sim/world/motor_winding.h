@@ -42,7 +42,7 @@ struct Phase {
 /// Means over a period, and their slope with respect to E.
 struct MeanCurrent {
   double amps = 0.0, amps_per_volt = 0.0;    ///< A of the winding
-  double drawn = 0.0, drawn_per_volt = 0.0;  ///< A of the supply; below 0 it gets them
+  double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, the current flows into it
 };
 
 /// Computes the means. `tau` is L / R as a multiple of the period. 0 means that the period is much longer or

@@ -1,5 +1,5 @@
-// Finds bodies that are near enough to meet, without testing every pair. It uses a grid of squares, so wide
-// that bodies which meet are in the same square or in neighbouring ones.
+// Finds bodies that are near enough to meet, without testing every pair. Its grid of squares is wide enough:
+// bodies that meet are in the same square or in neighbouring ones.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ class NearBodies {
 
   NearBodies(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {}
 
-  /// Returns all pairs that may meet, the western body first, from west to east. The order does not depend on
-  /// the bodies' numbers. Valid until the next call.
+  /// Returns all pairs that may meet, sorted from west to east; each pair begins with its western body. The
+  /// order does not depend on the bodies' numbers. Valid until the next call.
   const std::vector<Pair>& pairs(const std::vector<std::unique_ptr<Body>>& bodies);
 
  private:
@@ -33,8 +33,8 @@ class NearBodies {
   std::size_t count_ = 0;
   double per_side_ = 0.0;
   int columns_ = 0, rows_ = 0;
-  // Within a call.
-  std::vector<std::int32_t> first_, next_;  ///< of a square, and behind a body in the same one; -1 = none
+  // Used only during a call.
+  std::vector<std::int32_t> first_, next_;  ///< first body of a square; next one in its square; -1 = none
   std::vector<std::size_t> square_;         ///< of each body
   std::vector<Pair> pairs_;
 };

@@ -70,7 +70,7 @@ double Walls::range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double mo
   double nearest =
       std::min(range_along(from, direction, most),
                std::min(range_along(from, edges.left, most), range_along(from, edges.right, most)));
-  const double reach = nearest / half_beam.x;  // of a triangle that contains the beam up to there
+  const double reach = nearest / half_beam.x;  // side of a triangle that contains the beam up to `nearest`
   const Vec2 a = from + edges.left * reach, b = from + edges.right * reach;
   const double side = map_->cell_m;
   const auto cell = [&](double x, double cells) {

@@ -19,12 +19,12 @@ struct Report {
 
 bool is_right(const Program& program, const Report& report);
 
-/// On the core of our own.
+/// Runs a program on Robosim's own core.
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash);
-/// On libsimavr as it comes, by avr_run().
+/// Runs a program on unchanged libsimavr, by avr_run().
 Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash);
-/// On avr8js, which is an ATmega328P, by node and avr8js.mjs; nothing where either is missing
-/// ($ROBOSIM_AVR8JS is the folder in which `npm install avr8js` was run).
+/// Runs a program on avr8js, an ATmega328P, by node and avr8js.mjs. Returns nothing if either is missing.
+/// $ROBOSIM_AVR8JS is the folder in which `npm install avr8js` was run.
 std::optional<Report> run_on_avr8js(const Program& program, std::span<const std::uint8_t> flash);
 
 }  // namespace robosim::conformance

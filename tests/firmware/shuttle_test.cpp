@@ -9,7 +9,7 @@ namespace {
 
 using namespace robosim::testing;
 
-/// A line, one metre of it.
+/// A straight line of one metre.
 constexpr const char* kTrack = R"(+++
 name = "track"
 +++

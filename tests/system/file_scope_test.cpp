@@ -34,7 +34,7 @@ class Served : public testing::Test {
     place_.write("served/Mine/Mine.ino", kSketch);
   }
 
-  /// Runs a command as serve does: the restriction is the command's, not this process's.
+  /// Runs a command as serve does: the restriction applies to the command, not to this process.
   Ended run(const std::string& words) const {
     const std::string variable = file_scope_variable(
         {fs::canonical(place_ / "served"), fs::canonical(place_.path()) / "pages", build::cache_folder()});
@@ -123,7 +123,7 @@ TEST_F(Served, FollowsNoLinkOut) {
   refuses("./Mine --map oval --robot ./link.toml");
   refuses("./Mine --map ./away/secret.map");
   refuses("./away/Theirs --map oval");
-  refuses("./Mine");  // whose only map is the link
+  refuses("./Mine");  // its only map is the link
   fs::create_symlink("../../outside/secret.h", place_ / "served/Mine/secret.h");
   place_.write("served/Mine/Mine.ino", "#include \"secret.h\"\nvoid setup() {}\nvoid loop() {}\n");
   refuses("./Mine --map oval");

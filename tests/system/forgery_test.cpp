@@ -1,6 +1,6 @@
-// Sketches that would rather say that they have reached their goal than reach it: none gets that verdict.
-// Those for the host are code of this machine (sim/runner/sandbox_proxy.h says how a run there tells its
-// runner); on a chip firmware is data.
+// Tests that a sketch which forges the verdict “reached” does not get it. Sketches for the host are code of
+// this machine: sim/runner/sandbox_proxy.h describes how such a run reports to its runner. Firmware of a chip
+// is only data.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace robosim::test {
 namespace {
 
-/// Returns the last line of a runner for each request that it may answer.
+/// Returns forged last lines of a runner, one for each request that it may be answering.
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {
@@ -44,7 +44,7 @@ std::string literal(const std::string& text) {
   return quoted + '"';
 }
 
-/// LINES, and the version that an image has to have.
+/// Returns definitions of LINES, and of the version that an image must have.
 std::string beginning() {
   return "#define IMAGE_VERSION " + std::to_string(host::kImageVersion) + "\n#define LINES " +
          literal(forged_lines());
@@ -57,7 +57,7 @@ struct Attempt {
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
 std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
-/// Declarations for all of them; LINES is their output.
+/// Declarations for all attempts, which output LINES.
 constexpr const char* kOfTheSystem = R"(
 extern "C" {
 typedef void (*Handler)(int);
@@ -176,7 +176,7 @@ void setup() {
 void loop() {})"},
 };
 
-/// Returns a command's verdict of a run of the sketch F.
+/// Runs the sketch F with the command `robosim run`, and returns its JSON.
 nlohmann::json verdict_of(const Folder& folder, const char* target, Ended& ended) {
   ended = robosim_command({"run", "./F", "--map", "oval", "--robot", "uno5", "--goal", "laps:1", "--for",
                            "2s", "--target", target, "--json"},
@@ -209,7 +209,7 @@ TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
 INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of_attempt);
 
 TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
-  // These are harmless; the others are not.
+  // Only these attempts are harmless without the filter.
   for (const char* name :
        {"WritesToEveryDescriptorAndExits", "PrintsAndExits", "ClosesAllDescriptorsAndExits",
         "PutsThePipeInThePlaceOfItsStandardOutput", "GuessesTheToken"}) {

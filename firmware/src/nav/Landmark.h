@@ -12,9 +12,9 @@
 //   void leave(nav::Turn turn);           // turns there; follow() then runs that way
 //   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
 //
-// begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line goes one way
-// only, which the robot then faces. An `end` with no arms is a single spot without any line to follow; `lost`
-// means that there is no line.
+// begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line leaves in one
+// direction only; the robot then faces that direction. An `end` with no arms is a single spot without any
+// line to follow. `lost` means that there is no line.
 //
 // follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
 // outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
@@ -55,13 +55,13 @@ enum class LandmarkKind : uint8_t { line, junction, end, blocked, loop, lost };
 
 struct Landmark {
   LandmarkKind kind;
-  uint8_t arms;     ///< lines that leave from here: bit 1 << Heading; the one it came by included
+  uint8_t arms;     ///< lines that leave from here, with that of arrival: bit 1 << Heading for each
   Heading heading;  ///< of the robot, now
   Place at;
-  uint32_t cost;  ///< of the way since the last landmark: moves on a grid, else time in units of 20 ms
+  uint32_t cost;  ///< since the last landmark: number of moves on a grid, else time in units of 20 ms
 };
 
-/// Returns the same arms, with each heading h counted as h + quarters.
+/// Returns the arms rotated clockwise: the arm at heading h is then at heading h + quarters.
 inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
   quarters &= 3;
   return static_cast<uint8_t>((arms << quarters | (arms & 15) >> (4 - quarters)) & 15);

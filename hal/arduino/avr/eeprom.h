@@ -1,4 +1,4 @@
-// EEPROM by address, with avr-libc's interface. An EEMEM variable has its place in the section, from 0 on.
+// EEPROM by address, with avr-libc's interface. An EEMEM variable's address is its offset in its section.
 // Its initial value is not loaded, as Arduino's upload does not load it either.
 #pragma once
 

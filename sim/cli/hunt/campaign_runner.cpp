@@ -28,7 +28,7 @@ namespace {
 constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60;
 
-/// Returns the number of line segments in addition to a tree's.
+/// Returns the number of line segments, at most 3, that a tree would not have.
 int cycles_of(const grid::Map& map) {
   int nodes = 0, links = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -260,7 +260,7 @@ bool CampaignRunner::run(const std::vector<TestCase>& test_cases,
   results.assign(test_cases.size(), std::nullopt);
   if (ran) ran->assign(test_cases.size(), {});
   const std::vector<Task> tasks = tasks_of(test_cases);
-  std::vector<std::size_t> alone;  // of families that cannot be one run
+  std::vector<std::size_t> alone;  // test cases of families that cannot share a run
   const auto counters = [&](std::size_t t) { return work_.path() / std::to_string(t) / "lines"; };
   const auto keep = [&](std::size_t i, wire::RunResult&& result, const fs::path& lines) {
     results[i] = std::move(result);

@@ -1,4 +1,4 @@
-// Runs a sketch's checks, or programs of tests, on a changed copy of it.
+// Runs a sketch's checks, or test programs, on a changed copy of it.
 #pragma once
 
 #include <filesystem>
@@ -16,24 +16,24 @@ namespace robosim::cli {
 struct Trial {
   enum class Ending {
     passed,
-    failed,        ///< a check or a test found it
-    late,          ///< one failed by a timeout, or since the sketch hung
-    not_compiled,  ///< then it is not a bug
+    failed,        ///< a check or a test found the change
+    late,          ///< a check or a test failed by a timeout, or because the sketch hung
+    not_compiled,  ///< the sketch does not compile, so the change is not a bug
     interrupted,
   };
   Ending ending = Ending::passed;
   std::vector<std::string> traces;  ///< the trace hashes of all runs
-  std::string check;                ///< or test, that failed
+  std::string check;                ///< the check or test that failed
   std::string why;                  ///< in one sentence
 };
 
 /// A copy of the sketch's folder, in which one file at a time is changed.
 class Workbench {
  public:
-  /// `folder` holds the sketch, `path` is it or a file in it.
+  /// `folder` holds the sketch; `path` is the folder, or a file in it.
   Workbench(const std::filesystem::path& folder, const std::filesystem::path& path);
 
-  /// Tests the copy, which is at that path.
+  /// Tests the copy at the path `sketch`.
   using Ask = std::function<Trial(const std::string& sketch)>;
 
   Trial try_unchanged(const Ask& ask) const { return ask(sketch_); }
@@ -51,10 +51,10 @@ class Workbench {
   std::string sketch_;
 };
 
-/// Runs the checks of a file.
+/// Returns a function that runs the checks of a file.
 Workbench::Ask ask_checks(std::string file, std::size_t jobs);
 
-/// Runs programs of GoogleTest tests, which find the copy instead of the original: ROBOSIM_MUTANT.
+/// Returns a function that runs GoogleTest programs. ROBOSIM_MUTANT makes them use the copy of the sketch.
 Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench);
 
 }  // namespace robosim::cli

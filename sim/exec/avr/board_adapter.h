@@ -14,7 +14,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
  public:
   BoardAdapter(ClockedBoard& board, SimTime began);
 
-  /// Connects the chip whose surroundings these are. Call it first.
+  /// Connects the chip. Call it before all other functions.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
   /// Passes the inputs that have arrived by now to the chip, and schedules the call for the next input.
   void take_inputs(Cycle now) {
@@ -35,7 +35,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   struct State {
     ClockMap clock_map;
     SimTime expected = kNever;  ///< when the chip is called for the next input
-    Cycle frame = 0;            ///< duration of a received one; 0 = the receiver is off
+    Cycle frame = 0;            ///< duration of a received frame; 0 = the receiver is off
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
@@ -69,8 +69,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
 
   ClockedBoard& board_;
   robosim::avr::Chip* chip_ = nullptr;
-  std::vector<Pin> pins_;       ///< the board's, by the chip's; kNoPin = not connected
-  std::vector<int> chip_pins_;  ///< the chip's, by the board's; -1 = none
+  std::vector<Pin> pins_;       ///< the board's pin for each pin of the chip; kNoPin = not connected
+  std::vector<int> chip_pins_;  ///< the chip's pin for each pin of the board; -1 = none
   const int serial_;            ///< the line that leads to the computer
   State state_;
 };

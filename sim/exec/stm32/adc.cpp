@@ -20,7 +20,7 @@ constexpr std::uint32_t kCont = 1u << 1, kAdcDma = 1u << 8, kJextTrig = 1u << 15
 constexpr unsigned kTemperature = 16, kReference = 17, kBySoftware = 7;
 constexpr double kTemperatureVolts = 1.43, kReferenceVolts = 1.20;
 
-// 11.12.4, in half cycles of the ADC's clock.
+// Sampling times (11.12.4), in half cycles of the ADC's clock.
 constexpr unsigned kSamplingHalves[] = {3, 15, 27, 57, 83, 111, 143, 479};
 constexpr unsigned kConversionHalves = 25;
 
@@ -44,7 +44,7 @@ Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
 
 // --- conversions
 
-// One channel unless they are scanned, or converted in discontinuous mode.
+// Returns 1 unless the channels are scanned, or converted in discontinuous mode.
 int Adc::regular_length() const {
   return state_.control1 & (kScan | kDiscEn) ? static_cast<int>(state_.sequence[0] >> 20 & 15) + 1 : 1;
 }
@@ -113,7 +113,7 @@ void Adc::update() {
   }
 }
 
-// 11.3.8
+// Compares a result with the analog watchdog's limits (11.3.8).
 void Adc::watch(bool guarded) {
   const bool this_one = !(state_.control1 & kAwdSgl) || channel() == (state_.control1 & 31);
   if (guarded && this_one && (state_.sampled > state_.high || state_.sampled < state_.low))
@@ -187,7 +187,7 @@ void Adc::heard(Signals signal) {
     start_regular(link_.clock.now);
 }
 
-// RM0008 table 78: ADC2 has none.
+// ADC2 has no DMA requests (RM0008, table 78).
 unsigned Adc::dma_requests() const { return state_.dma_asks && index_ == 0 ? dma_channel(1) : 0; }
 
 // --- registers

@@ -6,8 +6,8 @@ namespace {
 
 using namespace robosim::stm32;
 
-// A loop may mask interrupts for a moment, to read what a handler writes. If one is pending, and none, not
-// even the core's clock of 1 ms, has come for this long, they stay masked.
+// A loop may mask interrupts for a moment, to read what a handler writes. After this duration without any
+// handler, not even that of the 1 ms clock, a pending interrupt shows that they stay masked.
 constexpr SimTime kMaskedFor = kSecond;
 
 bool are_masked_for_good(const Machine& machine) {

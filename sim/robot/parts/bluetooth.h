@@ -43,7 +43,7 @@ class BluetoothPart final : public Part, public Receiver, public TextOutput, pub
   void take(std::uint8_t byte, SimTime t);
 
   struct State {
-    std::string heard;               // of the incoming line
+    std::string heard;               // the incoming line so far
     SimTime heard_at = 0;            // time of the last byte
     std::vector<std::string> lines;  // to be reported
     bool dead = false;

@@ -35,7 +35,7 @@ class LcdPart final : public Part, public PinWatcher, public TextOutput {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// 1 while it shows text.
+  /// Reads 1 while the display shows text.
   void read(std::vector<Reading>&) const override;
 
  private:

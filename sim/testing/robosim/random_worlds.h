@@ -30,7 +30,7 @@ struct Networks {
                       ///< that do not meet; 2 at least
   int most_ways = 4;  ///< of a junction; 3: no crossings
   int cycles = 0;     ///< lines beyond those of a tree
-  int obstacles = 0;  ///< that stand on lines
+  int obstacles = 0;  ///< number of obstacles, which stand on lines
 };
 /// Generates maps that are networks: connected, the start at a station. They shrink to fewer and shorter
 /// lines, bends, cycles and obstacles.
@@ -40,7 +40,7 @@ rc::Gen<std::string> trees(int lines = 10);
 
 /// Limits of closed loops of line that do not cross themselves.
 struct Tracks {
-  int squares = 6;         ///< whose outline the loop is; one square gives a loop of four bends
+  int squares = 6;         ///< number of joined squares whose outline is the loop; one gives four bends
   int apart = 4;           ///< cells: the least side of a square; at most twice as long
   double cell_mm = 100.0;  ///< side of a cell
   double corner_mm = 0.0;  ///< radius of the bends; above apart · cell / 2 some become smaller
@@ -50,8 +50,8 @@ struct Tracks {
 /// small square without gaps.
 rc::Gen<std::string> tracks(Tracks limits = {});
 
-/// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter with
-/// a spread in the file itself has some value within it. Floor sensors are mounted up to `mounting_mm` to the
+/// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter for
+/// which the file itself gives a spread gets a value within it. Floor sensors are mounted up to `mounting_mm` to the
 /// front or side of their places. Robots shrink to the file's own values, except those that the failure
 /// needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
@@ -90,7 +90,7 @@ Runs runs(int count);
 
 /// Runs `body`, which drives the robot and has expectations as any test, in that number of worlds. After the
 /// first failure it tries smaller worlds, repeatedly, until none of them fails. The test then fails with the
-/// smallest one, and prints what is in it. Equal on every run; RC_PARAMS="seed=7" draws other worlds.
+/// smallest one, and prints what is in it. Every run draws the same worlds; RC_PARAMS="seed=7" draws others.
 void InRandomWorlds(const Worlds& worlds, Runs runs, const std::function<void(Simulation&)>& body,
                     const char* file = __builtin_FILE(), int line = __builtin_LINE());
 

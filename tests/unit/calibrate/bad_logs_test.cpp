@@ -24,7 +24,7 @@ class Folder : public test::TemporaryFolder {
   }
 };
 
-/// The sentence that answers these logs; "" if they are taken.
+/// Returns the error message for these logs; "" if they are valid.
 std::string answer(const std::vector<std::string>& logs, double tape_m = 0.019,
                    const std::string& stopwatch = "", std::string robot = bench::kRobot) {
   const Folder folder;

@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Answers as "run:verdict" or "run:kind of failure".
+/// Returns a task for the fake worker: `image` is the verdict, or a word that the worker obeys.
 Task task_of(const std::string& image) {
   Task task{"host", {}};
   task.request.image = image;
@@ -54,7 +54,7 @@ class PoolTest : public ::testing::TestWithParam<std::size_t> {
     EXPECT_EQ(errno, ECHILD);
   }
 
-  std::vector<std::string> answers_;
+  std::vector<std::string> answers_;  ///< "run:verdict" or "run:kind of failure"
 };
 
 INSTANTIATE_TEST_SUITE_P(Workers, PoolTest, ::testing::Values(1, 2, 5),

@@ -62,7 +62,7 @@ class Polling : public HostTest {
     return run;
   }
 
-  /// Runs it both ways. Gives what it did.
+  /// Runs a sketch with and without skipping, expects equal results, and returns one of them.
   Run same(const std::string& text) {
     Run all = run_once(text, false), skipped = run_once(text, true);
     asked_ = {all.asked, skipped.asked};
@@ -130,8 +130,7 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
 }
 
-// Timer 0 overflows again and again meanwhile, and its handler makes the rounds later, wherever in one it
-// comes.
+// Timer 0 overflows repeatedly meanwhile. Its handler delays the loop at any place of a round.
 TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   const std::string begin =
       "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"
@@ -152,7 +151,7 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// It converts without requests; each conversion begins when the end of the last one is noticed.
+// The converter needs no requests: each conversion begins when the end of the previous one is noticed.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(
       "unsigned long last, sum;\n"

@@ -16,7 +16,7 @@ using ::testing::UnorderedElementsAre;
 
 Network trace(const Map& map, const char* start) { return trace_network(map, parse_start(map, start)); }
 
-// The names of the stations, in the order of their numbers.
+// Returns the names of the stations, in the order of their numbers.
 std::string order(const Map& map, const char* start) {
   std::string names;
   for (const Station& station : trace(map, start).stations) names += station.name;
@@ -29,8 +29,8 @@ std::vector<CellAt> cells_of(const std::vector<Station>& stations) {
   return cells;
 }
 
-// How the seven ends and five forks of v1's sample map hang together, drawn smaller; its ends bear the same
-// letters.
+// A smaller drawing of v1's sample map: seven ends and five forks, connected as there, with the same letters
+// at the ends.
 constexpr const char* kV1Tree =
     "+++\n"
     "[stations]\n"
@@ -50,7 +50,7 @@ constexpr const char* kV1Tree =
 
 TEST(Network, StationsAreNumberedAsV1NumbersThem) {
   const Map map = parse_map(kV1Tree, "m.map");
-  // From running v1 on its sample map.
+  // These are the orders that v1 prints for its sample map.
   EXPECT_EQ(order(map, "4,1"), "ACGHFDB");
   EXPECT_EQ(order(map, "11,1"), "BACGHFD");
   EXPECT_EQ(order(map, "15,6"), "FDBACGH");

@@ -8,11 +8,11 @@ const int RIGHT_SPEED = 6, RIGHT_FORWARD = 9, RIGHT_BACKWARD = 10;
 const int FLOOR = 110;     // analogRead() over the floor
 const int LINE = 880;      // ... and over the line
 const int SPEED = 110;     // of 255, while the line is in the middle
-const float STEERING = 70; // for each sensor that the line is off
+const float STEERING = 70; // change of speed if the line is off by one sensor
 
 float off = 0;             // where the line is: -2 under the left sensor .. 2 under the right one
 
-// If no sensor sees the line, it is where it was last.
+// Measures where the line is. If no sensor sees it, `off` stays as it was.
 void look() {
   long weight = 0, sum = 0;
   for (int i = 0; i < 5; i++) {

@@ -19,7 +19,7 @@
 
 namespace robosim::testing {
 
-/// One robot. As in a Trial; only name and sketch have no default.
+/// One robot, with members as in a Trial. Only name and sketch have no default.
 struct FleetMember {
   std::string name;  ///< letters, digits, _ and -
   std::string sketch;
@@ -35,7 +35,7 @@ struct FleetMember {
 /// The robots to run, or a file with them.
 struct FleetTrial {
   std::vector<FleetMember> robots;  ///< in the order of their numbers
-  std::string file;                 ///< with [[agent]]s: docs/howto/fleets.md
+  std::string file;                 ///< a file with [[agent]] tables: docs/howto/fleets.md
   std::string map;                  ///< as in a Trial; "" = the file's, else the first sketch's, else oval
   std::uint64_t seed = 1;
   std::string profile = "typical";
@@ -53,8 +53,8 @@ class Fleet {
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
 
-  /// Returns the Simulation of this robot. Its time is that of all: while it runs, so do the others. Throws
-  /// for an unknown name.
+  /// Returns the Simulation of this robot. All robots share one time: running one runs the others, too.
+  /// Throws for an unknown name.
   Simulation& robot(const std::string& name);
   const std::vector<std::string>& names() const { return names_; }
 
@@ -62,11 +62,11 @@ class Fleet {
   /// Runs to each robot's verdict.
   void run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
-  /// Returns whether each has its verdict.
+  /// Returns whether each robot has its verdict.
   bool over() const;
   /// Returns the verdicts in the robots' order; "" for a robot without one.
   std::vector<std::string> verdicts() const;
-  /// Returns whether all have reached their goals, for EXPECT_TRUE; else which have not, and why.
+  /// Returns success if all robots have reached their goals, for EXPECT_TRUE; else which have not, and why.
   ::testing::AssertionResult all_reached() const;
   /// Returns the command that reproduces this run until now; its files exist if the test fails.
   std::string replay_command() const;
@@ -74,7 +74,7 @@ class Fleet {
  private:
   struct Impl;
   std::vector<std::string> names_;
-  std::filesystem::path scratch_;  ///< texts as files
+  std::filesystem::path scratch_;  ///< folder with the files of texts, such as a map
   std::vector<std::unique_ptr<Simulation>> robots_;
   std::unique_ptr<Impl> impl_;
 };
