@@ -29,8 +29,8 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::size_t kListed = 20;  // stations, bends: more are only counted
-constexpr double kRoom_m = 0.08;     // beside a path: half of a medium stock robot, and a little
+constexpr std::size_t kListed = 20;  // at most this number of stations or bends is listed, others are counted
+constexpr double kRoom_m = 0.08;     // next to a path: half the width of a medium stock robot, and a margin
 
 struct Survey {
   grid::Map map;
@@ -45,7 +45,7 @@ Survey survey(const std::string& name, const std::string& start) {
   return s;
 }
 
-// Returns the texts of the first few, and the number of the others.
+// Returns the texts of the first kListed items, and the number of the others.
 template <typename Items, typename Text>
 std::string list(const Items& items, Text text) {
   std::string line;
@@ -69,7 +69,7 @@ void check_goal(const Survey& s) {
   if (goal.starts_with("laps:") && !s.network.has_laps())
     throw InputError(
         s.map.goal_place,
-        fmt::format("goal {} requires a single loop: from {} the line is not one", goal, at(s.start.cell)));
+        fmt::format("goal {} requires a single loop: the line from {} is not one", goal, at(s.start.cell)));
   if (!goal.starts_with("station:")) return;
   const std::string wanted = goal.substr(goal.find(':') + 1);
   std::vector<std::string> names;
@@ -77,12 +77,11 @@ void check_goal(const Survey& s) {
     if (station.name == wanted || std::to_string(station.id) == wanted) return;
     names.push_back(station.name);
   }
-  throw InputError(
-      s.map.goal_place,
-      names.empty()
-          ? fmt::format("goal {}: unknown station: no station can be reached from {}", goal, at(s.start.cell))
-          : fmt::format("goal {}: unknown station among those that can be reached from {}: {}", goal,
-                        at(s.start.cell), expected_one_of(wanted, names)));
+  throw InputError(s.map.goal_place,
+                   names.empty() ? fmt::format("goal {}: unknown station: no station can be reached from {}",
+                                               goal, at(s.start.cell))
+                                 : fmt::format("goal {}: not a station that can be reached from {}: {}", goal,
+                                               at(s.start.cell), expected_one_of(wanted, names)));
 }
 
 std::size_t count_line_cells(const grid::Map& map) {
@@ -111,7 +110,7 @@ std::string describe_path(const grid::PathSurvey& path) {
 // Rounds metres for display: to a micrometre.
 double shown(double m) { return std::round(m * 1e6) / 1e6; }
 
-// Counts the cells of the legend.
+// Counts the cells that the legend makes a surface.
 std::ptrdiff_t surface_cells(const grid::Map& map) {
   return std::count_if(map.surface_of_cell.begin(), map.surface_of_cell.end(),
                        [](std::uint8_t surface) { return surface != 0; });
@@ -234,8 +233,8 @@ void describe(const Survey& s, std::ostream& out) {
                        pluralize(network.unreachable.size(), "station"), list(network.unreachable, at));
   const std::vector<grid::TightBend> tight = grid::tight_bends(map);
   if (!tight.empty())
-    out << fmt::format("  note: {} too short in the legs for {:.10g} mm: {}\n",
-                       tight.size() == 1 ? "1 bend is" : fmt::format("{} bends are", tight.size()),
+    out << fmt::format("  note: {} legs too short for a radius of {:.10g} mm: {}\n",
+                       tight.size() == 1 ? "1 bend has" : fmt::format("{} bends have", tight.size()),
                        mm(map.corner_m), list(tight, [](const grid::TightBend& bend) {
                          return fmt::format("{} gets {:.10g} mm", at(bend.cell), mm(bend.radius_m));
                        }));

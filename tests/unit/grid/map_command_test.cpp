@@ -55,7 +55,7 @@ TEST_F(MapCommand, CheckNumbersStationsFromTheStartItIsGiven) {
 TEST_F(MapCommand, CheckReportsTightBendsAndWhatIsOutOfReach) {
   EXPECT_EQ(check({file("m.map", "+++\ncorner = \"80 mm\"\n+++\n..___...\n_..._.__\n")}), ExitStatus::ok);
   EXPECT_THAT(out_.str(),
-              HasSubstr("2 bends are too short in the legs for 80 mm: 1,0 gets 50 mm; 1,1 gets 50 mm"));
+              HasSubstr("2 bends have legs too short for a radius of 80 mm: 1,0 gets 50 mm; 1,1 gets 50 mm"));
   EXPECT_THAT(out_.str(), HasSubstr("2 stations cannot be reached from the start: 7,0; 5,1"));
 }
 
