@@ -161,16 +161,16 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("started", r.started, "`false`: there is no `started`, for a client that waits for the answer alone",
     {.presence = when(!r.started)});
   v("batches", r.batches,
-    "`true`: `sample`, `pin`, `level`, `volts` and `byte` events come many in one `batch`, some of them "
+    "`true`: many `sample`, `pin`, `level`, `volts` and `byte` events come in one `batch`, some of them "
     "late; "
-    "the order of all events stays. `columns` are then the client's to make of these",
+    "the order of all events stays. The client then makes `columns` of these",
     {.presence = when(r.batches)});
   v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
     {.presence = when(r.interactive)});
   v("source", r.source_ns,
-    "`[from, to]`: `pin`, `level`, `volts` and `byte` events are sent of this span only, and have the key "
-    "`source`: the line of the sketch that the event goes back to. Of a sent byte that is the line which has "
-    "printed it, however long it waited in the core's buffer",
+    "`[from, to]`: `pin`, `level`, `volts` and `byte` events are sent only for this span, and have the key "
+    "`source`: the line of the sketch that caused the event. For a sent byte, that is the line that printed "
+    "it, however long the byte waited in the core's buffer",
     {.unit = "ns", .otherwise = "none"});
   v("stream",
     NameList{std::array{Name{"pin", &r.pins}, Name{"serial", &r.serial}, Name{"note", &r.notes},

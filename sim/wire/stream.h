@@ -44,7 +44,7 @@ struct Started {
 template <class V>
 void fields(V& v, Same<V, Started::Station>& s) {
   v("id", s.id, "its number");
-  v("name", s.name, "its name; the number where it has none");
+  v("name", s.name, "its name; its number if it has no name");
   v("x", s.x, "its column, from the left");
   v("y", s.y, "its row, from the top");
 }
@@ -53,7 +53,7 @@ template <class V>
 void fields(V& v, Same<V, Started>& s) {
   v("start", std::tie(s.x, s.y, s.facing), "column, row and direction that the robot begins with");
   v("goal", s.goal, "as on the command line");
-  v("stations", s.stations, "the map's");
+  v("stations", s.stations, "stations of the map");
   v("readings", s.readings, "names of the readings of a sample, in their order");
   v("width", s.width, "of the map, in cells", {.presence = kOptional});
   v("height", s.height, "of the map, in cells", {.presence = kOptional});
@@ -73,7 +73,7 @@ struct Sample {
   double left = 0.0;                    ///< command of the left motor, -1..1
   double right = 0.0;                   ///< command of the right motor, -1..1
   std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
-  std::string at_station;               ///< of a driven run: whose centre the body covers; "" = none
+  std::string at_station;               ///< in a run driven step by step: the body covers its centre
   std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also during slip
   int agent = 0;
 };
@@ -146,8 +146,7 @@ struct SerialByte {
 
 template <class V>
 void source_field(V& v, Same<V, SourceLine>& source) {
-  v("source", source,
-    "line of the sketch that the event goes back to; absent where not known, or not asked for",
+  v("source", source, "line of the sketch that caused the event; absent if unknown, or not requested",
     {.presence = when(!source.file.empty())});
 }
 
@@ -155,7 +154,7 @@ template <class V>
 void fields(V& v, Same<V, PinChange>& p) {
   v("t_ns", p.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("pin", p.pin, "`\"D5\"`");
-  v("mode", p.mode, "what the firmware has made of it", {.one_of = {"input", "input_pullup", "output"}});
+  v("mode", p.mode, "mode that the firmware has set", {.one_of = {"input", "input_pullup", "output"}});
   v("level", p.level, "of an output: whether it is high");
   v("pwm", p.pwm, "whether it is driven by PWM");
   v("duty", p.duty, "share of the time that it is high, 0..1");
@@ -185,13 +184,13 @@ void fields(V& v, Same<V, VoltsSeen>& s) {
 template <class V>
 void fields(V& v, Same<V, SerialByte>& b) {
   v("t_ns", b.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("value", b.value, "of the byte");
-  v("sent", b.sent, "by the firmware; else it has received it");
+  v("value", b.value, "value of the byte");
+  v("sent", b.sent, "whether the firmware has sent the byte; else it has received it");
   source_field(v, b.source);
   agent_field(v, b.agent);
 }
 
-/// The firmware's output, a line or less.
+/// The firmware's output: a line, or a part of one.
 struct SerialText {
   static constexpr const char* kEvent = "serial";
   std::int64_t t_ns = 0;
@@ -201,8 +200,8 @@ struct SerialText {
 
 template <class V>
 void fields(V& v, Same<V, SerialText>& s) {
-  v("t_ns", s.t_ns, "when the last of it was sent", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("text", s.text, "a line with its end, or less");
+  v("t_ns", s.t_ns, "when its last byte was sent", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("text", s.text, "a line with its line end, or a part of a line");
   agent_field(v, s.agent);
 }
 
@@ -211,7 +210,7 @@ struct Note {
   static constexpr const char* kEvent = "note";
   std::int64_t t_ns = 0;
   std::string text;
-  std::optional<RunEvent::What> what;  ///< unset: of a kind that is unknown here, from a newer runner
+  std::optional<RunEvent::What> what;  ///< unset if a newer runner sends a kind that is unknown here
   int agent = 0;                       ///< number of its robot
 
   /// Returns whether it is of this kind: `note.is<StationVisited>()`.
@@ -228,7 +227,7 @@ void fields(V& v, Same<V, Note>& n) {
   v("t_ns", n.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("text", n.text, "for people: `\"station 2 visited\"`");
   agent_field(v, n.agent);
-  v.kinds("kind", n.what, "what happened; the keys below are there where their kind is named");
+  v.kinds("kind", n.what, "what happened; each of the keys below is present for the kinds that it names");
 }
 
 /// The run waits for a debugger before the firmware's first instruction.
@@ -247,13 +246,13 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
 struct Batch {
   static constexpr const char* kEvent = "batch";
   static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
-  std::int64_t size = 0;   ///< in a line that was read: the number of the following bytes
+  std::int64_t size = 0;   ///< after reading a line: the number of bytes that follow it
   std::string bytes = {};  ///< for writing
 };
 
 template <class V>
 void fields(V& v, Same<V, Batch>& b) {
-  v("size", b.size, "number of bytes after the line; the next line follows them",
+  v("size", b.size, "number of bytes that follow the line; the next line comes after them",
     {.least = 0, .most = Batch::kMost_bytes});
 }
 
