@@ -23,7 +23,7 @@ std::uint64_t instructions() {
   return wanted ? std::strtoull(wanted, nullptr, 10) : test::rounds(300'000ull);
 }
 
-/// It goes on with the next word, or does not.
+/// Returns whether an instruction skips or branches under a condition.
 bool chooses(const std::string& name) {
   return name == "CPSE" || name == "SBIC" || name == "SBIS" || name == "SBRC" || name == "SBRS" ||
          name.starts_with("BR");
@@ -42,12 +42,12 @@ TEST_P(Manual, SaysWhatTheProcessorDoesWithRandomInstructions) {
     for (int block = 0; block < kBlocks && goes_on; ++block) {
       const std::uint32_t from = pair.manual.pc;
       goes_on = pair.run(1 + static_cast<int>(random() % kLongestBlock));
-      ASSERT_EQ(pair.difference(), "") << "behind the instructions from word " << from << " on";
+      ASSERT_EQ(pair.difference(), "") << "after the instructions from word " << from << " on";
     }
     count = 0;
     for (const std::uint64_t ran : pair.manual.ran) count += ran;
   }
-  // Each one has been there, and has gone both ways.
+  // Each instruction has run, and each conditional one has gone both ways.
   for (std::size_t row = 0; row < ManualModel::rows().size(); ++row) {
     const std::string name = ManualModel::rows()[row].name;
     if (!long_pc && (name.starts_with("ELPM") || name.starts_with("EI"))) continue;

@@ -8,7 +8,7 @@ constexpr SimTime kLong = 2100 * kMillisecond;
 
 class HangTest : public AvrTest {
  protected:
-  /// Returns whether a sketch hangs whose loop runs `before` and then waits for `awaited`.
+  /// Runs a sketch whose setup() runs `before` and then waits for `awaited`. Returns whether it hangs.
   bool hangs(const std::string& handlers, const std::string& before, const std::string& awaited = "go") {
     start("#include <avr/wdt.h>\nvolatile byte go, other; volatile long count;\n" + handlers +
           "\nvoid setup() { Serial.begin(9600); " + before + " while (!(" + awaited +
@@ -48,7 +48,7 @@ TEST_F(HangTest, AHandlerThatDoesSomethingByItselfIsLife) {
 TEST_F(HangTest, WhatIsEnabledAndCannotComeIsNone) {
   EXPECT_TRUE(hangs("void set() { go = 1; }", "attachInterrupt(0, set, FALLING); noInterrupts();"));
   EXPECT_TRUE(hangs("void set() { go = 1; }", "attachInterrupt(0, set, FALLING); detachInterrupt(0);"));
-  EXPECT_TRUE(hangs("ISR(PCINT1_vect) { go = 1; }", "PCICR = 2;")) << "no pin is let through";
+  EXPECT_TRUE(hangs("ISR(PCINT1_vect) { go = 1; }", "PCICR = 2;")) << "no pin is enabled in the mask";
   EXPECT_TRUE(hangs("ISR(ADC_vect) { go = ADCH; }", "ADCSRA = 0x8F;")) << "nothing is converted";
 }
 

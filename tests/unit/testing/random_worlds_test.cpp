@@ -28,7 +28,7 @@ rc::Shrinkable<T> draw(const rc::Gen<T>& any, std::uint64_t seed, int size = rc:
   return any(rc::Random(seed), size);
 }
 
-/// Drawn values, and for each all those of one way down to what does not shrink any more.
+/// Checks drawn values. Each is then shrunk step by step, as far as it goes, and checked after each step.
 template <typename T>
 void for_all(const rc::Gen<T>& any, std::uint64_t count, const std::function<void(const T&)>& check) {
   for (std::uint64_t seed = 1; seed <= test::rounds(count); ++seed) {
@@ -142,7 +142,7 @@ TEST(RandomTracks, AreSingleLoopsWithTheGoalOfALap) {
     const Floor floor(text);
     EXPECT_FALSE(floor.network.loop.empty()) << text;
     EXPECT_EQ(floor.map.goal, "laps:1");
-    EXPECT_EQ(floor.map.at(floor.start.cell), grid::Cell::line) << "a gap is no start\n" << text;
+    EXPECT_EQ(floor.map.at(floor.start.cell), grid::Cell::line) << "a gap is not a start\n" << text;
     bent += floor.network.loop.size() > 40;
     broken += text.find("3", text.find("+++", 3)) != std::string::npos;
   });
