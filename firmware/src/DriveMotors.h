@@ -5,7 +5,7 @@
 // name selects one:
 //
 //   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
-//                              TB6612: likewise, with its PWM pin as `en`; its STBY pin must be HIGH
+//                              TB6612: as L298N, with its PWM pin as `en`; its STBY pin must be HIGH
 //                              (see DriveMotors).
 //   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is
 //                              forward, on IN2 backward.

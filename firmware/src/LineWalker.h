@@ -63,7 +63,7 @@ struct LineWalkerSettings {
   static constexpr float pitch = 9.525f;         ///< between two sensors
   static constexpr float line = 20;              ///< width of a line
   static constexpr float duty_per_speed = 0.2f;  ///< of 255, above the smallest duty: 255 / top speed
-  static constexpr uint8_t smallest_duty = 20;   ///< at which the wheels just turn
+  static constexpr uint8_t smallest_duty = 20;   ///< the duty at which the wheels just turn
 
   // How it drives.
   static constexpr float cruise = 300;
@@ -140,7 +140,7 @@ class LineWalkerOf {
   bool fade_ = false;              ///< the angle off fades away: it follows a line
   float mark_x_ = 0, mark_y_ = 0;  ///< the last landmark
   // Motion of its wheels.
-  float speed_ = 0;                           ///< that it has accelerated to
+  float speed_ = 0;                           ///< the speed that it has accelerated to
   float behind_left_ = 0, behind_right_ = 0;  ///< mm
   bool blocked_ = false;
   bool from_line_ = false;  ///< began in the middle of a line, and has met nothing yet
@@ -148,7 +148,7 @@ class LineWalkerOf {
   // Kind and position of its last landmark; from nearby it backs up onto it.
   Passed passed_ = Passed::nothing;
   float passed_at_ = 0;
-  nav::Heading passed_heading_ = 0;  ///< in which it came to the corner
+  nav::Heading passed_heading_ = 0;  ///< the heading in which it came to the corner
   nav::LandmarkKind passed_kind_ = nav::LandmarkKind::line;
   uint8_t passed_arms_ = 0;
   bool returned_ = false;  ///< it has backed up onto it

@@ -44,7 +44,7 @@ struct TimerSpec {
   uint16_t flags = 0;          ///< address of TIFRn
   bool own_prescaler = false;  ///< false if timers share the prescaler
   uint16_t reduction = 0;      ///< address of PRR
-  int8_t reduction_bit = -1;   ///< that stops it there
+  int8_t reduction_bit = -1;   ///< the bit of PRR that stops the timer
   // Registers; the defaults are an ATmega's:
   uint16_t control_b = 0;    ///< address of TCCRnB; 0 = after TCCRnA
   uint16_t top = 0;          ///< address of OCR1C of an ATtiny85's timer 1, whose TCCRnA is TCCR1; 0 = none
@@ -72,7 +72,7 @@ struct UartSpec {
   const char* rx;    ///< pins
   const char* tx;
   uint16_t reduction = 0;     ///< address of PRR
-  int8_t reduction_bit = -1;  ///< that stops it there
+  int8_t reduction_bit = -1;  ///< the bit of PRR that stops the USART
 };
 
 struct AdcSpec {
@@ -85,7 +85,7 @@ struct AdcSpec {
   /// The vector of the flag that starts a conversion, by the bits ADTS; 0 = the ADC's own flag.
   uint8_t triggers[8] = {};
   uint16_t reduction = 0;           ///< address of PRR
-  int8_t reduction_bit = -1;        ///< that stops it there
+  int8_t reduction_bit = -1;        ///< the bit of PRR that stops the ADC
   double references[8] = {};        ///< by REFS2, REFS1 and REFS0, in volts; 0 = the supply
   uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = none
   uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
@@ -174,7 +174,7 @@ struct ChipSpec {
   uint32_t ram_address;
   uint32_t ram_bytes;
   uint16_t eeprom_bytes;         ///< 0 = the core emulates one in flash
-  uint8_t return_address_bytes;  ///< that a call pushes onto the stack; 0 = into a register
+  uint8_t return_address_bytes;  ///< number of bytes that a call pushes onto the stack; 0 = into a register
 
   uint8_t vectors;          ///< interrupt vectors, the reset's included
   uint8_t external_vector;  ///< of INT0, which the others follow

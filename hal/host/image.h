@@ -136,7 +136,7 @@ struct FirmwareState {
   SimTime read_at = 0;               ///< when that was
   bool waiting = false;              ///< inside that call (delay, a full Serial buffer, ...)
   bool polls = false;                ///< at a yield: it repeats rounds without changes until `wake`,
-  bool polls_by_calls = false;       ///< which call the API
+  bool polls_by_calls = false;       ///< and those rounds call the API
   size_t heap_used = 0;              ///< bytes of the arena up to the highest that malloc has returned so far
   bool touched = true;               ///< more than queries has happened since the executor cleared this
   bool endless = false;              ///< in a loop without any block

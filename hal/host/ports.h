@@ -40,7 +40,7 @@ struct Place {
   Pin wired = 0;             ///< first_number() of it
   uint16_t off_bits = 0;     ///< of inputs_off
 };
-constexpr int kNumbers = 256;  ///< that a sketch may use as a pin
+constexpr int kNumbers = 256;  ///< the number of numbers that a sketch may use as a pin
 extern Place places[kNumbers];
 
 inline Port port_of(Pin pin) { return places[pin].port; }

@@ -11,7 +11,7 @@ struct PinMap {
   uint8_t port;    ///< 0 = A, 1 = B, 2 = C
   uint8_t bit;     ///< 0 to 15: also its EXTI line
   int8_t channel;  ///< of ADC1; -1 = none
-  uint8_t timer;   ///< that can drive it by PWM: 1, 3 or 4; 0 = none
+  uint8_t timer;   ///< the timer that can drive it by PWM: 1, 3 or 4; 0 = none
   uint8_t output;  ///< channel of that timer, 1 to 4
 };
 

@@ -45,8 +45,8 @@ struct Difference {
   std::array<std::string, 2> sides;                     ///< the behaviour of each: "\"sum 40000\""
   std::string cause;                                    ///< "integer width: …"; empty if it is unknown
   std::array<std::optional<std::size_t>, 2> line;       ///< index in History::lines, if it is about one
-  std::array<std::optional<std::size_t>, 2> place{};    ///< likewise in History::places …
-  std::array<std::optional<std::size_t>, 2> stretch{};  ///< … and of History::stretches
+  std::array<std::optional<std::size_t>, 2> place{};    ///< index in History::places, if it is about one
+  std::array<std::optional<std::size_t>, 2> stretch{};  ///< index in History::stretches, if it is about one
 
   /// Returns when the first of the two acted: consequences of a difference may show earlier on the other's
   /// clock.

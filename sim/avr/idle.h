@@ -87,7 +87,7 @@ class Idle {
   int steps_ = 0;             ///< of that pass
   int exploring_ = 0;         ///< remaining instructions
   std::vector<Landing> landings_;
-  // In terms of executed().
+  // Counted as by executed().
   std::int64_t explore_at_ = 0, explore_every_ = 0;
   std::uint32_t pc_before_ = 0;
   Cycle cycle_before_ = 0;

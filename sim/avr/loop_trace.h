@@ -78,7 +78,7 @@ class LoopTrace {
   Instruction instruction_;
   InstructionEffects effects_;
   std::optional<std::uint8_t> looked_;  ///< expected value of an I/O register
-  bool counter_ = false;                ///< which is the counter
+  bool counter_ = false;                ///< whether that register is the counter
 };
 
 }  // namespace robosim::avr

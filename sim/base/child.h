@@ -34,7 +34,7 @@ struct ChildStart {
   static constexpr int kOurs = -1, kNothing = -2;  ///< besides a descriptor; kNothing is /dev/null
 
   std::vector<std::string> words;  ///< the program and its arguments; without a / it is looked for on $PATH
-  std::filesystem::path folder;    ///< in which it works; empty = ours
+  std::filesystem::path folder;    ///< the folder in which it works; empty = ours
   std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = ours
   int input = kOurs, output = kOurs, errors = kOurs;
   std::vector<int>

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostLinks = 40;              // as in Linux
-constexpr std::size_t kLongestLink = 4096;  // likewise
+constexpr std::size_t kLongestLink = 4096;  // as in Linux
 constexpr const char* kSystem[] = {"/usr", "/lib", "/lib64", "/opt", "/nix"};
 
 std::deque<std::string> steps_of(const fs::path& path) {

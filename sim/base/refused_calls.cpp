@@ -39,7 +39,7 @@ constexpr std::uint32_t kNeedless[] = {SYS_socket,
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64, kOtherMachine = AUDIT_ARCH_I386;
-/// Of 32-bit programs: socketcall() first.
+/// The calls of 32-bit programs, socketcall() first.
 constexpr std::uint32_t kNeedlessOfOther[] = {102,           359,        37,  238, 270, 178,
                                               335,           26,         347, 348, 288, 286,
                                               287,           357,        336, 310, 346, kPidfdSendSignal,

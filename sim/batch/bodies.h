@@ -40,11 +40,11 @@ struct BodyMotion {
 
 /// The properties of a block's bodies: their Roller.
 struct BodyBlock : BodyMotion {
-  // From the commands.
+  // Computed from the commands.
   Lanes direction[2], drives[2];          // the sign of `drive`, its amount
   Lanes push[2], drag[2], push_until[2];  // driven
   Lanes brake_push[2], brake_drag[2], brake_from[2];
-  // From the bodies.
+  // Copied from the bodies.
   Lanes per_radius[2], inertia[2], turning_friction[2], joule0[2], joule1[2], side_share[2];
   Lanes owns[2], grip_squares[2], skids_from;
   Lanes mass, mass_own, mass_cross, half_track, per_track, bound_radius, way_per_travel, stride;

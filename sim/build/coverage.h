@@ -28,7 +28,7 @@ struct FileCoverage {
     bool operator==(const Function&) const = default;
   };
   std::filesystem::path file;          ///< absolute
-  std::map<int, std::uint64_t> lines;  ///< those with code, and how often each ran
+  std::map<int, std::uint64_t> lines;  ///< the lines with code, and how often each ran
   std::map<std::string, Function> functions;
   bool operator==(const FileCoverage&) const = default;
 };

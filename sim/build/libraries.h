@@ -17,7 +17,7 @@ struct Library {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
-  std::vector<std::string> assembler;           ///< .S, likewise, for a chip only
+  std::vector<std::string> assembler;           ///< .S files, relative to `folder`, sorted; for a chip only
   std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
   bool archive =
       false;  ///< library.properties has dot_a_linkage=true: for a chip only needed objects are linked

@@ -105,7 +105,7 @@ double processor_s_of(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// As /proc has it; R is one that works, or would if it got a processor.
+/// Returns the state of a process as in /proc: R is one that works, or would if it got a processor.
 char state_of(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   const std::string facts((std::istreambuf_iterator<char>(file)), {});

@@ -199,7 +199,7 @@ bool inside(const std::vector<std::pair<std::size_t, std::size_t>>& ranges, std:
                      [&](const auto& range) { return at > range.first && at < range.second; });
 }
 
-/// As in `&blink` and `(blink)`.
+/// Returns whether the value mentions a function, as in `&blink` and `(blink)`.
 bool mentions_function(const Tag& variable, const std::set<std::string>& functions) {
   const std::string& code = variable.code;
   for (std::size_t at = code.find_first_of("&("); at != std::string::npos;

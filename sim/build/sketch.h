@@ -42,7 +42,7 @@ struct Request {
 struct Image {
   std::string name;                             ///< of the sketch
   std::filesystem::path image;                  ///< in the cache; its content never changes under this name
-  std::vector<std::filesystem::path> products;  ///< made from it, likewise: the .hex or .bin of a chip's .elf
+  std::vector<std::filesystem::path> products;  ///< in the cache, too: the .hex or .bin of a chip's .elf
   std::filesystem::path notes;                  ///< of gcov on the sketch, bundled; with Request::coverage
   std::string sketch_sha256;                    ///< of the sketch's own files, by name and content
   std::string image_sha256;

@@ -127,7 +127,7 @@ std::string unix_text(std::string text) {
 
 namespace {
 
-/// Of all files of a sketch, which Robosim reads whole.
+/// The limit of all files of a sketch together, which Robosim reads whole.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
 /// Prevents a project's file from opening other folders of this machine to compilers.

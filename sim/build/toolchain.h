@@ -66,7 +66,7 @@ struct Core {
 enum class Registers {
   objects,  ///< of classes (hal/arduino/avr/io.h): the effect of each access is compiled in
   memory,   ///< bytes with addresses, for libraries that store those: accesses to memory are watched
-  as_avr,   ///< likewise, for libraries for an AVR only: the compiler claims to be one
+  as_avr,   ///< as `memory`, for libraries for an AVR only: the compiler claims to be one
 };
 
 /// The settings that all compilations of one build share.

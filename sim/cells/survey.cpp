@@ -81,7 +81,7 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// At a line's end that faces a wall v1 steps into the wall.
+// Returns whether v1 steps into a wall at this station, as it does where a line ends in front of one.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];
@@ -156,7 +156,7 @@ struct Survey::NamedPlanner {
   void forget() { way.clear(); }
 };
 
-// At a station it ends facing the line.
+// Drives to a node. If that is a station, the robot ends there facing the line.
 Ending Survey::navigate(Id from, nav::Heading heading, Id to, const std::string& planner) {
   nav::Navigator<CellWalker, Network, NamedPlanner> navigator(walker_, network_,
                                                               NamedPlanner{planner, {}, 0});

@@ -48,7 +48,7 @@ struct ReplayArguments {
 /// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
 struct SweepArguments {
   std::vector<std::string> sketches;
-  std::vector<std::string> maps;  ///< likewise the next two: empty = as `run` chooses
+  std::vector<std::string> maps;  ///< maps, robots and targets: empty = as `run` chooses
   std::vector<std::string> robots;
   std::vector<std::string> targets;
   RunArguments each;  ///< common to all runs; its sketch, map, robot, target and seed are ignored
@@ -69,7 +69,7 @@ struct SweepArguments {
 struct ReportArguments {
   std::string file;  ///< of sweep --csv, or JUnit's XML
   std::string out = "report.html";
-  std::size_t runs = 40;  ///< that are repeated, at most
+  std::size_t runs = 40;  ///< at most this number of runs is repeated
   RunArguments each;      ///< for a table: see SweepArguments
 };
 

@@ -33,7 +33,7 @@ struct TileKind {
 };
 
 std::span<const TileKind> rescue_tiles();
-/// In percent of a tile; roundings in m.
+/// Returns a line of a tile, in percent of the tile; roundings in m.
 Polyline polyline_of(const TileLine& line);
 
 /// Turn a side of a tile, L T R or B, clockwise by quarters; and a point, percent, about the tile's middle.

@@ -11,7 +11,7 @@ namespace robosim::grid {
 struct Narrowest {
   int path = 0;              ///< its number in the map, from 0
   double clearance_m = 0.0;  ///< from the path's middle to the wall; 0 = it runs into one
-  CellAt cell;               ///< in which the path is there
+  CellAt cell;               ///< the cell in which the path is nearest to the wall
   bool is_edge = false;      ///< the wall is the map's edge
 };
 

@@ -14,7 +14,7 @@ namespace robosim::grid {
 
 /// A painted bar of the line's colour: Robotrace's corner, start and goal markers.
 struct Mark {
-  int path = 0;              ///< that it stands beside, an index
+  int path = 0;              ///< index of the path that the mark stands next to
   double along = 0.0;        ///< m from that path's beginning
   double away = 0.0;         ///< m from the path to its middle, positive to the left
   Pose middle;               ///< m; the heading is that of its long side, across the path
@@ -66,7 +66,7 @@ struct Course {
   std::vector<Mark> marks;
   std::vector<Area> areas;  ///< in the order in which they are painted
   std::vector<Hill> hills;
-  std::vector<Surface> surfaces;  ///< of which overlap, the last one counts
+  std::vector<Surface> surfaces;  ///< if some of them overlap, the last one counts
   std::vector<Joint> joints;
   /// Returns whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }

@@ -50,7 +50,7 @@ class FloorImage {
   }
 
  private:
-  // Of all pixels above and to the left, modulo 2^32: differences of them are right again.
+  // Returns the sum of all pixels above and to the left, modulo 2^32: differences of sums are right again.
   std::uint32_t sum(int column, int row) const {
     return sums_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
                  static_cast<std::size_t>(column)];

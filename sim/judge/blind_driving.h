@@ -37,7 +37,7 @@ class BlindDriving {
   std::vector<exec::Detected> found() const;
 
  private:
-  /// From one sensor read of the sketch to the next.
+  /// The drive from one sensor read of the sketch to the next.
   struct Stretch {
     SimTime began = 0;
     double from_m = 0.0;

@@ -313,7 +313,7 @@ bool reads_no_more(const Evidence& e) {
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// Before it lost the line, without any fault of the script to blame.
+// Returns whether it steered away before it lost the line, without any fault of the script to blame.
 bool steered_away(const Evidence& e) {
   constexpr double kClearly = 0.1;
   return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e);

@@ -39,7 +39,7 @@ struct Evidence {
       was_pulled_up;        ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
   bool pin_level = false;   ///< the present level of the pin that the sketch reads
   bool in_contact = false;  ///< the body touches an obstruction
-  std::string stopped_by = "a wall or the map's edge";  ///< that obstruction
+  std::string stopped_by = "a wall or the map's edge";  ///< the obstruction that the body touches
   double left_command = 0.0, right_command = 0.0;       ///< of the motors, -1..1, at the end
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
   double line_side = 0.0;         ///< the line's last position off the middle: left of it, m

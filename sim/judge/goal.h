@@ -21,7 +21,7 @@ struct Goal {
     laps,         ///< every node of the loop passed in order, `laps` times, either way round
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], and to rest between them
-    ukmars,       ///< likewise, over the goal line
+    ukmars,       ///< as robotrace, over the goal line only
     drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
     line_maze,    ///< to the disc, `tries` times

@@ -65,7 +65,7 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
-  /// By value: a situation without pointers to it stays in registers.
+  /// Takes the situation by value: without pointers to it, it stays in registers.
   static std::optional<Verdict> verdict(Situation now, bool is_lost, bool is_stuck);
 
   bool senses_;

@@ -26,7 +26,7 @@ class MotorsLeftOn {
   const std::vector<exec::Detected>& found() const { return found_; }
 
  private:
-  /// From the last time that the line was seen.
+  /// The drive since the last time that the line was seen.
   struct Stretch {
     bool counts = false;  ///< it was seen, no manual move followed, and it is not reported yet
     SimTime began = 0;

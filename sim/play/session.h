@@ -127,7 +127,7 @@ class Session {
   Next choose_next(const std::string& result, tui::Ink ink);
   Next on_robot();
 
-  // On cells (session_drive.cpp).
+  // Lets the user drive on cells (session_drive.cpp).
   Next on_cells();
   Next scan_and_drive();
   void show_graph(const std::string& result);

@@ -191,7 +191,7 @@ class Printer {
     label(sheet, {cut + 4.0, edge + 0.8});
   }
 
-  // In the lower flap, 8 mm high.
+  // Writes the label in the lower flap, 8 mm high.
   void label(const Sheet& sheet, Vec2 at) {
     pdf_.set_grey(1.0);
     pdf_.add_box({at.x - 2.0, at.y, at.x + kBar + 2.0, at.y + 8.0});

@@ -35,7 +35,7 @@ class Shapes {
  public:
   explicit Shapes(const grid::Map& map);
 
-  /// By the numbers of lines and bars.
+  /// Returns the paints, by the numbers of lines and bars.
   const std::vector<grid::Paint>& paints() const { return paints_; }
   /// Passes on parts of the centre lines of a paint that may reach into the box. They are at most `longest`
   /// long and an eighth of a half turn. Each has round ends, so that the parts form the whole.

@@ -31,7 +31,7 @@ struct Sheets {
   double width = 0.0;          ///< mm, of the floor
   double height = 0.0;         ///< mm
   int rows = 0, columns = 0;   ///< for the whole floor
-  std::vector<Sheet> printed;  ///< those with any paint, row by row
+  std::vector<Sheet> printed;  ///< the sheets with any paint, row by row
 
   double net_width() const { return paper.width - 2.0 * (margin + kFlap); }
   double net_height() const { return paper.height - 2.0 * (margin + kFlap); }

@@ -32,7 +32,7 @@ class CsvRecorder final : public Recorder {
   std::vector<Cells> cells_;           ///< per robot
   std::size_t begun_ = 0;              ///< number of robots
   bool has_header_ = false;
-  std::vector<wire::Sample> early_;  ///< that wait for the header
+  std::vector<wire::Sample> early_;  ///< samples that wait for the header
   std::vector<LastNumber> last_;     ///< per column
 };
 

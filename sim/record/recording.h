@@ -55,7 +55,7 @@ class Gatherer {
 
     std::map<std::string, CompressedStream> columns;
     std::optional<LineColumns> line;
-    wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< that are not in `serial` yet
+    wire::Stream serial_rows{"serial", {{"t_ns"}, {"bytes"}}};  ///< rows that are not in `serial` yet
     CompressedStream serial;
     CompressedBytes serial_text;
     bool thinned = false, serial_cut = false;

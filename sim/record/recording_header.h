@@ -45,7 +45,7 @@ struct RobotRecord {
   wire::RunResult result;
   std::vector<LineEvent> line;            ///< when the line was left, and found again
   std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
-  /// Of pins and voltages only the last change in each span of this length is stored; 0 = every change.
+  /// Only the last change of a pin or voltage in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
 };

@@ -22,7 +22,7 @@ struct PartSummary {
 
 /// Wheels that a servo steers, for drawing them.
 struct SteeredWheels {
-  std::string servo;    ///< whose reading it is
+  std::string servo;    ///< name of the servo that turns them
   double base = 0.0;    ///< m, from the driven axle
   int wheels = 1;       ///< two stand `track` apart
   double middle = 0.0;  ///< rad, the servo's reading with the wheels ahead

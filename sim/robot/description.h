@@ -136,7 +136,7 @@ class PartSpec {
   virtual std::unique_ptr<Part> make(PartContext&) const = 0;
   /// The floor sensors it brings.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
-  /// Those of its readings that are numbers.
+  /// Returns those of its readings that are numbers.
   virtual std::vector<Gauge> gauges() const { return {}; }
   /// How it is mounted, if it may sit on a servo; else null.
   virtual const MountSpec* mounted() const { return nullptr; }

@@ -55,7 +55,7 @@ class AnalogInputs {
                SnapshotRegistry& snapshots);
   ~AnalogInputs();
 
-  /// As RobotPort::connect.
+  /// Connects as RobotPort::connect() does.
   void connect(Pin pin, PinSource& source, Scale scale);
 
  private:

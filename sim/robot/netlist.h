@@ -53,7 +53,7 @@ class Netlist {
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? state_.outputs[index_of(pin)] : board_.drive(pin);
   }
-  /// As RobotPort::watch.
+  /// Watches as RobotPort::watch() does.
   void watch(Pin pin, PinWatcher& watcher);
   /// For shift registers and PWM drivers: drives an output. Notifies watchers if it has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);

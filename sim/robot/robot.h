@@ -46,7 +46,7 @@ struct WiredPin {
 /// A message of a script to a part: bits or a key's number to a remote control's receiver, text by Bluetooth.
 struct Message {
   std::string text;
-  SimTime held = 0;  ///< for which a remote control's key is held
+  SimTime held = 0;  ///< the duration for which a remote control's key is held
 };
 
 /// The output of a part: a line received by Bluetooth, the text of a display.

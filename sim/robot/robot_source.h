@@ -16,7 +16,7 @@ namespace robosim::robot {
 struct RobotSource {
   ConfigValue tree;
   std::vector<SourceText> texts;  ///< the file's own, then those of its bases
-  /// Of each base where it is named: by "base" of the file that is based on it.
+  /// The place that names each base: the key "base" of the file that is based on it.
   std::map<std::string, Place> based_on;
 };
 

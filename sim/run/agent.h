@@ -219,7 +219,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
   std::optional<judge::SteeringDetectors> steering_;  ///< unset unless detectors are on
-  std::optional<BoardDetectors> board_detectors_;     ///< likewise
+  std::optional<BoardDetectors> board_detectors_;     ///< unset unless detectors are on
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;

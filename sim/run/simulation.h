@@ -54,7 +54,7 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
-  std::string at_station;          ///< whose centre the body covers; for controllers only, "" = none
+  std::string at_station;          ///< station whose centre the body covers; for controllers only, "" = none
   std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also during slip
 };
 
@@ -106,7 +106,7 @@ struct Setup {
   bool detect = false;          ///< turns on detectors
   bool leaves_rest_out = true;  ///< for robots at rest, with equal results (rest_optimization.cpp); tests
                                 ///< turn it off
-  bool takes_turns = true;      ///< for robots that are apart, with equal results; likewise
+  bool takes_turns = true;      ///< for robots that are apart, with equal results; tests turn it off
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
   /// Receives how far the run has come, for watchdogs: kLoading before any firmware is loaded. May be null.

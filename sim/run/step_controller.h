@@ -30,7 +30,7 @@ struct Leg {
 /// An agent's state at the beginning of a tick.
 struct State {
   SimTime t = 0;
-  int stop = -1;  ///< which of the leg's stops was met; -1 = none, its time is up
+  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, its time is up
   /// For the leg: when and where the cross-track error was the largest. Every tick counts.
   double worst_cross_track = 0.0;  ///< m
   SimTime worst_t = 0;

@@ -23,7 +23,7 @@ struct MapAhead {
   std::string name;         ///< as in the request
   grid::Draw draw;          ///< its random choices
   FileIdentity identity{};  ///< of the file, if that alone proves that it is unchanged
-  FileIdentity picture{};   ///< likewise of the floor's picture, if it has one
+  FileIdentity picture{};   ///< of the floor's picture, if that alone proves that it is unchanged
   std::shared_ptr<ReadMap> read;
 };
 

@@ -53,7 +53,7 @@ struct ReadMap {
 /// Returns the missions of a request's robots on a map. Throws InputError if one of them is invalid.
 std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map);
 
-/// By their names in a request.
+/// The robots, by their names in a request.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
 
 class RequestedRun {

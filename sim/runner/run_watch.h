@@ -27,7 +27,7 @@ class RunWatch {
   /// Throws std::system_error.
   RunWatch();
 
-  // In the run's process.
+  // Called in the run's process.
 
   /// Receives how far the run has come.
   std::atomic<SimTime>& reached() { return state_.reached; }
@@ -37,7 +37,7 @@ class RunWatch {
   /// Notes that firmware comes next. Firmware cannot take that back: the note leaves the process's memory.
   void close() const;
 
-  // In its parent.
+  // Called in its parent.
 
   struct Limits {
     SimTime until = 0;      ///< simulated, upper limit

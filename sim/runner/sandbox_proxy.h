@@ -73,7 +73,7 @@ class SandboxProxy {
  private:
   struct Header {
     std::uint64_t token;
-    std::uint64_t batches;  ///< that were handed on before
+    std::uint64_t batches;  ///< the number of batches that were handed on before
     std::uint32_t bytes;
     char what;
     char unused[3] = {};
@@ -81,7 +81,7 @@ class SandboxProxy {
   void send(char what, const std::string& text) const;
 
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
-  /// To the run; `told.found` is set where its watch ends it before it has read enough.
+  /// Writes to the run. Sets `told.found` if its watch ends it before it has read enough.
   void hand(const Pipe& pipe, std::string_view text, Told& told);
   /// Takes those before number `end`; returns false if that is more than possible.
   bool take_batches(std::size_t end, const wire::Id& id);

@@ -6,7 +6,7 @@
 
 namespace robosim::scenario {
 
-/// To and fro over the floor at constant speed: to the left, to the right as far, and back.
+/// A motion to and fro over the floor at constant speed: to the left, to the right as far, and back.
 struct Sweep {
   Pose base;
   SimTime began, period;

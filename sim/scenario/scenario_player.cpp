@@ -81,7 +81,7 @@ void ScenarioPlayer::draw(Step& step, const judge::Progress& progress) const {
   for (const double end : {-1.0, 1.0})
     check(parse_varied(step, [end](std::size_t) { return end; }), progress);
   if (stage_.profile == Profile::ideal) return;
-  // By its text: other lines do not affect it.
+  // The stream depends on the step's text: other lines do not affect it.
   const NoiseStream stream(stage_.seed, stage_.number, step.varies, "script");
   step = parse_varied(step, [&](std::size_t n) { return 2.0 * stream.uniform(n) - 1.0; });
 }

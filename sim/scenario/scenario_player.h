@@ -108,8 +108,8 @@ class ScenarioPlayer {
     std::map<std::string, std::set<Moment>> fingers;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;
-    std::set<std::pair<int, int>> obstacle_cells;  ///< that the script mentions
-    std::size_t change_lines = 0;                  ///< that paint, erase or move a door
+    std::set<std::pair<int, int>> obstacle_cells;  ///< cells of obstacles that the script mentions
+    std::size_t change_lines = 0;                  ///< number of lines that paint, erase or move a door
     std::vector<judge::ScriptFault> faults;
     std::map<std::string, std::size_t> broken;  ///< open faults of parts, as indices in `faults`
     std::string heard;

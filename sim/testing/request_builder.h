@@ -46,7 +46,7 @@ struct ResolvedTrial {
   std::string sketch, map, robot_name, target;  ///< as the robosim command takes them
   std::vector<std::string> libraries;
   std::string sketch_title;      ///< for messages: "PidFollower"
-  std::optional<Built> counted;  ///< whose lines are counted, if they are; request.counters is set then
+  std::optional<Built> counted;  ///< build whose lines are counted, if any; request.counters is set then
   bool map_is_text = false, robot_is_text = false;
   std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
 };

@@ -44,7 +44,7 @@ struct Simulation::Impl {
   void take(const wire::Event& event);
   /// It stands still for the first time.
   void begin();
-  /// After a leg that began then.
+  /// Notes a leg that has just ended, and began at `begin_ns`.
   void note_leg(std::int64_t begin_ns, Spot spot);
   void read_on(const Event::One& event);
   wire::Stop stop_for(const Event::One& event) const;

@@ -12,7 +12,7 @@ namespace robosim::tui {
 
 struct FleetRow {
   std::string name;
-  std::string sketch;  ///< likewise the next one: as the user named it
+  std::string sketch;  ///< sketch and robot are as the user named them
   std::string robot;
   std::string target;
   wire::RunResult result;

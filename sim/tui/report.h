@@ -33,7 +33,7 @@ class Trail {
  private:
   std::vector<Vec2> points_;
   std::vector<bool> gaps_;  ///< whether it was moved manually on the way to each of them
-  bool gap_ = false;        ///< likewise since then
+  bool gap_ = false;        ///< whether it was moved manually since the last of them
   bool carried_ = false;
   wire::Hand hand_;
   Vec2 last_;

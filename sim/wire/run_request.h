@@ -34,7 +34,7 @@ void fields(V& v, Same<V, DescribeRobot>& d) {
 struct AgentRequest {
   std::string name;    ///< for messages
   std::string target;  ///< of its firmware; empty = the runner's own
-  std::string image;   ///< likewise the following: see RunRequest
+  std::string image;   ///< for this and the following members see RunRequest
   std::string robot;
   std::string start;
   std::string goal;

@@ -73,7 +73,7 @@ struct Sample {
   double left = 0.0;                    ///< command of the left motor, -1..1
   double right = 0.0;                   ///< command of the right motor, -1..1
   std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
-  std::string at_station;               ///< in a run driven step by step: the body covers its centre
+  std::string at_station;               ///< in a run driven step by step: the body covers it; "" = none
   std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also during slip
   int agent = 0;
 };

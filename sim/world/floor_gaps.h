@@ -35,7 +35,7 @@ class FloorGaps {
   /// A rolling body: a wheel or a ball.
   struct Roller {
     double radius = 0.0;  ///< m
-    Vec2 rolls;           ///< which way, a unit vector; of a ball 0
+    Vec2 rolls;           ///< the direction in which it rolls, a unit vector; 0 for a ball
     double speed = 0.0;   ///< m/s, without a sign
   };
   struct Sunk {

@@ -79,7 +79,7 @@ class Ground {
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
   const FloorGaps joints_;
-  // From the legend, as in grid::Map.
+  // The kinds of the legend, as in grid::Map.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;
   const int columns_, rows_;

@@ -39,7 +39,7 @@ class NearStripe {
   /// The relevant stripes of a part of the floor.
   struct Around {
     std::span<const grid::Stripe> all;
-    std::span<const std::uint32_t> near;  ///< those of them that can be nearest inside the box
+    std::span<const std::uint32_t> near;  ///< the stripes that can be nearest inside the box
     FloorBox box;
     bool painted_only;
     double reach;  ///< m: stripes that are farther away do not matter

@@ -14,11 +14,11 @@ constexpr double kStill = 1e-6;  ///< m/s, rad/s
 /// A rolling body's parameters and motor commands, with Body's names.
 template <class Both>
 struct Roller {
-  // From the commands.
+  // Computed from the commands.
   Both direction, drives;  ///< the sign of `drive`, its amount
   Both push, drag, push_until;
   Both brake_push, brake_drag, brake_from;
-  // From the body.
+  // Copied from the body.
   Both per_radius, inertia, turning_friction, joule0, joule1, side_share;
   Both owns;          ///< kg: mass_own + inertia
   Both grip_squares;  ///< of grip_limit

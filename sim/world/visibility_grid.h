@@ -14,7 +14,7 @@ namespace robosim::world {
 
 class VisibilityGrid {
  public:
-  /// With a side of `side` (m), or what makes 256 to a side of the floor.
+  /// Makes tiles with a side of `side` (m), or larger ones: at most 256 to a side of the floor.
   VisibilityGrid(const grid::Map& map, double side) {
     constexpr double kMost = 256.0;
     const double wide = map.width * map.cell_m, high = map.height * map.cell_m;

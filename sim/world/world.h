@@ -69,7 +69,7 @@ class World {
     Ground::State ground;
     RadioChannel::State radio;
     RuntimePaint::State patches;
-    std::vector<bool> lights;  ///< which are on
+    std::vector<bool> lights;  ///< whether each one is on
   };
   State save() const;
   /// Restores a state of this world. Bodies keep their addresses.

@@ -81,7 +81,7 @@ class Driver {
   }
   ~Driver() { http_.Delete(session_); }
 
-  /// As a page that was not open before.
+  /// Opens a page as one that was not open before.
   void open(const std::string& url, int width = 1300, int height = 850) {
     call(session_ + "/url", {{"url", "about:blank"}});
     const nlohmann::json screen{

@@ -244,7 +244,7 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
   }
 }
 
-// As on the page of robosim serve, while the compiler's messages are shown.
+// The page of robosim serve is hidden while the compiler's messages are shown.
 TEST_F(Page, IsDrawnAgainAfterItWasHidden) {
   const Json scales = in_page(file(), R"(
     const shown = page.view.scale;

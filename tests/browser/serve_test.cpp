@@ -77,7 +77,7 @@ TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
   EXPECT_THAT(lines, Contains("say \"hi\""));
 }
 
-// As fast as it can: the test need not wait.
+// Runs as fast as it can: the test need not wait.
 TEST_F(Serve, WatchesARunWhileItRuns) {
   const Json seen = in_page("sketch=./Echo&map=oval&robot=uno5&seconds=3000&live=1", R"(
     await until(() => shown()?.run.live && shown().player.playing);

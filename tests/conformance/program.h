@@ -20,7 +20,7 @@ struct Program {
   std::string source;                                 ///< "DS40002061B, 15.7.2"
   std::vector<std::optional<std::uint8_t>> expected;  ///< none: any
   std::uint64_t cycles = 100000;                      ///< after which it is stopped
-  std::vector<std::string> chips{"atmega328p"};       ///< of which it holds, as avr-gcc calls them
+  std::vector<std::string> chips{"atmega328p"};       ///< the chips for which it holds, as avr-gcc calls them
   int loop = -1;                                      ///< the USART whose TX is wired to its RX; -1 = none
 };
 

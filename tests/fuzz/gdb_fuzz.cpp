@@ -54,7 +54,7 @@ struct Past final : History {
 
 constexpr std::uint16_t kFirstPort = 20'000, kPorts = 10'000;
 
-/// At a port that is free.
+/// Listens at a port that is free.
 Server& listen(std::optional<Server>& server, std::uint16_t& port, std::atomic<bool>& interrupted) {
   for (;;) {
     try {

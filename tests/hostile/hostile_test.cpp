@@ -120,7 +120,7 @@ class Place {
   std::map<std::string, std::string> before_;
 };
 
-/// Of wall time. On a machine that others use, too, little work may take long.
+/// Returns a limit of wall time. On a machine that others use, too, little work may take long.
 double late_s() {
   double load = 0.0;
   ::getloadavg(&load, 1);

@@ -237,7 +237,7 @@ constexpr Row kRows[] = {
     {"misuse", "serial_rates", "", "for (long b = -5; b < 5; ++b) { Serial.begin(b); Serial.print('x'); Serial.end(); }", Target::both},
     {"misuse", "text_without_end", "", "memset(B, 'x', sizeof B); Serial.begin(2000000); Serial.print((char*)B);", Target::both},
     {"misuse", "registers", "", "DDRB = PORTB = DDRC = PORTC = 255; TCCR1A = TCCR1B = 255; OCR1A = 0; TIMSK1 = 255; UBRR0 = 0; UCSR0B = 255; ADCSRA = 255; SPCR = 255;", Target::both},
-    // On the chip alone.
+    // These attacks run on the chip alone.
     {"chip", "all_memory", "", "for (unsigned i = 0; i < 0x8FF; ++i) *(volatile char*)i = 255;", Target::avr},
     {"chip", "all_registers", "", "for (unsigned i = 0x20; i < 0x100; ++i) *(volatile char*)i = i;", Target::avr},
     {"chip", "stack_pointer", "", "SP = 0; asm volatile(\"push r0\"); SP = 0xFFFF; asm volatile(\"push r0\");", Target::avr},

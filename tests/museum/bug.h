@@ -19,7 +19,7 @@ struct Bug {
   std::string kind;
   std::vector<std::string> tests;
   std::string survives;
-  std::vector<std::string> files;  ///< that the patch changes, relative to the source tree
+  std::vector<std::string> files;  ///< the files that the patch changes, relative to the source tree
 
   /// Only one sketch has the bug, so that no other suites need to be run.
   bool in_one_sketch() const;

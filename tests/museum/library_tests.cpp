@@ -41,7 +41,7 @@ bool run(std::vector<std::string> words, const fs::path& folder, std::string& ou
   return result.status == 0;
 }
 
-/// With the firmware of `root`, and all else of the source tree.
+/// Compiles a source file with the firmware of `root`, and all else of the source tree.
 bool compile(const fs::path& root, const std::string& source, const fs::path& object, std::string& output) {
   const fs::path tree = data_folder(), of_root = root / source;
   const fs::path file = source.starts_with("firmware/") ? of_root : tree / source;
@@ -59,7 +59,7 @@ bool link(const std::vector<std::string>& objects, const fs::path& program, std:
   return run(std::move(words), program.parent_path(), output);
 }
 
-/// Of what a program printed, why a sanitizer has ended it, without addresses; empty = none did.
+/// Returns from a program's output why a sanitizer has ended it, without addresses; empty = none did.
 std::string sanitizers_word(const std::string& output) {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {

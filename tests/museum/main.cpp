@@ -131,8 +131,8 @@ std::string unit_test_failure(const LibraryTests& library, const Stage& stage, c
   return "";
 }
 
-/// On the host, and if that does not find it, on all chips; or on the chips until one has found it. At last
-/// by the library's unit tests; nullptr = without them.
+/// Tries a bug on the host and, if that does not find it, on all chips. If one is enough, stops at the first
+/// chip that finds it. If no target finds it, tries the library's unit tests; nullptr = without them.
 Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& targets, bool one_is_enough,
                const LibraryTests* library) {
   Result result{&bug, {}, 0.0, ""};

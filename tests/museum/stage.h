@@ -14,7 +14,7 @@ namespace robosim::museum {
 
 using mutate::TestRun;
 
-/// Which tests of a target are run.
+/// Selects the tests of a target to run.
 struct Choice {
   std::string target;              ///< "host", "avr", "stm32"
   std::vector<std::string> words;  ///< only suites with one of these in their names; empty = all

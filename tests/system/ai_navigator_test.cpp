@@ -185,7 +185,8 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
   EXPECT_THAT(seen.arrivals, ElementsAre()) << seen.text;
 }
 
-// At a node, soon after it, at its bends, before the next one: where it turns, the line may be out of sight.
+// The bumper is pressed at a node, soon after it, at its bends, and before the next one. Where it turns, the
+// line may be out of sight.
 TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
   for (int moment = 0; moment < 12; moment += 12 / rounds(12)) {
     const Seen seen = watch("d",

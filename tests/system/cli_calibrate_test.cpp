@@ -132,7 +132,7 @@ black_volts = [{}]
   }
 }
 
-// As samples/CalibrationLogger/strip.map, the tape's middle so far from the left.
+// Returns a map as samples/CalibrationLogger/strip.map, with the tape's middle `x_mm` from the left.
 std::string strip_at(int x_mm) {
   std::string text = fmt::format(
       "+++\nline = \"19 mm\"\nsize = [\"8 m\", \"6 m\"]\ngoal = \"none\"\n[[path]]\nfrom = [\"{} mm\", \"3 "

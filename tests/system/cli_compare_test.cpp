@@ -141,7 +141,7 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
-// Which way it turns at this corner is chance, on each target: clocks that are a little off show it.
+// Chance decides which way it turns at this corner, on each target: clocks that are a little off show it.
 TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   auto result =
       first_on_the_edge({"compare", "RightPath", "--map", "tight", "--robot", "uno3", "--for", "14s"}, 1);
@@ -244,7 +244,7 @@ TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {
   EXPECT_EQ(mixed[1]["robots"][1]["trace_hash"], runs[0]["robots"][1]["trace_hash"]);
 }
 
-// Which of two that meet head-on finds the line again is chance.
+// Chance decides which of two robots that meet head-on finds the line again.
 TEST_F(CliCompare, RobotsThatMeetAreOnTheEdgeTogether) {
   auto result = first_on_the_edge({"compare", "A=PidFollower", "B=PidFollower", "--map", "oval", "--goal",
                                    "none", "--for", "8s", "--start", "A=10,14,E", "--start", "B=18,14,W"},

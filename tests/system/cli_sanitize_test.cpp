@@ -44,8 +44,8 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
 
-// As FreeRTOS does, which takes the core's place, and whose tasks have their stacks in all the RAM that there
-// is.
+// The sketch does as FreeRTOS does: it takes the core's place, and its tasks have their stacks in all the RAM
+// that there is.
 TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

@@ -20,7 +20,7 @@ struct ConsoleCommand {
   int line = 0;         ///< in the page, from 1
   std::string command;  ///< without "$ "
   std::string output;   ///< as the page shows it; empty = any
-  int status = 0;       ///< that it must end with
+  int status = 0;       ///< the status that it must end with
   bool is_setup = false;
 };
 

@@ -108,7 +108,7 @@ TEST_F(Effects, OfAWeakBatteryOnTheReferenceAreAsTheModelSays) {
   EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).first, code(kBlack));
 }
 
-// In `ideal`, on the line: what paint and gloss leave of black.
+// Tests in `ideal`, on the line, what paint and gloss leave of black.
 TEST_F(Effects, OfPaintAreAsTheModelSays) {
   const auto seen = [&](const std::string& keys) {
     return prints("",

@@ -114,7 +114,7 @@ TEST_P(PonyNavigator, ScansTheMapAndThenVisitsEveryStation) {
   }
 }
 
-// On map c, which has 6 stations.
+// Plays on map c, which has 6 stations.
 Watch play(const std::string& script, double for_s) {
   return watch({.sketch = "PonyNavigator",
                 .map = "c",

@@ -92,7 +92,7 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
         test::Run{.sketch = "RightPath", .map = "d", .robot = "uno3"},
         test::Run{.sketch = "AiNavigator", .map = "d", .script = scan},
         test::Run{.sketch = "PonyNavigator", .map = "d", .robot = "pony", .script = pony_scan}}) {
-    // Those that poll are slow there.
+    // Sketches that poll are slow there.
     if (GetParam() == std::string("stm32") && !sketch.script.empty() && seeds_asked_for() == 0) continue;
     test::Run once = sketch;
     once.goal = "none";

@@ -68,7 +68,7 @@ class Untrusted : public testing::Test {
   Ended robosim(std::vector<std::string> words) const {
     return robosim_command(std::move(words), folder_.path());
   }
-  /// On a kernel that lacks that (lacking.cpp).
+  /// Runs a command as on a kernel that lacks `what` (lacking.cpp).
   Ended without(const std::string& what, std::vector<std::string> words) const {
     words.insert(words.begin(), {what, ROBOSIM_COMMAND});
     return robosim_command(std::move(words), folder_.path(), nullptr, "/dev/null", ROBOSIM_LACKING);

@@ -107,7 +107,8 @@ double simulated_s(const SweepPlan& plan) {
   return sum_s;
 }
 
-/// Of all runs of the checks that an untrusted sketch brings; an emulated Uno takes some 100 s for it.
+/// The limit of all runs of the checks that an untrusted sketch brings; an emulated Uno takes some 100 s for
+/// it.
 constexpr double kMostSimulated_s = 3600.0;
 
 analysis::Demand demand_of(const Check& check) {

@@ -32,7 +32,7 @@ struct Check {
   std::vector<std::string> serial;        ///< texts that the sketch must send, in this order
   std::vector<std::string> shows;         ///< texts that parts must show, in this order
   bool detect = true;                     ///< detectors must find nothing
-  std::vector<std::string> stations;      ///< that must be visited, in any order
+  std::vector<std::string> stations;      ///< stations that must be visited, in any order
   std::vector<TextAssertion> assertions;  ///< from the file
 };
 

@@ -37,7 +37,7 @@ struct ComparedRun {
 /// A target whose behaviour changes if its clock is a little off: chance decides there.
 struct Edge {
   std::string target;
-  int ppm = 0;                  ///< by which its clock was off …
+  int ppm = 0;                  ///< the amount by which its clock was off …
   std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: unchanged; sides[1]: with that clock
   bool does_as_other = true;    ///< there; else it differs from itself in a similar way
@@ -59,7 +59,7 @@ struct ComparedTarget {
 /// A known difference: its robot and its targets.
 struct ComparedKnown {
   analysis::KnownDifference difference;
-  std::string robot;  ///< empty for a single robot; likewise below
+  std::string robot;  ///< empty for a single robot, also in the structures below
   std::array<std::string, 2> targets;
 };
 

@@ -31,7 +31,7 @@ struct TargetRun {
 
 /// Makes the target runs. Throws InputError and ToolMissing.
 std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, tui::Progress& progress);
-/// Makes a target run for a target that is not compared. Throws likewise.
+/// Makes a target run for a target that is not compared. Throws InputError and ToolMissing.
 TargetRun target_run_of(const CompareArguments& arguments, const std::string& target,
                         tui::Progress& progress);
 

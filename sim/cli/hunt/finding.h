@@ -23,7 +23,7 @@ struct Shown {
   };
   std::string where;            ///< "avr with checks, oval"
   std::string sketch;           ///< as in the command
-  std::vector<Option> options;  ///< that differ from the defaults
+  std::vector<Option> options;  ///< the options that differ from the defaults
   bool checked = false;         ///< by --sanitize
   bool detected = false;        ///< by a detector
   bool compared = false;        ///< by `robosim compare`

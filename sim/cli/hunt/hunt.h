@@ -32,7 +32,7 @@ class Hunt {
   /// Continues until enough runs were made, or time is up. Returns false if it was interrupted.
   bool go();
   /// Alternative to go(): merges the findings of other machines, and evaluates them together. Returns false
-  /// likewise.
+  /// as go() does.
   bool merge(const std::vector<HuntPart>& parts);
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
@@ -80,7 +80,7 @@ class Hunt {
   std::vector<Noted> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
-  std::uint64_t reached_ = 0;    ///< of those with a goal
+  std::uint64_t reached_ = 0;    ///< the number of runs that reached their goal, among those with a goal
   std::set<std::string> heard_;  ///< promised texts of `sometimes`
   double simulated_s_ = 0.0;
   std::int64_t until_us_ = 0;  ///< wall time; 0 = for ever

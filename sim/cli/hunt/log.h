@@ -20,9 +20,9 @@ struct HuntRow {
   std::uint64_t run = 0;  ///< from 0
   double time_s = 0.0;
   bool reached = false;
-  std::vector<std::string> traits;   ///< that no earlier run had
+  std::vector<std::string> traits;   ///< traits that no earlier run had
   Moment moment = {};                ///< of the first of these, if known
-  std::vector<std::string> heard;    ///< promised texts of `sometimes`, likewise
+  std::vector<std::string> heard;    ///< promised texts of `sometimes` that no earlier run had
   std::size_t finding = 0;           ///< number of its finding, from 1; 0 = none
   std::optional<HuntFinding> fresh;  ///< the finding that it is the first of
 };

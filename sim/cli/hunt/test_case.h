@@ -99,7 +99,7 @@ struct HuntSpace {
   std::vector<std::string> buttons;  ///< and keys
   std::vector<std::pair<std::string, std::string>>
       listeners;                   ///< parts that receive messages, and their types
-  std::vector<std::string> words;  ///< that may be sent; empty = none
+  std::vector<std::string> words;  ///< words that may be sent; empty = none
   std::size_t own_words = 0;       ///< the number of the sketch's own among them, at the end
   std::vector<Stimulus> opening;   ///< what starts it
   std::vector<std::string> said;   ///< the sketch's output in the baseline run: the beginnings of its lines,

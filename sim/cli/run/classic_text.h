@@ -12,7 +12,7 @@
 namespace robosim::cli {
 
 struct TapedMove {
-  cells::CellPose pose;  ///< likewise sense: before the move
+  cells::CellPose pose;  ///< pose and sense are those before the move
   cells::Sense sense;
   cells::Move move;
   double clock;  ///< after it

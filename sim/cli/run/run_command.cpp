@@ -112,7 +112,7 @@ class Listeners {
   std::string debugger_;  ///< the command that attaches one
   wire::Started started_;
   tui::Trail trail_;
-  std::deque<wire::Note> notes_;  ///< that were not yet passed to the trail
+  std::deque<wire::Note> notes_;  ///< notes that were not yet passed to the trail
   double for_s_;
 };
 

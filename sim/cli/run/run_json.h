@@ -15,7 +15,7 @@ namespace robosim::cli {
 struct RunInputs {
   std::string robosim;  ///< version
   std::string target;
-  std::string sketch;  ///< likewise the next two: as the user named them
+  std::string sketch;  ///< sketch, map and robot are as the user named them
   std::string map;
   std::string robot;
   std::string sketch_sha256;

@@ -43,7 +43,7 @@ bool deserves_detectors(const build::Request& sketch, const wire::RunResult& fir
 /// than the chip has.
 struct AsFlashed {
   std::vector<wire::Detected> detected;
-  std::optional<wire::RunResult> crashed;  ///< that run, if it crashed: regardless of the first result
+  std::optional<wire::RunResult> crashed;  ///< the repeated run, if it crashed, whatever the first result
 };
 /// Returns an empty result on interruption by the user.
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,

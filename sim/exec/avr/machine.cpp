@@ -109,7 +109,7 @@ void Machine::set_clock(SimTime start) {
 
 void Machine::start_clock() {
   chip_.clear_trap(WatchedChip::kMainTrap, chip_.pc());
-  // From the core (wiring.c): milliseconds, and overflows of timer 0.
+  // Copied from the core (wiring.c): milliseconds, and overflows of timer 0.
   constexpr SimTime kOverflowCycles = 64 * 256;
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);

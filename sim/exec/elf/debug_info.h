@@ -59,7 +59,7 @@ class DebugInfo {
   struct Variable {
     std::string name;   ///< including the member: "motors.left"
     SourceLine where;   ///< its declaration
-    SourceLine member;  ///< that of the member, if no constructor initialises it
+    SourceLine member;  ///< the declaration of the member, if no constructor initialises it
   };
   /// Returns the variable that holds this address; empty if none is known.
   Variable variable_at(std::uint32_t address) const;

@@ -42,7 +42,7 @@ constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
-/// In bytes: addresses, and what RLIMIT_DATA counts.
+/// Memory in bytes: addresses, and what RLIMIT_DATA counts.
 struct MemoryInUse {
   rlim_t addresses = 0, data = 0;
 };

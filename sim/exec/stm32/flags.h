@@ -7,7 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// By the number of a condition: one bit for each value of N, Z, C, V with which it passes.
+/// For each condition by its number: one bit for each value of N, Z, C, V with which it passes.
 inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
   std::array<std::uint16_t, 16> all{};
   for (unsigned flags = 0; flags < 16; ++flags) {

@@ -27,7 +27,7 @@ enum class Op : std::uint8_t {
   teq,
   cmp,
   cmn,
-  // As above, with r[m] shifted by value, kind `shift`; in the same order
+  // As above, with r[m] shifted by value, kind `shift`; in the same order.
   mov_shifted,
   mvn_shifted,
   and_shifted,

@@ -50,7 +50,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// In degrees, as in Servo.write().
+  /// Reads the angle in degrees, as in Servo.write().
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }

@@ -55,7 +55,7 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
 
   struct State {
     std::uint64_t shifted = 0;    // bit 8 r + q is Qq of register chain_[r]
-    std::uint64_t latched = 0;    // likewise, as output
+    std::uint64_t latched = 0;    // the bits of `shifted` that the outputs have
     std::uint64_t power_ons = 0;  // number of noise samples taken
     bool clock = false;
     bool latch = false;

@@ -41,7 +41,7 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
 
   void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// In degrees from its start; positive for the order IN1, IN2, IN3, IN4.
+  /// Reads the angle in degrees from its start; positive for the order IN1, IN2, IN3, IN4.
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }

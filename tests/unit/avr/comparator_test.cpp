@@ -28,7 +28,7 @@ class ComparatorTest : public testing::Test, protected IdleChip {
     bench.pin_voltages.clear();
     bench.levels[pin('D', 6)] = bench.levels[pin('D', 7)] = false;
   }
-  /// From an edge of AIN0 to what timer 1 has captured.
+  /// Returns the number of cycles from an edge of AIN0 to the count that timer 1 has captured.
   int delay_of_rise() {
     const auto since = static_cast<int>(now());
     bench.set_level(pin('D', 6), true);

@@ -52,7 +52,7 @@ class Program {
   std::vector<std::uint8_t> flash;
 };
 
-/// With a choice of what does nothing but compute.
+/// Adds random instructions that only compute.
 class RandomCode : public Program {
  public:
   explicit RandomCode(unsigned seed) : engine_(seed) {}

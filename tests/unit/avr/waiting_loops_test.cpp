@@ -137,7 +137,7 @@ class RandomProgram : public RandomCode {
     }
   }
 
-  /// As micros() does, and what is made of it: a counter in the bytes of a number.
+  /// Adds a read of a counter into the bytes of a number, as in micros().
   void clock(unsigned bytes) {
     const unsigned to = bytes == 4 ? pick({4, 8, 12, 20}) : pick({4, 6, 20});
     const bool saves = below(2);

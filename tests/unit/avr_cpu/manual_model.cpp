@@ -9,7 +9,7 @@ constexpr std::uint16_t kX = 26, kY = 28, kZ = 30;
 
 bool bit(unsigned value, unsigned number) { return value >> number & 1; }
 
-/// Which bits of an opcode the pattern fixes, and at which values.
+/// The bits of an opcode that the pattern fixes, and their values.
 struct Fixed {
   unsigned mask = 0, value = 0;
 };

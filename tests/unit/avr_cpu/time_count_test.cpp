@@ -41,7 +41,7 @@ class CountsTime : public testing::Test {
   }
   std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
 
-  /// In the handler, by an interrupt mostly; all else by chance.
+  /// Puts the processor into the handler, mostly by an interrupt; all else is random.
   void shuffle(Cpu& one) {
     for (std::uint8_t& data : one.data) data = random_() % 3 == 0 ? 0xFF : byte();
     one.data[0x104] = static_cast<std::uint8_t>(random_() % 128);

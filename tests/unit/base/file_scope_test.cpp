@@ -98,7 +98,7 @@ TEST_F(FileScope, RefusesEveryLinkOnTheWayWhereAFileIsToBeWritten) {
   EXPECT_TRUE(folder.open("team/robot.toml", O_RDONLY, HeldFolder::Links::refused).is_open());
 }
 
-/// In a process of its own, since a scope holds for good.
+/// Must run in a process of its own, since a scope holds for good.
 int in_scope(const std::vector<fs::path>& folders, const std::function<bool()>& holds) {
   const std::string variable = file_scope_variable(folders);
   ::setenv(kFileScope, variable.substr(variable.find('=') + 1).c_str(), 1);

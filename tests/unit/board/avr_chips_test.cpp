@@ -200,7 +200,7 @@ std::string statements_about(const ChipSpec& chip) {
   return are.text();
 }
 
-/// Which bit of which register stops a peripheral, as <avr/power.h> has it.
+/// The bit of a register that stops a peripheral, as in <avr/power.h>.
 struct Stop {
   std::string peripheral;
   std::uint16_t address;

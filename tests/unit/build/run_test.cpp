@@ -158,7 +158,7 @@ TEST_F(RunTest, GlobalsNamedAsTheCLibrarysFunctionsAreTheSketchsOwn) {
   run_image(image, 100 * kMillisecond);
 }
 
-// On the chip, too; what it gives means nothing.
+// Such a function returns on the chip, too; its value means nothing.
 TEST_F(RunTest, AFunctionThatShouldGiveAValueAndHasNoReturnReturns) {
   EXPECT_EQ(run_code("int a;\nvoid never() { Serial.println(\"never called\"); }\n"
                      "bool __attribute__((noinline)) set_up(int& b) { b = 1; }\n"

@@ -236,7 +236,7 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     for (const grid::CellAt edge :
          {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
       EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
-  // From the start to the north, and a wall to its right.
+  // Checks the way from the start to the north, and a wall to its right.
   EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
   EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
   EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";

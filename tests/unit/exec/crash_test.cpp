@@ -63,7 +63,7 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
          "faulty", 2);
 }
 
-// As a write beside an array may do to what lies there.
+// The sketch spoils a pointer of the executor, as a write past the end of an array may do.
 TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
 #ifdef ROBOSIM_ASAN
   GTEST_SKIP() << "the sanitizers of Robosim itself end the process first";

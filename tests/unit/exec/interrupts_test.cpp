@@ -53,7 +53,7 @@ void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5);
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
-// As on the chip (13.2.3, 13.2.5), whose attachInterrupt() does not clear the flag either.
+// The chip remembers it, too (13.2.3, 13.2.5): its attachInterrupt() does not clear the flag either.
 TEST_F(InterruptsTest, AnEdgeBeforeTheInterruptIsEnabledIsRemembered) {
   prepare(R"(volatile int count;
 void tick() { ++count; }

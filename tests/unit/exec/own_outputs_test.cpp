@@ -10,7 +10,7 @@ class OwnOutputs : public HostTest {};
 
 TEST_F(OwnOutputs, PwmAndTonesAreReadAsTheyAreAtTheMoment) {
   output(R"(bool is_high(uint8_t pin) { return (pin < 8 ? PIND >> pin : PINB >> (pin - 8)) & 1; }
-// In units of 64 us.
+// Returns the duration of a high level, in units of 64 us.
 int high(uint8_t pin) {
   while (is_high(pin));
   while (!is_high(pin));
@@ -165,7 +165,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(25, 49, 0, 30, 0, 1));
 }
 
-// Of 16 bits by pin 5, of 8 by pin 4.
+// The timer of 16 bits counts edges of pin 5, that of 8 bits those of pin 4.
 TEST_F(OwnOutputs, ATimerCountsEdgesOfItsPin) {
   start(R"(volatile int full;
 ISR(TIMER1_COMPA_vect) { ++full; }

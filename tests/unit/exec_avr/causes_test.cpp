@@ -38,7 +38,7 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Of what pin 5 is driven with at the end, by lines of the sketch.
+  /// Returns the causes of the level that drives pin 5 at the end, by lines of the sketch.
   std::map<int, CauseStep> lines_behind_pin_5() {
     causes_->end();
     causes_->ask({5}, now_);
@@ -46,7 +46,7 @@ class CausesTest : public AvrTest {
     causes_->close();
     return by_line();
   }
-  /// Of several at one line that which reads.
+  /// Returns the steps by line. Of several at one line, it is the one that reads.
   std::map<int, CauseStep> by_line() const {
     std::map<int, CauseStep> lines;
     for (const CauseStep& step : causes_->steps()) {
@@ -94,7 +94,7 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// As a simulation does it that has saved the moments in between.
+// The moments in between were saved before, as by a simulation.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;

@@ -166,7 +166,8 @@ void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = pre
 void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
 }
 
-// As an RTOS does it: the timer's handler leaves the task that it has interrupted, and another goes on.
+// The sketch acts as an RTOS: the timer's handler leaves the task that it has interrupted, and another goes
+// on.
 TEST_F(FailuresTest, ATaskThatAHandlerHasLetGoOnIsInNoHandler) {
   start(R"(uint8_t stack_b[100];
 uint8_t *sp_main, *sp_b;

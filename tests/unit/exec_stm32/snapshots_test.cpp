@@ -233,7 +233,7 @@ class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<
     told_.add(static_cast<std::uint64_t>(t) + byte);
   }
 
-  /// To `t`, where the power may go off or come back.
+  /// Runs to `t`, where the power may go off or come back.
   void go_to(std::size_t moment, SimTime t) {
     chip_->run_until(t);
     if (!GetParam().is_cut) return;

@@ -163,7 +163,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
   EXPECT_GT(blocks, 300);
 }
 
-// Of numbers below, within and above, as constrain() has them: too rare among random ones.
+// Tests numbers below, within and above the bounds, as constrain() has them: too rare among random ones.
 TEST(Thumb, SaturatesAsLibunicornDoes) {
   std::mt19937 random(1);
   std::vector<std::uint16_t> code;

@@ -106,7 +106,7 @@ TEST(SampleMaps, DashedHasGapsOf25To50Millimetres) {
 struct Facts {
   const char* name;
   std::size_t line_cells;
-  std::size_t stations;  ///< that can be reached
+  std::size_t stations;  ///< the number of stations that can be reached
   std::size_t junctions;
   std::size_t crossings;  ///< junctions of four ways
   std::size_t cycles;     ///< independent ones, of the whole line

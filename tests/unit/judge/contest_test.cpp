@@ -127,8 +127,8 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// From the second tile on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is 3 mm too high.
-// Then a tile with two bumps and two gaps.
+// Describes the tiles from the second one on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is
+// 3 mm too high. Then a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +

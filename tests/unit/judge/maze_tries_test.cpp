@@ -35,7 +35,7 @@ TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) 
   EXPECT_TRUE(std::isnan(maze.score().score));
   EXPECT_EQ(maze.score().score_unit, "s");
   maze.push(1.25);
-  // From 0.16 m to 0.94 m at 0.5 m/s.
+  // The robot drives from 0.16 m to 0.94 m at 0.5 m/s.
   EXPECT_NEAR(maze.score().score, 1.56, 0.01);
   EXPECT_FALSE(maze.progress.reached());
   EXPECT_THAT(maze.progress.summary(), HasSubstr("1 of 2 tries made, the disc was reached after 1.5"));

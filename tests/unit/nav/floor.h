@@ -89,7 +89,7 @@ class FloorWalker {
 
   Floor& floor_;
   Arm at_;               ///< on a node: how it faces. On a line: the arm on its side of the obstacle
-  int line_ = -1;        ///< on which it stands
+  int line_ = -1;        ///< the line on which it stands
   bool inward_ = false;  ///< on a line: faces that arm
   bool must_turn_ = false;
   int frame_ = 0;
@@ -122,7 +122,7 @@ class BlindWalker {
   nav::Heading heading_ = 0;
 };
 
-/// With odometry.
+/// A walker with odometry.
 class SeeingWalker : public FloorWalker {
  public:
   static const bool kKnowsPlaces = true;

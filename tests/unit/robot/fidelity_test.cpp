@@ -29,7 +29,7 @@ struct Range {
   }
 };
 
-/// Of all seeds, as robots differ.
+/// Returns the range of a value over all seeds, as robots differ.
 Range over_seeds(const std::function<double(std::uint64_t)>& figure) {
   Range range{figure(1), figure(1)};
   for (std::uint64_t seed = 2; seed <= kSeeds; ++seed) range.take(figure(seed));
@@ -86,7 +86,7 @@ double half_depth_mm(double height_mm, Profile profile, std::uint64_t seed) {
   return 2e3 * Sweep(height_mm, profile, seed).reads(0.5);
 }
 
-// Of white's light at the best height.
+// Returns the light at a height, as a share of white's light at the best height.
 double light(double height_mm, Profile profile) { return 1.0 - Sweep(height_mm, profile, 1).blackness(0.06); }
 
 double floor_variation(Profile profile, std::uint64_t seed) {
@@ -121,7 +121,7 @@ class Drive {
   BenchRobot bench_;
 };
 
-// From 0 to 63 % of the speed that half the supply gives, s.
+// Returns the time from 0 to 63 % of the speed that half the supply gives, in s.
 double time_constant(Profile profile, std::uint64_t seed) {
   std::vector<double> speeds;
   Drive drive(profile, seed, 0.5);
@@ -137,7 +137,7 @@ double bias(Profile profile, std::uint64_t seed) {
   return wheel.no_load_current * wheel.nominal_volts / wheel.stall_current;
 }
 
-// By how much the wheels' radii differ.
+// Returns the relative difference between the wheels' radii.
 double wheel_mismatch(Profile profile, std::uint64_t seed) {
   const world::BodyParams p = body_params(load_description("uno5"), seed, profile);
   return std::abs(p.wheel[0].radius_m / p.wheel[1].radius_m - 1.0);
@@ -199,7 +199,7 @@ double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
     if (mouse.rate_at(step / 255.0) < 1.0) return step / 255.0;
 }
 
-// By how much wheels that turn alike lead it aside within 1 m: along a circle.
+// Returns how far aside wheels that turn alike lead it within 1 m: along a circle.
 double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }
@@ -218,7 +218,7 @@ double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   return (drive.body().wheel_travel() - travel) / (drive.body().distance() - distance);
 }
 
-// By how much what its wheels measure of a way differs between these duties.
+// Returns the relative difference between the distances that its wheels measure with these duty cycles.
 double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   const double more = std::abs(way_by_wheels(profile, seed, fast) / way_by_wheels(profile, seed, slow) - 1.0);
   return more < 1e-9 ? 0.0 : more;  // rounding
@@ -258,7 +258,7 @@ double l298n_volts(Profile profile, std::uint64_t seed) {
   return p.driver_drop_volts + p.driver_ohms;
 }
 
-// From 0 to 63 % of a wheel that is held up.
+// Returns the time from 0 to 63 % of the speed of a wheel that is held up.
 double lifted_time_constant(Profile profile, std::uint64_t seed) {
   Drive drive(profile, seed, 0.5);
   drive.body().lift(true);
@@ -269,7 +269,7 @@ double lifted_time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - rates.begin() + 1) * 1e-3;
 }
 
-// By what share of a turn its MPU-6050 is wrong.
+// Returns the relative error of its MPU-6050 during a turn.
 double gyro_error(Profile profile, std::uint64_t seed) {
   BenchRobot bench("[[part]]\nname = \"imu\"\ntype = \"mpu-6050\"\nbias = \"0 deg/s\"\n", profile, seed);
   bench.body().command(world::left, {-0.5, 0.0});

@@ -120,10 +120,10 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   }
 }
 
-// From full speed v ahead, without friction. If a motor is reversed, the supply and its own voltage drive the
-// current. Until the robot is as fast backwards, the battery gives V for each ampere second that takes m 2 v.
-// If shorted, it slows down to the speed at which the driver's drop stops the current; if open, it rolls
-// on.
+// The robot drives ahead at full speed v, without friction. If a motor is reversed, the supply and its own
+// voltage drive the current. Until the robot is as fast backwards, the battery gives V for each ampere second
+// that takes m 2 v. If shorted, it slows down to the speed at which the driver's drop stops the current; if
+// open, it rolls on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
   for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {

@@ -161,7 +161,7 @@ TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
   EXPECT_EQ(bench.get16(0x68, 0x3F), 16384);
   EXPECT_EQ(bench.get(0x68, 0x3A), 1);
   EXPECT_EQ(bench.get16(0x68, 0x41), static_cast<std::uint16_t>(static_cast<int>((25 - 36.53) * 340)));
-  // On the spot, to the left.
+  // Turns on the spot, to the left.
   for (const Pin pin : {8, 9}) bench.board.output(pin, true, bench.now);
   for (const Pin pin : {7, 10}) bench.board.output(pin, false, bench.now);
   for (const Pin pin : {5, 6}) bench.board.output(pin, true, bench.now);

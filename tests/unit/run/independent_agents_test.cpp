@@ -84,7 +84,7 @@ struct NotingTurns final : Listener {
   std::string& all;
 };
 
-// As uno5, with an eye that looks ahead in the bumper's place.
+// Returns a robot as uno5, with an eye that looks ahead in the bumper's place.
 robot::Description seeing_robot() {
   const test::TemporaryFolder folder;
   const std::string file = folder.path() / "seeing.toml";

@@ -71,7 +71,7 @@ class WaysTest : public ::testing::Test {
       return error.what();
     }
   }
-  /// With all of one way in its script, from power-on.
+  /// Returns the answer of a run with all of one way in its script, from power-on.
   std::string whole(const std::string& way) const {
     wire::RunRequest request = request_;
     request.ways.reset();

@@ -100,7 +100,7 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
   EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
-  // As a run's process does, whose firmware can write everywhere else afterwards.
+  // Acts as a run's process, whose firmware can write everywhere else afterwards.
   Child([&] {
     watch_.close();
     return 0;

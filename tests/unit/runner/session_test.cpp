@@ -140,7 +140,7 @@ class Session {
   std::vector<wire::Event> events;  ///< before the last answer
 
  private:
-  /// As /proc has it: 'R' runs, 'S' waits, 'Z' has ended.
+  /// Returns the state of a process as in /proc: 'R' runs, 'S' waits, 'Z' has ended.
   static char state_of(const std::string& process) {
     std::ifstream file(process + "/stat");
     const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -180,7 +180,8 @@ ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
           }};
 }
 
-/// As if they were code of this machine: their run is confined and tells its runner, not its client.
+/// Returns a factory whose drivers count as code of this machine: their run is confined and reports to its
+/// runner, not to its client.
 ExecutorFactory confined_drivers() {
   ExecutorFactory factory = drivers();
   factory.prepare_for_confinement = [](auto&&...) {};

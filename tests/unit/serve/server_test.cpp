@@ -102,7 +102,7 @@ TEST_F(Serving, RunsAFileOfRobotsWithAScriptForEach) {
       run(R"({"sketch": "./two.toml", "scripts": {"A": "at 1s press start\n", "B": "at 2s press start\n"}})");
   ASSERT_TRUE(answer);
   EXPECT_THAT(answer->body, HasSubstr("run ./two.toml --target host"));
-  // In one message or in several, as the pipe gives them.
+  // The lines come in one message or in several, as the pipe gives them.
   EXPECT_THAT(answer->body, HasSubstr("at 1s press start\\n"));
   EXPECT_THAT(answer->body, HasSubstr("at 2s press start\\n"));
 }

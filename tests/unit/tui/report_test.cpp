@@ -122,7 +122,7 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
 }
 
-// On a path: not in the middle of the cell that it begins in.
+// The start is on a path: not in the middle of the cell that it begins in.
 TEST(EndScreen, MarksTheStartWhereTheRobotBegins) {
   const auto map = grid::parse_map(
       "+++\nsize = [\"400 mm\", \"300 mm\"]\n[[path]]\nfrom = [\"20 mm\", \"210 mm\"]\nsegments = [{ length "

@@ -105,7 +105,7 @@ TEST_F(ScreenTest, KnowsItsSizeKeysAndChanges) {
   EXPECT_EQ(written(), "\033[1;2Hb");
 }
 
-// As when Ctrl-C discards, between the look and the read, what was typed before it.
+// Ctrl-C may discard, between the look and the read, what was typed before it.
 TEST_F(ScreenTest, AReadThatBringsNothingIsNoHangUp) {
   {
     Screen screen(terminal_, terminal_, {true, false});

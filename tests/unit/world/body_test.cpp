@@ -16,7 +16,7 @@ namespace {
 // A body in the middle of an empty floor of 40 m x 40 m.
 class BodyTest : public testing::Test {
  protected:
-  // In a world of its own.
+  // Makes a body in a world of its own.
   Body& make(const BodyParams& params = default_body_params()) {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));

@@ -41,7 +41,8 @@ class JointsTest : public testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world_->step();
   }
-  /// Of `gaps` such gaps, 100 mm apart: the share of its energy that a robot that coasts at that speed loses.
+  /// Returns the share of its energy that a robot loses as it coasts at that speed over `gaps` gaps, 100 mm
+  /// apart.
   double lost(double gap, double speed, int gaps) {
     const double share = speed / top_speed();
     for (int i = 0; i < gaps; ++i) map_.course.joints.push_back(joint(12.0 + 0.1 * i, gap));

@@ -106,7 +106,7 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
   }
 }
 
-// To the bit, whatever it remembers: of walks with strides of all lengths, over the map's edge, too.
+// Compares to the bit, on walks with strides of all lengths, over the map's edge, too.
 TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
   Random random;
   for (int i = 0; i < 24; ++i) {

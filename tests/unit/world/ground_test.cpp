@@ -50,7 +50,7 @@ class GroundTest : public testing::Test {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, pose));
   }
-  /// In the middle of an even slope of that sine, facing up.
+  /// Makes a body in the middle of an even slope of that sine, facing up.
   Body& on_slope(double sine, const BodyParams& params, Vec2 heading = {1.0, 0.0}) {
     map_.course.hills = {hill({10.0, 10.0}, 10.0, 10.0, {0.0, 10.0 * sine})};
     return make(params, {{10.0, 10.0}, heading});
@@ -362,7 +362,7 @@ TEST_F(GroundTest, ABumpTakesWhatMeetingItsSlopesCosts) {
   }
   EXPECT_GT(body.pose().position.x, 12.2);
   const double cosine = 1.0 / std::sqrt(1.0 + 1.0 / 9.0), r = p.wheel[left].radius_m;
-  // At its foot, and where it lands behind it; the wheels' own turning is kept.
+  // The robot loses speed at the bump's foot, and where it lands after it; the wheels keep their own turning.
   const double own = p.mass_kg / inertia_mass(p);
   const double on_it = speed * (1.0 - own * (1.0 - cosine));
   const double landed = std::sqrt(1.0 - 2.0 * kG * r * (1.0 - cosine) / (on_it * on_it));

@@ -62,7 +62,7 @@ TEST(Paints, OfAWideSegmentAreTheLineThere) {
   EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "which is not wider for that";
 }
 
-// Of points along the middle of the line.
+// Means over points along the middle of the line.
 struct Seen {
   double mean = 0.0, whole = 0.0, bare = 0.0;
 };

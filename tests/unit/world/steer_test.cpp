@@ -54,7 +54,7 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
         EXPECT_GT(std::fabs(body.speed()), 0.1);
         EXPECT_NEAR(body.turn_rate(), body.speed() / radius,
                     kSteeredWithin * std::fabs(body.speed() / radius));
-        // From the middle of its circle, which is where it was from the start.
+        // Measures from the middle of its circle, which is where it was from the start.
         EXPECT_NEAR(length(body.pose().position - Vec2{20.0, 20.0 + radius}), std::fabs(radius),
                     kSteeredWithin * std::fabs(radius))
             << degrees << ' ' << share;

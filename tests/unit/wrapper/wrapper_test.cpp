@@ -260,7 +260,8 @@ TEST_F(Wrapper, BuildsAndRunsTheTests) {
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -N -R Golden\n"));
 }
 
-// As ctest -V writes it: what two tests write is mixed, and a failed test's output comes a second time.
+// The output is as ctest -V writes it: what two tests write is mixed, and a failed test's output comes a
+// second time.
 constexpr const char* kFourTests = R"(cat <<'END'
 Test project here
 test 1

@@ -32,7 +32,7 @@ class Cells {
   // Moves. Each takes the same time.
   virtual void step_forward() = 0;
   virtual void turn_right() = 0;    ///< onto the cell on the right, facing that way, in one move
-  virtual void turn_left() = 0;     ///< likewise to the left
+  virtual void turn_left() = 0;     ///< onto the cell on the left, facing that way, in one move
   virtual void turn_around() = 0;   ///< on the spot
   virtual void choose_right() = 0;  ///< turn_right if that cell is line, else step_forward
   virtual void choose_left() = 0;   ///< turn_left if that cell is line, else step_forward

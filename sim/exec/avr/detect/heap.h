@@ -73,7 +73,7 @@ class Heap final : public Detector {
   std::vector<Growth> growths_;
   SourceLine grown_at_;                ///< last time
   std::optional<Detected> in_pieces_;  ///< the worst rise for that reason, and their number
-  int worst_bytes_ = 0;                ///< that were free at that rise
+  int worst_bytes_ = 0;                ///< bytes that were free at that rise
   Sightings seen_;
 };
 

@@ -96,7 +96,7 @@ class RaceAnalysis {
   std::vector<Access> accesses_;  ///< by pc
   std::vector<Armed> armed_;      ///< for each number, the last access that could be torn
   std::uint64_t writers_ = 0;     ///< handlers that may write a number; one bit per vector
-  int vector_ = 0;                ///< whose handler runs; 0 = none that is examined
+  int vector_ = 0;                ///< the vector whose handler runs; 0 = none that is examined
   std::optional<Found> found_;
 };
 

@@ -68,7 +68,7 @@ class InstructionLog {
   struct Port {
     int number = -1;        ///< of the chip; -1 = it is known
     std::size_t index = 0;  ///< of the load
-    std::uint8_t reg = 0;   ///< that holds it
+    std::uint8_t reg = 0;   ///< the register that holds it
   };
   Port port_;
 };

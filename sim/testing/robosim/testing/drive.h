@@ -33,7 +33,7 @@ struct Moment {
   double left = 0.0;      ///< motor command, -1..1
   double right = 0.0;     ///< motor command, -1..1
   bool off_line = false;  ///< no line sensor sees any line
-  std::string station;    ///< whose centre the body covers; "" = none
+  std::string station;    ///< the station whose centre the body covers; "" = none
   std::vector<double> readings;
 };
 

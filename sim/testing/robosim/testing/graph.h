@@ -14,7 +14,7 @@ struct Graph {
   /// The other end of a line.
   struct End {
     int node = kBlocked;  ///< index into `nodes`
-    int arm = 0;          ///< which of its arms the line is there
+    int arm = 0;          ///< index of the node's arm that this line is
   };
   static constexpr int kBlocked = -1;  ///< an obstacle is on the line
 

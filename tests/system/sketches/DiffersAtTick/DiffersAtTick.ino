@@ -1,4 +1,4 @@
-// Which second it is hangs on a tick of millis(), on each target alike. What 7 / 0 is does not.
+// A tick of millis() decides which second it is, on each target alike. It does not decide what 7 / 0 is.
 volatile int nothing = 0;
 
 void setup() { Serial.begin(115200); }

@@ -1,4 +1,4 @@
-// Which half second it tells hangs on a tick of millis(), and on what printing costs.
+// Prints half seconds: their number depends on a tick of millis(), and on the cost of printing.
 void setup() { Serial.begin(9600); }
 
 void loop() {
