@@ -100,7 +100,7 @@ class LineWalkerOf {
   enum class Roll : uint8_t { on_line, straight, off_line };
   enum class Passed : uint8_t { nothing, corner, landmark };
 
-  // The step of everything: drives with these wheel speeds, waits for its time, looks, reckons.
+  // Makes a step: drives with these wheel speeds, waits for its time, looks, reckons.
   void step(float left, float right);
   void drive(float forward, float clockwise);
   void spin(float speed);

@@ -12,7 +12,7 @@ namespace {
 unsigned long random_state = 1;
 unsigned long rand_state = 1;
 
-/// See sim/build/division.h.
+/// Returns what the chip gives: see sim/build/division.h.
 long quotient_by_zero(long dividend) {
 #ifdef ROBOSIM_ZERO_BY_ZERO
   return static_cast<void>(dividend), 0;

@@ -60,7 +60,7 @@ class Unlocked {
   ~Unlocked() { at(kFlashCr) = kFlashLock; }
 };
 
-// PM0075 2.3.3
+// Programs a half-word of flash (PM0075 2.3.3).
 void program(Address address, uint16_t value) {
   at(kFlashCr) = kFlashPg;
   store_half(address, value);
@@ -68,7 +68,7 @@ void program(Address address, uint16_t value) {
   at(kFlashCr) = 0;
 }
 
-// PM0075 2.3.4
+// Erases a page of flash (PM0075 2.3.4).
 void erase_page(Address page) {
   at(kFlashCr) = kFlashPer;
   at(kFlashAr) = page;

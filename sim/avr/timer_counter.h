@@ -67,7 +67,7 @@ class Counter {
 
   /// Advances by `ticks`. Returns the events, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
-  // The usual state of most counters: up to TOP and around, without a recent write.
+  // Returns whether it is in the usual state of most counters: up to TOP and around, without a recent write.
   bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
   /// Like advance(), for a regular counter whose events have no listener.
   void pass(Cycle ticks) {

@@ -195,7 +195,7 @@ std::optional<Fault> find_fault(std::string_view text) {
   return std::nullopt;
 }
 
-/// The n-th line, from 1.
+/// Returns the n-th line, from 1.
 std::string_view line_of(std::string_view text, int n) {
   for (; n > 1; --n) {
     const std::size_t end = text.find('\n');

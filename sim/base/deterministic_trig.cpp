@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-// Taylor series about 0, for at most an eighth of a turn: the remainder is below 1e-19.
+// Computes a sine by its Taylor series about 0, for at most an eighth of a turn: the remainder is below
+// 1e-19.
 double sine(double x) {
   double term = x, sum = x;
   for (int n = 2; n <= 18; n += 2) sum += term *= -x * x / (n * (n + 1));

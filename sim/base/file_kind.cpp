@@ -50,7 +50,7 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-/// The key that a line of TOML sets, or nothing.
+/// Returns the key that a line of TOML sets, or nothing.
 std::string_view key_in(std::string_view line) {
   const std::size_t end =
       line.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-");

@@ -8,7 +8,7 @@
 namespace robosim {
 namespace {
 
-// A spread: a share of the value ("5 %"), or an amount in the value's unit.
+// Reads a spread: a share of the value ("5 %"), or an amount in the value's unit.
 double as_spread(const ConfigValue& value, const char* key, Dimension dimension, double of) {
   if (value.kind == ConfigValue::Kind::string && value.string.find('%') != std::string::npos)
     return std::abs(of) * as_quantity(value, key, Dimension::ratio, 0.0, 10.0);

@@ -15,7 +15,7 @@ class QuoteEnds {
  public:
   explicit QuoteEnds(std::string_view source) : source_(source) {}
 
-  /// Where that ends whose quote stands at `at`; after that quote if its line does not end it.
+  /// Returns where the literal ends whose quote stands at `at`; after that quote if its line does not end it.
   std::size_t of(std::size_t at) {
     // A line of nothing but quotes that do not end would be gone through for each of them.
     constexpr int kMostOpen = 100;

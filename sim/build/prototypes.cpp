@@ -59,7 +59,7 @@ bool parse_marker(std::string_view line, int& number, std::string& file) {
   return true;
 }
 
-// After `using namespace std;` ctags includes `using` in the function's type.
+// Removes `using`, which ctags includes in a function's type after `using namespace std;`.
 std::string without_using(std::string type) {
   constexpr std::string_view kUsing = "using ";
   return type.starts_with(kUsing) ? type.substr(kUsing.size()) : type;

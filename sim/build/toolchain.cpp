@@ -65,7 +65,7 @@ fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& 
   return folder;
 }
 
-/// Our hal, and the genuine core's portable sources.
+/// Returns Robosim's hal, with the genuine core's portable sources.
 Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core;
   core.root = stage(board, genuine, cache);

@@ -81,7 +81,7 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// Returns whether v1 steps into a wall at this station, as it does where a line ends in front of one.
+// Returns whether v1 steps into a wall at this station. It does where a line ends in front of one.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];

@@ -38,7 +38,7 @@ bool takes_files(const PossibleValues& values) {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-/// The commands with their actions, of which each has its own options: "run", "map check".
+/// Returns the commands with their actions, of which each has its own options: "run", "map check".
 std::vector<CommandHelp> leaves(const std::vector<CommandGroup>& groups) {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : groups) {

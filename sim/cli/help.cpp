@@ -43,7 +43,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
   return all;
 }
 
-/// "  --map MAP     text", wrapped.
+/// Formats "  --map MAP     text", wrapped.
 std::string row(const std::string& name, const std::string& text, std::size_t column) {
   std::string line = "  " + name;
   const std::size_t used = width(line);

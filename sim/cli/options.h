@@ -68,7 +68,7 @@ constexpr const char* kShardHelp = "do only the I-th of N parts of the runs; --m
 
 constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
 
-// The possible values of options that many commands have, for completion.
+// Return the possible values of options that many commands have, for completion.
 PossibleValues targets();
 PossibleValues profiles();
 PossibleValues goals();

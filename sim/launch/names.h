@@ -77,7 +77,7 @@ std::string choose_target(const std::string& name, const SketchChoice& sketch);
 
 /// Throws InputError for an unknown target, ToolMissing for one that this version cannot run yet.
 void check_target(const std::string& target);
-/// Throws as check_target() does, but for targets that sketches are compiled for.
+/// Checks a target that sketches are compiled for. Throws as check_target() does.
 void check_build_target(const std::string& target);
 
 /// Runs `check`, and adds the flag's name to its InputError.

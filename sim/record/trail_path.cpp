@@ -20,7 +20,7 @@ double distance_mm(const TrailPoint& p, const TrailPoint& a, const TrailPoint& b
 }  // namespace
 
 std::string speed_colour(int number) {
-  // Taken from plasma, by van der Walt and Smith, without its ends, which would not stand out from line or
+  // Colours of plasma, by van der Walt and Smith. Its ends are omitted: they would not stand out from line or
   // floor.
   static constexpr const char* kPlasma[kSpeedColours] = {
       "#5402a3", "#7e03a8", "#9c179e", "#b6308b", "#cc4778", "#de5f65", "#ed7953", "#f89540", "#fdb42f"};

@@ -132,13 +132,13 @@ class PartSpec {
   std::vector<Wire> wires;
 
   virtual ~PartSpec() = default;
-  /// The part of one robot.
+  /// Makes the part of one robot.
   virtual std::unique_ptr<Part> make(PartContext&) const = 0;
-  /// The floor sensors it brings.
+  /// Returns the floor sensors that the part brings.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
   /// Returns those of its readings that are numbers.
   virtual std::vector<Gauge> gauges() const { return {}; }
-  /// How it is mounted, if it may sit on a servo; else null.
+  /// Returns how the part is mounted, if it may sit on a servo; else null.
   virtual const MountSpec* mounted() const { return nullptr; }
   /// The wheel it sits on, if it is a motor: left or right, or kBothWheels; else -1.
   virtual int driven_wheel() const { return -1; }

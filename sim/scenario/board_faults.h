@@ -34,7 +34,7 @@ constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's regis
 /// voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can request, read and checked. A default value is no fault: it is the script's
+/// The faults that a script can request, read and checked. A default value is not a fault: it is the script's
 /// "ok".
 struct PowerFault {
   enum class Kind { none, sag, brown_out };

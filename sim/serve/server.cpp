@@ -156,7 +156,7 @@ struct Server::Impl {
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
     // The library leaves the body of a refused request unread, and would treat it as the next request. So a
-    // page of another site could put a request into a body, with headers that it may not send itself.
+    // page of another site could put a request into a body. It could have headers that the page may not send.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();

@@ -22,11 +22,12 @@ struct Spot {
 /// A run of one robot, or one that several share.
 struct SharedRun {
   explicit SharedRun(const std::string& target) : runner(target) {}
-  /// Begins it; `robots` hear of it.
+  /// Begins the run, and notifies `robots`.
   void begin(const wire::RunRequest& request);
-  /// A leg: until that time, the first of the stops, or a verdict of one of them. Nothing, if it is over.
+  /// Runs a leg: until that time, the first of the stops, or a verdict of one of them. Does nothing if it is
+  /// over.
   void go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops, Spot spot);
-  /// The result of robot `number`, once it is over.
+  /// Returns the result of robot `number`, once it is over.
   const wire::RunResult& result(std::size_t number) const;
   bool over() const { return run->over(); }
 
@@ -42,7 +43,7 @@ struct Simulation::Impl {
   Impl(const Trial& trial, std::shared_ptr<SharedRun> run, ResolvedTrial from);
 
   void take(const wire::Event& event);
-  /// It stands still for the first time.
+  /// Notes the initial state, in which the robot stands still.
   void begin();
   /// Notes a leg that has just ended, and began at `begin_ns`.
   void note_leg(std::int64_t begin_ns, Spot spot);

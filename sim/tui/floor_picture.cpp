@@ -14,7 +14,7 @@ constexpr double kLeastLine_dots = 1.2;
 constexpr double kMostDotsPerCell = 16.0;
 // In dots. A place between two dots, such as the centre of a cell, counts as the right and lower one.
 constexpr Vec2 kAside{-0.1, 0.1};
-// The largest distance from a stripe to a painted dot, m: half of the widest line or dot.
+// Returns the largest distance from a stripe to a painted dot, m: half of the widest line or dot.
 double reach(const grid::Map& map) {
   double most = std::max(map.line_m, map.cell_m);
   for (const grid::Paint& paint : map.course.paints) most = std::max(most, paint.width);

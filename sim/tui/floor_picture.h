@@ -27,7 +27,7 @@ struct Area {
   Vec2 most;
 };
 
-/// The whole map.
+/// Returns the area of the whole map.
 Area area_of(const grid::Map& map);
 
 /// Returns a window of at most `columns` x `rows` characters that shows `area` as large as possible. A map

@@ -66,9 +66,9 @@ Asked<Request> parse_request(std::string_view text);
 Asked<DrivenRequest> parse_driven_request(std::string_view text);
 Asked<LiveRequest> parse_live_request(std::string_view text);
 
-/// For a Batch with its bytes.
+/// Writes an answer; a Batch with its bytes.
 std::string to_line(const Id& id, const Answer& answer);
-/// For a Batch of that size, without its bytes.
+/// Writes the line of a Batch of that size, without its bytes.
 std::string batch_line(const Id& id, std::size_t bytes);
 
 }  // namespace robosim::wire

@@ -24,7 +24,7 @@ bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
   return clue.facts->pwm || evidence.is_given_to({"analogWrite"}, clue.pin);
 }
 
-// High all the time, with a name without a side: the driver's enable, or standby.
+// Returns whether a pin is high all the time and its name has no side: the driver's enable, or standby.
 bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
   constexpr double kMostly = 0.45;  // of 0.5
   return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
@@ -178,7 +178,8 @@ void put_half(const Pins& pins, Sides& sides) {
   for (std::size_t i = 0; i < pins.size(); ++i) (i < half ? sides.left : sides.right).push_back(pins[i]);
 }
 
-// Six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6): those of one motor, then those of the other.
+// Reads six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6): those of one motor, then those of the
+// other.
 Sides given_as_pair(const Evidence& evidence, const Pins& pins) {
   for (const Given& given : evidence.names().given) {
     Sides sides{{}, {}, false};

@@ -151,7 +151,7 @@ class Floor {
     bool is_line, is_painted;
   };
 
-  // The cell of a point; false outside the map. Rows count from the bottom.
+  // Finds the cell of a point; returns false outside the map. Rows count from the bottom.
   bool locate(Vec2 p, int& column, int& row, double& x, double& y) const {
     const double u = p.x * per_cell_, v = p.y * per_cell_;
     if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) return false;

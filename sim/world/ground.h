@@ -55,7 +55,7 @@ class Ground {
 
   const FloorGaps& joints() const { return joints_; }
 
-  /// A mass (kg) presses on p with a force (N), in this tick.
+  /// Lets a mass (kg) press on p with a force (N), in this tick.
   void press(Vec2 p, double mass, double force);
   /// Seesaws move by what has pressed on them. At the end of a tick.
   void settle();

@@ -26,9 +26,10 @@ class NearStripe {
  public:
   /// Returns whether the result at p is known. Before the first search it is not.
   bool holds(Vec2 p) const { return box_.holds(p); }
-  /// Where it holds: whether no stripe comes near the footprint for which it was sought.
+  /// Returns, where it holds, whether no stripe comes near the footprint for which it was sought.
   bool is_clear() const { return kind_ == Kind::clear; }
-  /// m from the nearest stripe: where it holds, and it is not clear. The bits are grid::distance's.
+  /// Returns the distance from the nearest stripe in m, where it holds and is not clear. The bits are
+  /// grid::distance's.
   double distance(std::span<const grid::Stripe> all, Vec2 p) const {
     if (kind_ == Kind::level) return std::fabs(p.y - at_.y);
     if (kind_ == Kind::upright) return std::fabs(p.x - at_.x);
@@ -44,7 +45,7 @@ class NearStripe {
     bool painted_only;
     double reach;  ///< m: stripes that are farther away do not matter
   };
-  /// The distance from p, which is in the box, to the nearest stripe, m; kNoStripe if there is none.
+  /// Returns the distance from p, which is in the box, to the nearest stripe, m; kNoStripe if there is none.
   double seek(const Around&, Vec2 p);
   static constexpr double kNoStripe = 1e9;
 

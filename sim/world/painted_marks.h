@@ -18,8 +18,8 @@ class PaintedMarks {
 
   bool empty() const { return marks_.empty(); }
   std::size_t paint(std::size_t mark) const { return static_cast<std::size_t>(marks_[mark].paint); }
-  /// The share of a square of side `footprint` about p that lies on one of them: exact where it is parallel
-  /// to the mark.
+  /// Returns the share of a square of side `footprint` about p that lies on one of them: exact where it is
+  /// parallel to the mark.
   double share(std::size_t mark, Vec2 p, double footprint) const {
     const Vec2 own = marks_[mark].middle.to_body(p);
     return within(own.x, marks_[mark].half_length, footprint) *
@@ -33,7 +33,7 @@ class PaintedMarks {
   bool any_near(Vec2 p, double footprint) const {
     return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
   }
-  /// The largest share.
+  /// Returns the largest share of any mark.
   double coverage(Vec2 p, double footprint) const;
 
  private:

@@ -19,12 +19,12 @@ class RadioChannel {
     std::uint8_t byte = 0;
   };
 
-  /// A new radio; its number.
+  /// Adds a radio; returns its number.
   std::size_t add_radio(int channel);
   /// Sends a byte, which reaches the other radios at `at`. That must be in a later tick, so that the order of
   /// calls within a tick has no effect.
   void send(std::size_t from, std::uint8_t byte, SimTime at);
-  /// The next byte that has reached this radio before `t`, once.
+  /// Takes the next byte that has reached this radio before `t`. Each byte is taken once.
   std::optional<Arrival> take(std::size_t radio, SimTime t);
 
   /// The state that changes during a run.

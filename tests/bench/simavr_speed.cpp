@@ -27,7 +27,7 @@ const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
 /// Returns this process's processor time in seconds.
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Why it has not come to its end; "" = it has.
+/// Runs the program. Returns why it has not come to its end; "" = it has.
 std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
                      const robot::Description& robot, SimTime length) {
   exec::AvrExecutor executor(*robot.board, image);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace robosim;
 
-// A rounded rectangle of line, 3 m x 2 m, on an open floor.
+// Returns a rounded rectangle of line, 3 m x 2 m, on an open floor.
 grid::Map loop_map(double corner_m) {
   grid::Map map;
   map.width = 40;
@@ -121,7 +121,7 @@ BENCHMARK(floor_worn);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
 BENCHMARK(floor_coverage_raster);
 
-// Along the line, within 15 mm of its centre.
+// Measures along the line, within 15 mm of its centre.
 void distance_to_line(benchmark::State& state, double corner_m) {
   const grid::Map map = loop_map(corner_m);
   const world::Floor floor(map);

@@ -23,8 +23,8 @@ TEST_F(Page, IsPhotographed) {
   }
 }
 
-/// The share of two pictures' points that differ, of the whole where their sizes do. Letters' edges are drawn
-/// a little otherwise by another version of the browser.
+/// Returns the share of two pictures' points that differ; of the whole if their sizes do. Another version of
+/// the browser draws the edges of letters a little differently.
 double difference(const std::filesystem::path& a, const std::filesystem::path& b) {
   browser().open("about:blank");
   const auto source = [](const std::filesystem::path& file) {

@@ -28,7 +28,7 @@ class Bench final : public avr::ChipEnvironment {
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
   /// Connects this USART's output to its input, so that it receives its frames one frame later.
   void wire_to_itself(int usart) { loop_ = usart; }
-  /// A pin's level changes; the chip hears of it if it listens.
+  /// Changes a pin's level, and notifies the chip if it listens.
   void set_level(int pin, bool level) {
     levels[pin] = level;
     chip.edge(pin, level, chip.cycle());

@@ -27,18 +27,18 @@ struct Program {
 /// The chip that avr-gcc calls so. Throws std::runtime_error where no board has it.
 const ChipSpec& chip_named(const std::string& name);
 
-/// All programs of a folder, by name. Throws std::runtime_error where one lacks its sentence, source or
+/// Returns all programs of a folder, by name. Throws std::runtime_error if one lacks its sentence, source or
 /// expectation.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
 
-/// The program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with what
-/// the compiler said.
+/// Returns the program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with
+/// the compiler's message.
 std::vector<std::uint8_t> compile(const Program& program, const std::string& chip);
 
-/// "05 .. ff"
+/// Formats bytes as "05 .. ff".
 std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes);
 std::string text_of(const std::vector<std::uint8_t>& bytes);
-/// For gtest.
+/// Prints a program for gtest.
 inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
 
 bool matches(const std::vector<std::optional<std::uint8_t>>& expected,

@@ -20,7 +20,7 @@ std::string repeated(const std::string& text, int times) {
 Entry file(const std::string& path, const std::string& content) { return {path, content}; }
 Entry link(const std::string& path, const std::string& to) { return {path, to, Kind::link}; }
 Entry ino(const std::string& before) { return file("S.ino", before + "\n" + kBody); }
-/// A source, and nothing else that is hostile.
+/// Returns a folder with a source, and nothing else that is hostile.
 Entries source(const std::string& text) { return {ino(text)}; }
 
 class Folders {

@@ -43,7 +43,7 @@ constexpr const char* kLimits[] = {"loops without end",
                                    "the request is too slow",
                                    "printed more than"};
 
-/// The command that was built, or another one to compare it with.
+/// Returns the command that was built, or another one to compare it with.
 std::string command() {
   const char* const other = ::getenv("ROBOSIM_HOSTILE_COMMAND");
   return other ? other : ROBOSIM_COMMAND;
@@ -127,7 +127,7 @@ double late_s() {
   return kLate_s * (1.0 + load);
 }
 
-/// Byte sequences that a terminal carries out, or that show text in another order than it has.
+/// Returns byte sequences that a terminal carries out, or that show text in another order than it has.
 std::string carried_out(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };

@@ -65,7 +65,7 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// False at the end.
+/// Reads some bytes; returns false at the end.
 bool read_some(int descriptor, std::string& text) {
   char buffer[65536];
   const ssize_t got = ::read(descriptor, buffer, sizeof buffer);

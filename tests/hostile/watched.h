@@ -28,7 +28,7 @@ class MemoryOfTree {
   std::size_t largest_kb_ = 0, sum_kb_ = 0;
 };
 
-/// From now on processes whose parents end become children of this one.
+/// Makes this process the parent of all processes whose parents end from now on.
 void adopt_orphans();
 /// "PID NAME" of each process that comes from this one, except the server `known`; ends them.
 std::vector<std::string> end_processes_left(pid_t known = 0);

@@ -117,7 +117,7 @@ std::vector<std::string> run_baseline(std::vector<Stage>& stages) {
   return targets;
 }
 
-/// The first test that fails: of the suites that the bug names, then of all others that it may touch.
+/// Returns the first test that fails: of the suites that the bug names, then of all others that it may touch.
 std::string first_failure(const Stage& stage, const Bug& bug, const std::string& target) {
   std::string failed = stage.test({target, bug.tests}).failed;
   if (failed.empty() && !bug.in_one_sketch()) failed = stage.test({target, bug.tests, true}).failed;

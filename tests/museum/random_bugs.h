@@ -12,9 +12,9 @@
 
 namespace robosim::museum {
 
-/// All that robosim mutate could draw in firmware/: our sketches and their library, as their compiled sources
-/// and all headers that they include have it. Files are named relative to the source tree; in the order of
-/// their places.
+/// Returns all that robosim mutate could draw in firmware/: our sketches and their library, with all headers
+/// that their compiled sources include. Files are named relative to the source tree; in the order of their
+/// places.
 std::vector<mutate::Mutation> bugs_of_firmware();
 
 struct Attempt {
@@ -38,7 +38,7 @@ const char* word(Attempt::Ending ending);
 Attempt attempt(Stage& stage, const LibraryTests& library, const mutate::Mutation& bug,
                 const std::vector<std::string>& targets, const TestRun& unchanged);
 
-/// The sums, and each that no test found.
+/// Returns the sums, and each bug that no test found.
 std::string summary_of(const std::vector<Attempt>& attempts, std::uint64_t seed, std::size_t places,
                        const std::string& targets);
 

@@ -27,7 +27,7 @@ build::CommandResult patch(const fs::path& folder, const Bug& bug, bool dry) {
   return build::run(build::Command{words, folder, bug.patch});
 }
 
-/// GoogleTest's: of this target, and of the chosen suites.
+/// Returns GoogleTest's filter for this target and the chosen suites.
 std::string filter(const Choice& choice) {
   const bool host = choice.target == "host";
   const std::string ending = host ? "" : "/" + choice.target;

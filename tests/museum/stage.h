@@ -32,7 +32,7 @@ class Stage {
 
   /// Puts the firmware back as it is in the source tree.
   void restore();
-  /// Why the patch does not apply to it; empty if it does. Nothing is changed.
+  /// Returns why the patch does not apply to it; empty if it does. Nothing is changed.
   std::string complaint(const Bug& bug) const;
   /// Changes the firmware. Throws InputError if the patch does not apply.
   void spoil(const Bug& bug);

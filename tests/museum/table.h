@@ -28,10 +28,10 @@ struct Result {
 /// "host: PidFollower.StartsAtOnce"; the same test on two chips is named once.
 std::string catches_of(const Result& result);
 
-/// Markdown: a sentence with the sums, the table, and the survivors with the reasons.
+/// Returns Markdown: a sentence with the sums, the table, and the survivors with the reasons.
 std::string table_of(const std::vector<Result>& results, const std::string& targets);
 
-/// The text with what stands between the table's two marks replaced. Throws InputError if they are not there.
+/// Returns the text, with a new table between the two marks. Throws InputError if they are missing.
 std::string with_table(const std::string& text, const std::string& table);
 
 }  // namespace robosim::museum

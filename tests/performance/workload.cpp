@@ -31,7 +31,7 @@
 namespace robosim {
 namespace {
 
-// A robot with five sensors on `oval`, without firmware, for `count` ticks.
+// Runs a robot with five sensors on `oval`, without firmware, for `count` ticks.
 void ticks(SimTime looks_every, int count) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");

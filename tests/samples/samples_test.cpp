@@ -41,7 +41,7 @@ TEST_P(Sample, DoesWhatItsChecksAskFor) {
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
 }
 
-/// The options of `run` and `compare` that a check holds. Paths begin at the sample's folder.
+/// Returns the options of `run` and `compare` that a check holds. Paths begin at the sample's folder.
 std::vector<std::string> options(const ConfigValue& check) {
   std::vector<std::string> words;
   for (const char* key : {"map", "robot", "start", "goal", "for", "profile", "script", "send"}) {

@@ -72,7 +72,7 @@ inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long 
   return {static_cast<double>(printed[3]), static_cast<double>(printed[4])};
 }
 
-/// Half the clock, twice the time.
+/// Expects that half the clock takes twice the time.
 inline void expect_twice_the_time(const ReadTimes& at_8, const ReadTimes& at_16) {
   EXPECT_NEAR(at_8.thousand_digital_us / at_16.thousand_digital_us, 2.0, 0.01);
 }

@@ -43,8 +43,8 @@ struct Scan {
   int stations = 1;
 };
 
-/// The third algorithm. The start must be a dead end, facing the line, of a tree of three-way junctions with
-/// at least one.
+/// Runs the third algorithm. The start must be a dead end, facing the line, of a tree of three-way junctions
+/// with at least one.
 Scan scan(Robot& robot);
 
 }  // namespace robosim::cells::v1

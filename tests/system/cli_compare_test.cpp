@@ -26,7 +26,7 @@ class CliCompare : public ::testing::Test {
     if (!IsSkipped() && !HasFatalFailure()) needs_target("stm32");
   }
 
-  /// A planted difference, between two targets.
+  /// Compares a planted difference between two targets.
   Ended compare(const std::string& sketch, const std::string& targets,
                 std::vector<std::string> more = {}) const {
     std::vector<std::string> words{
@@ -45,9 +45,9 @@ class CliCompare : public ::testing::Test {
     EXPECT_EQ(ended.status, 1) << ended.err;
     return json_of(ended)["difference"];
   }
-  /// The first comparison of host and stm32, by seed, with a robot that is on the edge on both. Whether one
-  /// is depends on microseconds, and so on the releases of both compilers. No seed on the way may blame a
-  /// target.
+  /// Returns the first comparison of host and stm32, by seed, with a robot that is on the edge on both.
+  /// Whether one is depends on microseconds, and so on the releases of both compilers. No seed on the way may
+  /// blame a target.
   static nlohmann::json first_on_the_edge(const std::vector<std::string>& words, int first_seed) {
     for (int seed = first_seed; seed < first_seed + 6; ++seed) {
       std::vector<std::string> all = words;

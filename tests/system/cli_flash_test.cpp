@@ -31,7 +31,7 @@ class CliFlash : public ::testing::Test {
   CliFlash() : path_(std::getenv("PATH")) { folder_.write("My/My.ino", kFlashed); }
   ~CliFlash() override { ::setenv("PATH", path_.c_str(), 1); }
 
-  /// An avrdude first on PATH that writes down its words and a copy of its file, and ends with `status`.
+  /// Puts an avrdude first on PATH. It saves its words and a copy of its file, and ends with `status`.
   void fake_avrdude(int status) {
     const auto script = folder_.write(
         "bin/avrdude", "#!/bin/sh\n: > '" + words().string() + "'\nfor word; do echo \"$word\" >> '" +

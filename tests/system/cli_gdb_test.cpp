@@ -87,8 +87,8 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     Ended run;
     std::string gdb;  ///< what it printed
   };
-  /// A run, and gdb attached to it with these commands; gdb itself tries until the run listens. `status`: 1
-  /// if the last command is refused.
+  /// Starts a run, and gdb attached to it with these commands; gdb itself tries until the run listens.
+  /// `status`: 1 if the last command is refused.
   Session debug(const std::string& commands, int status = 0) const {
     const std::string port = std::to_string(free_port());
     folder_.write(

@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// A follower in several files: sources in folders, a library with src/, one with include/, a header of the
-/// project that both see.
+/// Writes a follower in several files: sources in folders, a library with src/, one with include/, a header
+/// of the project that both see.
 void write_platformio(const Folder& folder) {
   folder.write("platformio.ini",
                "[env:uno]\nplatform = atmelavr\nboard = uno\nframework = arduino\n"

@@ -24,7 +24,7 @@ const std::string kGreets =
 
 const std::string kShortCheck = "goal = \"none\"\nfor = \"50ms\"\nmap = \"oval\"\n";
 
-/// A `[[check]]` of 50 ms.
+/// Returns a `[[check]]` of 50 ms.
 std::string check(const std::string& name, const std::string& more) {
   return "[[check]]\nname = \"" + name + "\"\n" + kShortCheck + more + "\n";
 }

@@ -78,7 +78,7 @@ std::string loop(const std::string& paint, const std::string& more = "") {
          " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n" + more + "+++\n";
 }
 
-// Dust in spots on one straight of the oval.
+// Returns dust in spots on one straight of the oval.
 std::string dirt() {
   std::string all;
   for (int i = 0; i < 5; ++i)

@@ -11,8 +11,8 @@ namespace {
 
 class Hills : public testing::Test {
  protected:
-  /// Runs a sketch on a straight line of 2.4 m, with a gap of 100 mm where `hills` may put a crest. The robot
-  /// starts 300 mm along it.
+  /// Runs a sketch on a straight line of 2.4 m. A gap of 100 mm is where `hills` may put a crest. The robot
+  /// starts 300 mm along the line.
   wire::RunResult run(const std::string& sketch, const std::string& hills, const std::string& letter,
                       double seconds, std::uint64_t seed = 1, const std::string& profile = "ideal",
                       const std::string& robot = "uno5") {
@@ -118,8 +118,8 @@ TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
 
-// The floor is plane. The robot would tip where it speeds up by more than g d / h, its mass d = 10 mm ahead
-// of the axle.
+// The floor is plane. The robot would tip where it speeds up by more than g d / h. Its mass is d = 10 mm
+// ahead of the axle.
 TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   const std::string low = robot("caster = \"50 mm\"\n");
   EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");

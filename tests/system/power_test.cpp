@@ -10,7 +10,7 @@ namespace {
 
 class Power : public testing::Test {
  protected:
-  /// TurnsBack on a line of 1.2 m, on uno5 with this [battery].
+  /// Runs TurnsBack on a line of 1.2 m, on uno5 with this [battery].
   wire::RunResult run(const std::string& letter, const std::string& battery, double seconds,
                       const std::string& target = "host") {
     const std::filesystem::path map = folder_.path() / "strip.map", robot = folder_.path() / "fed.toml";

@@ -102,7 +102,7 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
   return std::string(trial.param.target) + "_" + trial.param.map;
 }
 
-/// Every map on the host; on the chips, which take hundreds of times as long, `quick` alone, unless
+/// Returns every map on the host; on the chips, which take hundreds of times as long, `quick` alone, unless
 /// ROBOSIM_TEST_SEEDS is set. In a slow build the first four maps on the host, and no STM32.
 inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;

@@ -26,7 +26,7 @@ constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
 constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by when it has met the obstacle
 
-/// Wide enough for the bends of the map that it should resemble.
+/// Returns a distance of landmarks that is wide enough for the bends of the map that it should resemble.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }

@@ -37,7 +37,7 @@ constexpr std::uintptr_t kShadowGrain = 8;
 // A function marks its frame before it uses it, even if the stack is about to overflow.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// The number of holders of each page: neighbours in memory share pages of the shadow.
+/// Returns the number of holders of each page: neighbours in memory share pages of the shadow.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;

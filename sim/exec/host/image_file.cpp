@@ -72,7 +72,7 @@ std::uintptr_t without_mode(const void* pc) {
 #endif
 }
 
-// The handles of loaded images.
+// Returns the handles of loaded images.
 std::vector<void*>& handles() {
   static std::vector<void*> all;
   return all;

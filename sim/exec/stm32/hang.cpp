@@ -6,8 +6,8 @@ namespace {
 
 using namespace robosim::stm32;
 
-// A loop may mask interrupts for a moment, to read what a handler writes. After this duration without any
-// handler, not even that of the 1 ms clock, a pending interrupt shows that they stay masked.
+// A loop may mask interrupts for a moment, to read what a handler writes. They count as masked for good if
+// one is pending, and no handler has begun for this duration. Even that of the core's clock begins each 1 ms.
 constexpr SimTime kMaskedFor = kSecond;
 
 bool are_masked_for_good(const Machine& machine) {

@@ -42,21 +42,21 @@ ChipPin usart_pin(int number, std::uint32_t map, ChipPin usual) {
   return elsewhere ? kNoChipPin : usual;
 }
 
-// Table 53
+// Returns the pins of an SPI by table 53.
 SpiPins spi_pins(int number, std::uint32_t map) {
   if (number == 2) return {{kB, 13}, {kB, 15}, {kB, 14}, {kB, 12}};
   if (map & 1u << 0) return {{kB, 3}, {kB, 5}, {kB, 4}, {kA, 15}};
   return {{kA, 5}, {kA, 7}, {kA, 6}, {kA, 4}};
 }
 
-// Table 52
+// Returns the pins of an I2C by table 52.
 I2cPins i2c_pins(int number, std::uint32_t map) {
   if (number == 2) return {{kB, 10}, {kB, 11}};
   if (map & 1u << 1) return {{kB, 8}, {kB, 9}};
   return {{kB, 6}, {kB, 7}};
 }
 
-// Table 38
+// Returns whether the debug port uses a pin, by table 38.
 bool is_debuggers(ChipPin pin, std::uint32_t map) {
   const std::uint32_t freed = map >> 24 & 7;
   if (pin.port == kA && (pin.bit == 13 || pin.bit == 14)) return freed < 4;

@@ -56,7 +56,7 @@ Thumb decode_arithmetic(unsigned op) {
   }
 }
 
-// A5.2.2
+// Decodes A5.2.2: operations on two registers.
 Thumb decode_registers(unsigned op) {
   constexpr std::uint8_t kFlags = Thumb::kSetsOutside;
   const std::uint8_t d = bits(op, 0, 3), m = bits(op, 3, 3);
@@ -117,7 +117,7 @@ Thumb decode_high(unsigned op) {
   }
 }
 
-// A5.2.4
+// Decodes A5.2.4: loads and stores.
 Thumb decode_transfer(unsigned op) {
   const std::uint8_t d = bits(op, 0, 3), n = bits(op, 3, 3);
   const std::uint32_t offset = op >> 6 & 31;
@@ -145,7 +145,7 @@ Thumb multiple(Op op, std::uint8_t n, std::uint32_t registers, std::uint8_t how)
   return t;
 }
 
-// A5.2.5
+// Decodes A5.2.5: various 16-bit instructions.
 Thumb decode_various(std::uint32_t pc, unsigned op) {
   const std::uint8_t d = bits(op, 0, 3), m = bits(op, 3, 3);
   if ((op & 0x0F00) == 0)

@@ -70,7 +70,7 @@ Thumb modified_immediate(const Halves& h) {
   return t;
 }
 
-// A5.3.3
+// Decodes A5.3.3: plain immediate values.
 Thumb plain_immediate(const Halves& h) {
   Thumb t;
   t.d = h.d();
@@ -123,7 +123,7 @@ Thumb plain_immediate(const Halves& h) {
   }
 }
 
-// A5.3.4
+// Decodes A5.3.4: branches and control.
 Thumb branch_or_control(const Halves& h) {
   Thumb t;
   const std::uint32_t s = h.first >> 10 & 1, j1 = h.second >> 13 & 1, j2 = h.second >> 11 & 1;
@@ -156,7 +156,7 @@ Thumb branch_or_control(const Halves& h) {
   return t;
 }
 
-// A5.3.5, A5.3.6
+// Decodes A5.3.5 and A5.3.6: multiple and dual loads and stores.
 Thumb multiple_or_dual(const Halves& h) {
   Thumb t;
   t.n = h.n();
@@ -195,7 +195,7 @@ Thumb multiple_or_dual(const Halves& h) {
   return t;
 }
 
-// A5.3.7 to A5.3.10
+// Decodes A5.3.7 to A5.3.10: loads and stores of one value.
 Thumb single(const Halves& h) {
   constexpr Op kStores[] = {Op::strb, Op::strh, Op::str, Op::other};
   constexpr Op kLoads[] = {Op::ldrb, Op::ldrh, Op::ldr, Op::other};
@@ -234,7 +234,7 @@ Thumb single(const Halves& h) {
   return t;
 }
 
-// A5.3.12
+// Decodes A5.3.12: operations on registers.
 Thumb registers(const Halves& h) {
   Thumb t;
   t.d = h.d();
@@ -261,7 +261,7 @@ Thumb registers(const Halves& h) {
   return t;
 }
 
-// A5.3.14, A5.3.15
+// Decodes A5.3.14 and A5.3.15: multiplications.
 Thumb multiply(const Halves& h) {
   Thumb t;
   t.n = h.n();

@@ -28,7 +28,7 @@ class BuzzerPart final : public Part, public PinWatcher {
 
   void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Passive: Hz, 0 if silent. Active: 1 while it sounds.
+  /// Reads the frequency of a passive buzzer in Hz, 0 if silent; 1 while an active one sounds.
   void read(std::vector<Reading>&) const override;
 
  private:

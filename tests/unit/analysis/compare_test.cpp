@@ -12,7 +12,7 @@ using Kind = Difference::Kind;
 
 constexpr std::int64_t kMs = 1'000'000, kS = 1'000'000'000;
 
-/// A run of 20 s that drives ahead all the time.
+/// Returns a run of 20 s that drives ahead all the time.
 History run() {
   History h;
   h.verdict = "reached";
@@ -21,7 +21,7 @@ History run() {
   return h;
 }
 
-/// Ahead but from `from` to `to`.
+/// Returns a run that drives ahead, except from `from` to `to`.
 History with(Manoeuvre manoeuvre, std::int64_t from, std::int64_t to) {
   History h = run();
   h.stretches = {{0, from, Manoeuvre::ahead, 0.5, 0.5},
@@ -119,7 +119,7 @@ TEST(Compare, FormattingIsKnownAndDoesNotCount) {
   EXPECT_EQ(c.known[1].what, "width of long");
 }
 
-/// Every `every`, the number going up and down between 0 and 40.
+/// Returns a run that prints a number in intervals of `every`, going up and down between 0 and 40.
 History stream(std::int64_t every, int offset) {
   History h = run();
   for (std::int64_t t = every; t < h.end_ns; t += every) {
@@ -151,7 +151,7 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
-/// Every 0.4 s, the number at `odd` another one.
+/// Returns a run that prints a number every 0.4 s, at `odd` another one.
 History readings(std::vector<int> values, std::size_t odd, int there) {
   History h = run();
   values.at(odd) = there;
@@ -177,7 +177,7 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   EXPECT_EQ(d->sides[1], "says \"e 8000\", and nothing like it within a second");
 }
 
-/// Each second "on", and from `off_from` on "off".
+/// Returns a run that prints each second "on", and from `off_from` on "off".
 History light(std::int64_t off_from) {
   History h;
   h.end_ns = 70 * kS;

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Difference::Kind;
 
-/// Ahead until it turns for 1 s, and ahead again until it ends.
+/// Returns a run that drives ahead until it turns for 1 s, and ahead again until it ends.
 History turning_at(std::int64_t at_ns, Manoeuvre manoeuvre, std::int64_t end_ns = 30 * kSecond_ns) {
   History h;
   h.verdict = "timeout";

@@ -23,7 +23,7 @@ class ComparatorTest : public testing::Test, protected IdleChip {
   }
   void positive(double volts) { bench.pin_voltages[pin('D', 6)] = volts; }
   void negative(double volts) { bench.pin_voltages[pin('D', 7)] = volts; }
-  /// Both at low level, and no voltages.
+  /// Sets both pins to low level, without voltages.
   void take_levels() {
     bench.pin_voltages.clear();
     bench.levels[pin('D', 6)] = bench.levels[pin('D', 7)] = false;

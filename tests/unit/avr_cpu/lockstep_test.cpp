@@ -56,7 +56,7 @@ class Referee {
     std::free(avr_);
   }
 
-  /// All of the processor's is as with `cpu`.
+  /// Copies the state of `cpu`.
   void take(const Cpu& cpu) {
     std::memcpy(avr_->data, cpu.data.data(), kFirstIo);
     std::memcpy(avr_->data + kFirstRam, cpu.data.data() + kFirstRam, kLastRam + 1u - kFirstRam);
@@ -66,7 +66,7 @@ class Referee {
     avr_->pc = 2 * cpu.pc();
     avr_->cycle = cpu.cycle();
   }
-  /// One instruction, in which registers of I/O give `value`.
+  /// Runs one instruction, in which registers of I/O give `value`.
   void run(std::uint8_t value) {
     given_ = value;
     avr_->run_cycle_limit = avr_->run_cycle_count = 1;

@@ -50,7 +50,7 @@ class ManualModel {
   struct Code;
   static const Code& code_of(std::size_t row);
 
-  /// The field that the manual names with this letter.
+  /// Returns the field that the manual names with this letter.
   unsigned field(char letter) const;
   std::uint16_t word(std::uint16_t at) const {
     return static_cast<std::uint16_t>(data[at] | data[at + 1u] << 8);
@@ -61,7 +61,7 @@ class ManualModel {
   }
   bool flag(char name) const;
   void set_flag(char name, bool value);
-  /// S = N xor V, from those two.
+  /// Sets S = N xor V, from those two.
   void set_sign() { set_flag('S', flag('N') != flag('V')); }
   void set_zero_and_negative(std::uint8_t result);
 

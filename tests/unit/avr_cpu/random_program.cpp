@@ -36,7 +36,7 @@ std::uint16_t random_word(std::mt19937& random, const char* pattern) {
 
 bool is_far(std::string_view name) { return name.starts_with("ELPM") || name.starts_with("EI"); }
 
-/// The low register of the pointer that the instruction moves; 0 = none.
+/// Returns the low register of the pointer that the instruction moves; 0 = none.
 unsigned moved_pointer(std::string_view name) {
   if (name.find('+') == name.npos && name.find('-') == name.npos) return 0;
   return name.find('X') != name.npos ? 26 : name.find('Y') != name.npos ? 28 : 30;
@@ -58,7 +58,7 @@ std::string_view partner_of(std::string_view name, std::mt19937& random) {
   return name == first ? second : name;
 }
 
-/// JMP and CALL with no more of the target's high bits than the flash has.
+/// Limits the high bits of the target of JMP and CALL to those that the flash has.
 std::uint16_t within_flash(std::uint16_t word, bool long_pc) {
   return static_cast<std::uint16_t>(word & ~0x01F0u & (long_pc ? ~0u : ~1u));
 }

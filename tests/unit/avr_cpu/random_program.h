@@ -19,7 +19,7 @@ struct Start {
   std::uint32_t pc = 0;
 };
 
-/// Flash full of random instructions that the manual defines, with targets in flash.
+/// Returns flash full of random instructions that the manual defines, with targets in flash.
 std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc);
 
 /// The two of them. Data memory is 64 KB of RAM behind the registers of I/O, which keep what is written.

@@ -31,7 +31,7 @@ class Chance {
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// An uno5 with random parameters.
+// Returns an uno5 with random parameters.
 robot::Description some_uno5(Chance& chance) {
   robot::Description robot = robot::load_description("uno5");
   const auto vary = [&](Parameter& number) { number = number.scaled(chance.within(0.7, 1.4)); };
@@ -59,7 +59,7 @@ struct Single {
     world.vary_floor(NoiseStream(7, 0, "floor", "test"), profile == Profile::ideal ? 0.0 : 0.05);
   }
 
-  // One wheel's share of PWM, -1 .. 1, or 2 for a brake; gives what the driver makes of it.
+  // Drives one wheel by a share of PWM, -1 .. 1, or 2 for a brake. Returns the driver's command.
   world::WheelCommand drive(world::Side side, double share, SimTime t) {
     const Pin en = side == left ? 5 : 6;
     const Pin in1 = side == left ? 7 : 9, in2 = side == left ? 8 : 10;

@@ -220,7 +220,7 @@ std::vector<Stop> stops_of(const ChipSpec& chip) {
   return stops;
 }
 
-/// Each chip of a board once.
+/// Returns each chip of a board once.
 std::vector<const ChipSpec*> avr_chips() {
   std::vector<const ChipSpec*> chips;
   for (const BoardSpec* board : avr_boards())
@@ -249,7 +249,7 @@ TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
   }
 }
 
-/// The numbers of an array `{ 5 , (1 << (3)) , ... }` of preprocessed source.
+/// Returns the numbers of an array `{ 5 , (1 << (3)) , ... }` of preprocessed source.
 std::vector<int> array_of(const std::string& source, const std::string& name) {
   std::vector<int> numbers;
   const std::size_t begin = source.find('{', source.find(name + "[] = {"));
@@ -261,7 +261,7 @@ std::vector<int> array_of(const std::string& source, const std::string& name) {
   return numbers;
 }
 
-/// The Arduino core's number for an output of a timer: TIMER0A and so on, in Arduino.h.
+/// Returns the Arduino core's number for an output of a timer: TIMER0A and so on, in Arduino.h.
 std::string arduinos_timer(const BoardSpec& board, const PinSpec& pin) {
   if (!pin.pwm) return "NOT_ON_TIMER";
   return fmt::format("TIMER{}{}", board.chip->timers[pin.chip_pin.timer].number,

@@ -33,7 +33,7 @@ class AvrTest : public SketchTest {
   Image build_avr_here(const std::string& name, const char* board = "uno") const {
     return build_avr(folder_ / name, board);
   }
-  /// CALLs in its flash.
+  /// Counts the CALLs in an image's flash.
   static int long_calls_of(const Image& image) {
     int calls = 0;
     const ElfFile elf(read_file(image.image), image.image.string());

@@ -52,7 +52,7 @@ class HostileTest : public SketchTest {
     return "no error";
   }
 
-  /// The one line that `script` prints within walls of its own, in the environment of a compiler.
+  /// Returns the one line that `script` prints within walls of its own, in the environment of a compiler.
   std::string printed_within_walls(const std::string& script) const {
     fs::create_directories(folder_ / "scratch");
     return run_within({}, {{{"/bin/sh", "-c", script}, "/", {}, folder_ / "scratch"}})[0].output;

@@ -71,7 +71,7 @@ class EdgeCounter final : public MoveWatcher {
   int most_ = 0;
 };
 
-// Where on a map to begin: at its default start, or on any line cell, facing anywhere.
+// Returns where on a map to begin: at its default start, or on any line cell, facing anywhere.
 grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
   if (n % 3 == 0) return grid::default_start(map);
   std::vector<grid::CellAt> line;

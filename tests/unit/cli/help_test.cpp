@@ -23,7 +23,7 @@ std::string printed(const std::vector<std::string>& words) {
   return std::get<PrintText>(parse_arguments(words)).text;
 }
 
-/// All commands and actions, each with its own options.
+/// Returns all commands and actions, each with its own options.
 std::vector<CommandHelp> leaves() {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : command_groups())

@@ -63,7 +63,7 @@ struct Program {
   std::string bytes() const { return {reinterpret_cast<const char*>(this), sizeof *this}; }
 };
 
-/// All that there is to read: the number of things found, or the refusal.
+/// Reads all that there is. Returns the number of things found, or the refusal.
 std::string read_all(const std::string& bytes) {
   try {
     const ElfFile file(bytes, "x.elf");

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 class CrashTest : public HostTest {
  protected:
-  /// The crash of a sketch whose setup() calls `faulty()`, which is on line 2.
+  /// Returns the crash of a sketch whose setup() calls `faulty()`, which is on line 2.
   Crash crash(const std::string& line_2, const std::string& call = "faulty();") {
     start("volatile int zero, n;\n" + line_2 + "\nvoid setup() {\n  delay(5);\n  " + call +
           "\n}\nvoid loop() {}\n");

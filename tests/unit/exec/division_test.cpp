@@ -9,7 +9,7 @@ using testing::ElementsAre;
 
 class DivisionTest : public HostTest {
  protected:
-  /// Quotient and remainder of `dividend` by `divisor` in `type`, each as the bits of that type.
+  /// Returns quotient and remainder of `dividend` by `divisor` in `type`, each as the bits of that type.
   std::vector<long long> divided(const std::string& type, const std::string& dividend,
                                  const std::string& divisor = "0") {
     serial_.clear();

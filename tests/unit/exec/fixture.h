@@ -71,7 +71,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return result;
   }
 
-  /// When `pin` changed, beginning with the first change to an output.
+  /// Returns when `pin` changed, beginning with the first change to an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)

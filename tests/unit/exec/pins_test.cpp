@@ -7,7 +7,7 @@ using testing::ElementsAre;
 
 class PinsTest : public HostTest {
  protected:
-  /// How `pin` is driven after `statements` in setup().
+  /// Returns how `pin` is driven after `statements` in setup().
   PinDrive after(const std::string& statements, Pin pin) {
     start("void setup() { " + statements + " }\nvoid loop() {}");
     run(20 * kMillisecond);

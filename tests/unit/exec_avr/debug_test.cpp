@@ -74,7 +74,7 @@ class DebugTest : public AvrTest {
       value = value << 8 | static_cast<std::uint32_t>(std::stoul(hex.substr(i - 2, 2), nullptr, 16));
     return value;
   }
-  /// Everything that came out of the board.
+  /// Returns everything that came out of the board.
   std::string trace() const {
     std::string text = serial_;
     for (const SimTime t : byte_times_) text += fmt::format(" {}", t);

@@ -81,7 +81,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
       result.push_back(std::stoll(serial_.substr(at, end - at)));
     return result;
   }
-  /// When `pin` changed, its becoming an output included.
+  /// Returns when `pin` changed, also when it became an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)

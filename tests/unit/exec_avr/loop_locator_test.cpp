@@ -16,7 +16,7 @@ class AvrLoopTest : public AvrTest {
     return avr_->resources().value_or(Resources{});
   }
 
-  /// Each round of `text` toggles pin 13 once.
+  /// Expects that the rounds found are those of `text`, each of which toggles pin 13 once.
   void expect_true_rounds(const std::string& text, SimTime duration = 300 * kMillisecond) {
     const Resources r = run_for(text, duration);
     const std::vector<SimTime> times = changes(13);  // the first: it becomes an output

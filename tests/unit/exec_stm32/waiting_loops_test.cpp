@@ -100,7 +100,7 @@ class RandomProgram : public Program {
     made.globals_end = kRam + 0x100;
     return made;
   }
-  /// Where a round of loop() begins.
+  /// Returns where a round of loop() begins.
   LoopMarks rounds() const {
     LoopMarks rounds;
     rounds.each = {round_};
@@ -122,7 +122,7 @@ class RandomProgram : public Program {
     }
   }
 
-  // It ends when interrupts have been counted, or a piece leaves it.
+  // Adds a loop that ends when interrupts have been counted, or a piece leaves it.
   void wait() {
     put(kCount, 0);
     if (below(3) == 0) put(kUsartDr, below(256));

@@ -12,7 +12,7 @@ class LineSensorsTest : public ::testing::Test {
  protected:
   void SetUp() override { fake::board = fake::Board{}; }
 
-  // The analog pins of kFive see these.
+  // Sets the values that the analog pins of kFive read.
   static void see(int a, int b, int c, int d, int e) {
     const int values[] = {a, b, c, d, e};
     for (int i = 0; i < 5; ++i) fake::board.pins[kFive[i]].analog = values[i];

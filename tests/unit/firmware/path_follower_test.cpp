@@ -30,7 +30,7 @@ class PathFollowerTest : public ::testing::TestWithParam<Side> {
       path.update(left ? seen.near : seen.far, seen.middle, left ? seen.far : seen.near, now);
     }
   }
-  // The turn it makes, in steps of PWM between the wheels: positive to the preferred side.
+  // Returns the turn that it makes, in steps of PWM between the wheels: positive to the preferred side.
   int turn() const {
     const int to_the_left = path.rightSpeed() - path.leftSpeed();
     return GetParam() == Side::left ? to_the_left : -to_the_left;

@@ -20,7 +20,7 @@ using Behind = Arm::Behind;
 
 TrueGraph graph_of(const Map& map, const char* start) { return true_graph(map, parse_start(map, start)); }
 
-// "1:0 2 - 3:2 x" for a junction's slots: junction:slot, station in brackets, x = blocked.
+// Formats a junction's slots as "1:0 2 - 3:2 x": junction:slot, station in brackets, x = blocked.
 std::string slots(const GraphJunction& junction) {
   std::string text;
   for (const Arm& arm : junction.arms) {

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 struct Pushed : HandMoved {
   using HandMoved::HandMoved;
-  // Along the first path.
+  // Moves along the first path.
   void follow(double from, double to) {
     for (double along = from; along <= to; along += 0.001) put(map.course.paths[0].at(along, false).position);
   }

@@ -51,7 +51,7 @@ class EepromTest : public testing::Test {
   void update(std::uint16_t address, std::uint8_t value) {
     if (cells_.try_emplace(address, 0xFF).first->second != value) write(address, value);
   }
-  /// EEPROM.put() of an int.
+  /// Writes an int as EEPROM.put() does.
   void put(std::uint16_t address, int value) {
     update(address, static_cast<std::uint8_t>(value));
     update(static_cast<std::uint16_t>(address + 1), static_cast<std::uint8_t>(value >> 8));

@@ -10,7 +10,7 @@
 namespace robosim::judge {
 
 struct HandMoved {
-  /// It stands at the map's default start. `goal`: "" = the map's.
+  /// Puts the robot on the map's default start. `goal`: "" = the map's.
   explicit HandMoved(const std::string& text, const std::string& goal = "")
       : map(grid::parse_map(text, "test.map")),
         start(grid::default_start(map)),
@@ -32,7 +32,7 @@ struct HandMoved {
     body.place({at, {1.0, 0.0}});
     look();
   }
-  /// Straight, `step_m` a tick of 1 ms.
+  /// Moves the robot straight, `step_m` in each tick of 1 ms.
   void push(Vec2 to, double step_m = 0.001) {
     const Vec2 from = body.pose().position;
     const double way = length(to - from);

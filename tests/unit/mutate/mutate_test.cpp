@@ -64,7 +64,7 @@ class Sketch : public testing::Test {
   void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
   Tree tree() { return parse(build::parse_context_of({folder_ / "S", *find_board("uno")})); }
 
-  /// "relational < -> <=", of the file.
+  /// Returns the changes of the file, as "relational < -> <=".
   std::multiset<std::string> changes(const std::string& name) {
     std::multiset<std::string> all;
     for (const Mutation& one : mutations(tree()))

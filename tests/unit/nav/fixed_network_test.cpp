@@ -81,7 +81,8 @@ Floor ring(int junctions) {
   return floor;
 }
 
-/// A row of junctions, each with a station next to it, and a station at both ends: 2 · junctions + 2 nodes.
+/// Returns a row of junctions, each with a station next to it, and a station at both ends: 2 · junctions + 2
+/// nodes.
 Floor comb(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions + 2; ++i) floor.addNode();

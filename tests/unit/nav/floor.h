@@ -39,11 +39,11 @@ class Floor {
     return static_cast<int>(nodes.size()) - 1;
   }
   int addNode() { return addNode({150 * static_cast<int32_t>(nodes.size()), 500}); }
-  /// A line between two free arms.
+  /// Adds a line between two free arms. Returns its number.
   int join(Arm a, Arm b, uint32_t cost = 10);
   int degree(int node) const { return nav::slotCount(nodes[node].arms); }
   bool isStation(int node) const { return degree(node) <= 1; }
-  /// The other end of a line.
+  /// Returns the other end of a line.
   Arm across(int line, Arm from) const { return lines[line].a == from ? lines[line].b : lines[line].a; }
 
   std::vector<Node> nodes;

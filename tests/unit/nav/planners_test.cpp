@@ -247,7 +247,7 @@ TEST(Planners, AgreeOnThousandsOfNetsWithCycles) {
   }
 }
 
-/// The same tree with its ids exchanged; the root stays, and parents stay in slot 0.
+/// Returns the same tree with its ids exchanged; the root stays, and parents stay in slot 0.
 Links renumbered(const Links& links, const std::vector<int>& id) {
   Links other;
   other.clear(links.size());

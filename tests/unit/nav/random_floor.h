@@ -19,8 +19,8 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// A tree of junctions with three arms (or, each with a chance, four) and stations; at most `nodes` nodes,
-/// and hardly less.
+/// Returns a tree of junctions with three arms (or, each with a chance, four) and stations; at most `nodes`
+/// nodes, and hardly less.
 Floor randomTree(Dice& dice, int nodes, bool four_way);
 
 /// Junctions whose arms are joined at random: cycles, parallel lines, lines from a junction to itself, and
@@ -30,7 +30,7 @@ Floor randomNet(Dice& dice, int junctions, int percent_stations);
 /// Puts obstacles on some lines.
 void blockSome(Dice& dice, Floor& floor, int one_in);
 
-/// Anywhere on it, facing anyhow.
+/// Returns a place anywhere on the floor, facing anywhere.
 Stand randomStand(Dice& dice, const Floor& floor);
 
 }  // namespace nav_test

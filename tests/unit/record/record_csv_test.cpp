@@ -32,7 +32,7 @@ const std::filesystem::path& path() {
   return path;
 }
 
-/// The table, finished.
+/// Finishes the table, and returns it.
 std::string text_of(CsvRecorder& record) {
   record.finish({});
   return read_file(path());

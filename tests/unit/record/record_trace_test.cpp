@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The events of a trace of which a key has a value.
+// Returns the events of a trace that have this value at a key.
 std::vector<Json> those(const Json& trace, const std::string& key, const Json& value) {
   std::vector<Json> found;
   for (const Json& event : trace["traceEvents"])

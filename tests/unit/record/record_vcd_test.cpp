@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// How the file abbreviates a signal.
+// Returns how the file abbreviates a signal.
 std::string id_of(const std::string& vcd, const std::string& signal) {
   const std::size_t end = vcd.find(" " + signal + " $end");
   if (end == std::string::npos) return "undeclared";
@@ -28,7 +28,7 @@ const std::filesystem::path& waves() {
   return path;
 }
 
-/// The file, finished.
+/// Finishes the file, and returns it.
 std::string text_of(VcdRecorder& record) {
   record.finish({});
   return read_file(waves());

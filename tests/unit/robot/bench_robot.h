@@ -49,7 +49,7 @@ class BenchRobot {
     robot.begin_tick(0);
   }
 
-  /// A point in the middle of the line.
+  /// Returns a point in the middle of the line.
   Vec2 line() const { return map.centre({4, 2}); }
   world::Body& body() { return world.body(number); }
   /// Ends the running tick, and begins the next.
@@ -74,7 +74,7 @@ class BenchRobot {
   SimTime now = 0;
 };
 
-/// A reflectance sensor "eye" on A0, at the axle's centre; `keys` go into its table.
+/// Returns a reflectance sensor "eye" on A0, at the axle's centre; `keys` go into its table.
 inline std::string reflectance_sensor(const std::string& keys) {
   return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
          "footprint = \"6 mm\"\n" +

@@ -39,7 +39,7 @@ std::string received(BenchRobot& bench, int ticks) {
   return text;
 }
 
-// The sketch sends bit by bit, with the given duration.
+// Sends as the sketch does, bit by bit, with the given duration.
 void send(BenchRobot& bench, const std::string& text, SimTime bit = kBit) {
   SimTime at = bench.now;
   for (const char c : text) {

@@ -32,7 +32,7 @@ std::string message_of(const std::string& text) {
   return "accepted";
 }
 
-// A bare robot with `from` replaced by `to`.
+// Returns a bare robot with `from` replaced by `to`.
 std::string changed(std::string from, const std::string& to) {
   std::string text = kBareRobot;
   text.replace(text.find(from), from.size(), to);

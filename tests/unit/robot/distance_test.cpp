@@ -20,7 +20,7 @@ pins = { trig = 2, echo = 3 }
 at = ["60 mm", "0 mm"]
 )";
 
-/// Way from the bench robot's axle to the map's edge ahead.
+/// Returns the distance from the bench robot's axle to the map's edge ahead.
 double to_edge(BenchRobot& bench) {
   return bench.map.width * bench.map.cell_m - bench.body().pose().position.x;
 }

@@ -34,7 +34,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     drive.mode = pullup ? PinMode::input_pullup : PinMode::input;
     set_drive(pin, drive, t);
   }
-  /// An interrupt is attached to `pin`, and the chip looks at it for that.
+  /// Acts as if an interrupt were attached to `pin`: the chip looks at its level.
   void want_edges(Pin pin, SimTime t) {
     edges_wanted = true;
     levels_[pin] = read_level(pin, t);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Pin kFan = 11;
 
-// A robot whose tyres slip at full power.
+// Returns a robot whose tyres slip at full power.
 std::string slippery() {
   std::string robot = kBareRobot;
   robot.insert(robot.find("wheel ="), "grip = 0.1\n");

@@ -54,14 +54,14 @@ class Sweep {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
   }
-  /// Where it reads this share of the way from the line's middle to white, m.
+  /// Returns the place where it reads this share of the way from the line's middle to white, m.
   double reads(double share) {
     const double dark = blackness(0.0), white = blackness(0.06);
     double beside = 0.0;
     while (blackness(beside) > dark + share * (white - dark)) beside += 1e-5;
     return beside;
   }
-  /// Standard deviation of 1000 readings, of white to black.
+  /// Returns the standard deviation of 1000 readings, as a share of white to black.
   double noise(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     double sum = 0.0, squares = 0.0;
@@ -173,7 +173,7 @@ pins = { in1 = 5, in2 = 6 }
                profile, seed) {
     bench_.body().lift(true);
   }
-  /// The left wheel's rate after 1 s at this duty, rad/s.
+  /// Returns the left wheel's rate after 1 s at this duty, rad/s.
   double rate_at(double duty) {
     bench_.board.pwm(5, duty, bench_.now);
     bench_.ticks(1000);
@@ -188,7 +188,8 @@ double lifted_rate(Profile profile, std::uint64_t seed, double duty) {
   return Lifted(profile, seed).rate_at(duty);
 }
 
-// The duty, in steps of 1 / 255, below which it does not turn: from standing still on, or while it gets less.
+// Returns the duty cycle, in steps of 1 / 255, below which it does not turn: from rest, or while the duty
+// cycle falls.
 double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
   Lifted mouse(profile, seed);
   if (from_rest) {
@@ -285,7 +286,7 @@ double alkaline_ohms(Profile profile, std::uint64_t) {
   return robot.battery.resistance.in(profile).value / robot.battery.cells;
 }
 
-// The last of 0, 0.05, 0.10 ... A, each for 20 s, under which a fresh cell of 2 Ah keeps 1 V.
+// Returns the last of 0, 0.05, 0.10 ... A, each for 20 s, under which a fresh cell of 2 Ah keeps 1 V.
 double alkaline_amps(Profile profile, std::uint64_t seed) {
   const double ohms = alkaline_ohms(profile, seed), capacity = 2000.0 * 3.6;
   const Description robot = parse_description(
@@ -299,7 +300,8 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
   return amps;
 }
 
-// The share of its voltage that is still on the converter's capacitor, which it has charged for 12 to 20 us.
+// Returns the share of its voltage that is still on the converter's capacitor. The capacitor was charged for
+// 12 to 20 us.
 double channel_before(double source_ohms, std::uint64_t seed) {
   return adc_charged(1.0, 0.0, source_ohms, seed % 2 ? 12e-6 : 20e-6);
 }

@@ -31,7 +31,7 @@ std::string steering(const std::string& more = "") {
   return "load_share = 0.5\nsteering = { servo = \"front\", base = \"100 mm\"" + more + " }";
 }
 
-// The pulse that the Servo library makes of an angle, over and over.
+// Sends the pulse that the Servo library makes of an angle, repeatedly.
 void hold(BenchRobot& bench, double degrees) {
   PinDrive drive;
   drive.mode = PinMode::output;

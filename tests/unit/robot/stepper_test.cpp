@@ -19,7 +19,7 @@ class Stepper : public testing::Test {
             "}\n" +
             keys) {}
 
-  /// The coils that are on, then `ms` of time. As a sketch writes them: one pin after the other.
+  /// Switches these coils on, then waits `ms`. As in a sketch, the pins change one after the other.
   void coils(unsigned in1_to_in4, int ms = 2) {
     for (int i = 0; i < 4; ++i)
       bench.board.output(static_cast<Pin>(8 + i), in1_to_in4 >> (3 - i) & 1,

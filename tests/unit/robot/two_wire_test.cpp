@@ -34,7 +34,7 @@ class TwoWireBench : public BenchRobot {
   std::uint8_t get(std::uint8_t address, int reg) {
     return static_cast<std::uint8_t>(get16(address, reg) >> 8);
   }
-  /// The register and that behind it, the first on top.
+  /// Reads a register and the next one; the first is the high byte.
   int get16(std::uint8_t address, int reg) {
     send(address, {reg});
     board.two_wire_address(static_cast<std::uint8_t>(address << 1 | 1), now);

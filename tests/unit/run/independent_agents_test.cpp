@@ -96,7 +96,7 @@ robot::Description seeing_robot() {
 
 class Turns : public testing::TestWithParam<unsigned> {};
 
-// Two of them in each of three streets, which they leave as they like.
+// Runs two robots in each of three streets, which they leave as they like.
 std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const grid::Map map = grid::read_map(grid::find_map("city"));

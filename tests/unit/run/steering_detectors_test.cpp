@@ -43,7 +43,7 @@ class Driven : public exec::Executor {
     motor(5, 7, 8, left);
     motor(6, 9, 10, right);
   }
-  /// How dark it is under the sensors, from the left.
+  /// Returns how dark it is under the sensors, from the left.
   std::array<bool, 5> look(SimTime t) {
     std::array<bool, 5> dark{};
     for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = board_.read_volts(kSensors[i], t) > 2.5;

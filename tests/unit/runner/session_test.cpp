@@ -88,7 +88,7 @@ class Session {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
   }
-  /// The next answer.
+  /// Returns the next answer.
   wire::Line answer() {
     events.clear();
     for (;;) {

@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// The function whose declaration or definition a line begins, or "". Members are indented.
+/// Returns the function whose declaration or definition a line begins, or "". Members are indented.
 std::string function_of(const std::string& line) {
   static const std::regex begin(R"([\w\[][^=(]*[\s*&](\w+)\()");
   std::smatch match;
@@ -19,7 +19,7 @@ std::string function_of(const std::string& line) {
   return found ? match[1].str() : "";
 }
 
-/// All free functions of a header; of a source, those in its anonymous namespaces.
+/// Returns all free functions of a header; of a source, those in its anonymous namespaces.
 Names functions_of(const std::string& content, bool header) {
   Names names;
   std::istringstream lines(content);

@@ -51,7 +51,7 @@ bool never_changes(const std::string& type) {
          type.ends_with("* const") || type.ends_with("Events::Id");
 }
 
-/// The members that a line declares, unless those never change.
+/// Returns the members that a line declares, unless those never change.
 std::vector<std::string> members_of(const std::string& line) {
   static const std::regex kDeclaration(
       R"(\s+(?:mutable |alignas\(\S+\) )?([\w:][\w:<>,*& ()]*[>*&\w])\s+([a-z]\w*_(?:[^()]|\(\))*);\s*)");
@@ -81,7 +81,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// A sentence for each member that a snapshot may forget.
+/// Returns a sentence for each member that a snapshot may forget.
 std::vector<std::string> forgotten(const MembersTable& table, const Files& files) {
   std::vector<std::string> sentences;
   for (const auto& [file, text] : files) {

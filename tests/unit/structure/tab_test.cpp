@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ROBOSIM_SOURCE_DIR;
 
-/// The words that stand in `text` between `begin` and the next parenthesis.
+/// Returns the words that stand in `text` between `begin` and the next parenthesis.
 std::vector<std::string> words_behind(const std::string& text, const std::string& begin) {
   const std::size_t at = text.find(begin) + begin.size();
   std::istringstream words(text.substr(at, text.find(')', at) - at));

@@ -22,7 +22,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Every number becomes #.
+/// Replaces every number by #.
 std::string without_figures(const std::string& text) {
   return std::regex_replace(text, std::regex(" *[0-9]+([.][0-9]+)?"), "#");
 }

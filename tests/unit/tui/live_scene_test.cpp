@@ -152,7 +152,7 @@ TEST(LiveScene, TheTrailStaysBehind) {
   EXPECT_GT(trail, 20);
 }
 
-/// Column of the robot's arrow.
+/// Returns the column of the robot's arrow.
 int column_of_robot(const Frame& frame) {
   for (int row = 0; row < frame.rows(); ++row) {
     for (int column = 0; column < frame.columns(); ++column) {

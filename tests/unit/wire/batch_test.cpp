@@ -41,7 +41,7 @@ std::vector<std::string> told(BatchReader& reader, const std::string& bytes) {
 
 constexpr double kThird = 0.1 + 0.2, kSmallest = std::numeric_limits<double>::denorm_min();
 
-/// All that a batch has a place for, at the ends of what can be, and what should come of it.
+/// Adds all events that a batch can hold, with extreme values. Returns the expected lines.
 std::vector<std::string> add_all(BatchWriter& writer) {
   const std::vector<Event> events = {
       Sample{kLatest_ns / 1000, kThird, -0.0, -1e308, kSmallest, 5, 6, 7, {kThird, 0, 1023}, "", {8, 9}, 255},

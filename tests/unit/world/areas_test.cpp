@@ -5,7 +5,7 @@
 namespace robosim::world {
 namespace {
 
-// A line of 20 mm from left to right at 500 mm.
+// Returns a map with a line of 20 mm from left to right at 500 mm.
 grid::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
   return grid::parse_map(
       std::string("+++\nsize = [\"2 m\", \"1 m\"]\nline = \"20 mm\"\npaint = \"") + paint + "\"\n" + tables +

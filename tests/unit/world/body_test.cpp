@@ -37,7 +37,7 @@ class BodyTest : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// The terminals get nominal_volts exactly, and no friction but the motor's own.
+// Returns parameters with which the terminals get nominal_volts exactly, and only the motor has friction.
 BodyParams at_nominal_volts() {
   BodyParams p = default_body_params();
   p.driver_drop_volts = p.driver_ohms = 0.0;

@@ -41,8 +41,8 @@ class JointsTest : public testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world_->step();
   }
-  /// Returns the share of its energy that a robot loses as it coasts at that speed over `gaps` gaps, 100 mm
-  /// apart.
+  /// Returns the share of its energy that a robot loses over `gaps` gaps, 100 mm apart. It coasts at that
+  /// speed.
   double lost(double gap, double speed, int gaps) {
     const double share = speed / top_speed();
     for (int i = 0; i < gaps; ++i) map_.course.joints.push_back(joint(12.0 + 0.1 * i, gap));

@@ -33,7 +33,7 @@ grid::Map random_map(Random& random, bool raster, double corner) {
   return map;
 }
 
-// A few long lines with bends, as real floors have.
+// Returns a map of a few long lines with bends, as real floors have.
 grid::Map bends(double corner) {
   grid::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
                           " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
@@ -144,7 +144,7 @@ TEST(Floor, AnEmptyFloorIsWhiteAndFarFromAnyLine) {
   EXPECT_GE(floor.distance_to_line({-1e9, 1e9}), floor.far_m());
 }
 
-// The exact area of a disc that is on the dark side of a straight edge at signed distance x (dark: positive).
+// Returns the exact area of a disc on the dark side of a straight edge at signed distance x (dark: positive).
 double disc_share(double x, double radius) {
   const double h = std::max(std::min(x / radius, 1.0), -1.0);
   return (std::asin(h) + h * std::sqrt(1.0 - h * h)) / 3.14159265358979323846 + 0.5;

@@ -35,7 +35,7 @@ grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
   return plank;
 }
 
-// No friction except in tests that add it.
+// Returns parameters of a body without friction; some tests add it.
 BodyParams free_body() {
   BodyParams p = default_body_params();
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
@@ -62,7 +62,7 @@ class GroundTest : public testing::Test {
     body.command(left, {share, 0.0});
     body.command(right, {share, 0.0});
   }
-  /// The least sine of 0 to 0.9 for which it `happens`.
+  /// Returns the least sine of 0 to 0.9 for which it `happens`.
   static double least_sine(const std::function<bool(double)>& happens) {
     double low = 0.0, high = 0.9;
     while (high - low > 1e-4) {

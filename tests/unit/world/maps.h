@@ -8,7 +8,7 @@
 
 namespace robosim::world {
 
-/// One character a cell: ' ' floor, '.' line, '#' wall, 'o' gap, 'x' obstacle.
+/// Returns a map, with one character for a cell: ' ' floor, '.' line, '#' wall, 'o' gap, 'x' obstacle.
 inline grid::Map map_of(const std::vector<std::string>& rows) {
   grid::Map map;
   map.file = "test.map";
@@ -26,7 +26,7 @@ inline grid::Map map_of(const std::vector<std::string>& rows) {
   return map;
 }
 
-/// Floor without anything on it.
+/// Returns a map of floor without anything on it.
 inline grid::Map empty_map(int width, int height) {
   return map_of(std::vector<std::string>(static_cast<std::size_t>(height),
                                          std::string(static_cast<std::size_t>(width), ' ')));

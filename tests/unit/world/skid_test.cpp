@@ -26,7 +26,7 @@ class SkidTest : public testing::Test {
     body.command(left, {left_drive, 0.0});
     body.command(right, {right_drive, 0.0});
   }
-  /// Four wheels with strong motors.
+  /// Returns parameters of four wheels with strong motors.
   static BodyParams rover() {
     BodyParams p = default_body_params();
     p.wheelbase_m = 0.11;

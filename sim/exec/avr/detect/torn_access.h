@@ -1,6 +1,6 @@
 // Detects torn reads, torn writes and lost updates (detect/race_analysis.h) in the sketch as it is flashed:
 // the run continues. In addition to RaceAnalysis's limits, it misses numbers that the compiler accesses by a
-// pointer register in this image, even if it would not in another one.
+// pointer register. This may be so in the flashed image only.
 #pragma once
 
 #include <string>

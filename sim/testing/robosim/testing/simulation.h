@@ -71,7 +71,7 @@ class Simulation {
   /// Executes a line of the scenario language, without its time: "fault S2 stuck 1023".
   void act(const std::string& line, const char* file = __builtin_FILE(), int at = __builtin_LINE());
 
-  // The present state.
+  // Returns the present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
   /// Returns whether an LED or a button is on.

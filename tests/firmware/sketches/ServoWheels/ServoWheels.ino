@@ -2,7 +2,7 @@
 const int LEFT_WHEEL = 9, RIGHT_WHEEL = 10;
 const int LEFT_SENSOR = A0, RIGHT_SENSOR = A2;
 
-// One pulse to each servo, 20 ms in all. Seen from its own side each turns counter-clockwise for longer pulses.
+// Sends one pulse to each servo in 20 ms. Seen from its side, a longer pulse turns it counter-clockwise.
 void pulse(int left, int right) {
   digitalWrite(LEFT_WHEEL, HIGH);
   delayMicroseconds(1500 + left);

@@ -42,7 +42,7 @@ void brake() {
   digitalWrite(RIGHT_2, HIGH);
 }
 
-// Forward (1) or back (-1).
+// Drives forward (1) or back (-1).
 void leg(int8_t way) {
   noInterrupts();
   edges = 0;

@@ -166,7 +166,7 @@ void blink(uint32_t now) {
   digitalWrite(LED_PIN, driving || lit ? HIGH : LOW);
 }
 
-// Every STEP_MS: looks round, and steers.
+// Looks round and steers, once in each STEP_MS.
 void step(uint32_t now) {
   const float dt = (now - stepped_at) / 1000.0f;
   stepped_at = now;
