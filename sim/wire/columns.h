@@ -34,7 +34,7 @@ struct ColumnSpec {
 template <class V>
 void fields(V& v, Same<V, ColumnSpec>& c) {
   v("name", c.name, "with its unit");
-  v("scale", c.scale, "what is kept is the value times this, a whole number");
+  v("scale", c.scale, "the stored whole number is the value times this");
   v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
 }
 
@@ -49,9 +49,9 @@ struct Rows {
 template <class V>
 void fields(V& v, Same<V, Rows>& r) {
   v("stream", r.stream, "`\"samples\"`, `\"pin D5\"`, `\"volts A0\"`");
-  v("count", r.count, "of rows", {.least = 0});
+  v("count", r.count, "number of rows", {.least = 0});
   v("columns", r.columns, "with the first rows of a stream", {.presence = when(!r.columns.empty())});
-  v("bytes", r.bytes, "of each column in base64; its numbers go on from the last ones");
+  v("bytes", r.bytes, "bytes of each column in base64; its numbers go on from the last ones");
 }
 
 /// The changes since the last of these.

@@ -84,7 +84,7 @@ struct Act {
 
 template <class V>
 void fields(V& v, Same<V, Act>& a) {
-  v("lines", a.lines, "of the scenario language, without their times: `press start 100ms`",
+  v("lines", a.lines, "lines of the scenario language, without their times: `press start 100ms`",
     {.not_empty = true});
   agent_field(v, a.agent);
 }
@@ -136,8 +136,8 @@ template <class V>
 void fields(V& v, Same<V, Worst>& w) {
   v("cross_track", w.cross_track_mm, "the largest cross-track error", {.unit = "mm"});
   v("t_ns", w.t_ns, "when that was", {.unit = "ns"});
-  v("x", w.x_mm, "of the axle's centre then", {.unit = "mm"});
-  v("y", w.y_mm, "of the axle's centre then", {.unit = "mm"});
+  v("x", w.x_mm, "position of the axle's centre then", {.unit = "mm"});
+  v("y", w.y_mm, "position of the axle's centre then", {.unit = "mm"});
 }
 
 /// The state of a paused run, at the beginning of a tick.
@@ -168,10 +168,10 @@ void fields(V& v, Same<V, Paused>& p) {
   v("driven", p.driven, "whether a motor is commanded");
   v("serial_bytes", p.serial_bytes, "how many bytes the firmware has sent");
   v("metrics", p.metrics, "figures so far");
-  v("resources", p.resources, "what the firmware took of its chip so far; absent on the host");
-  v("verdict", p.verdict, "of a robot that has its own while others go on; else absent",
+  v("resources", p.resources, "resources of the chip that the firmware used so far; absent on the host");
+  v("verdict", p.verdict, "verdict of a robot that has one while others go on; else absent",
     {.presence = when(!p.verdict.empty())});
-  v("why", p.why, "of that verdict, one sentence", {.presence = when(!p.verdict.empty())});
+  v("why", p.why, "reason of that verdict, one sentence", {.presence = when(!p.verdict.empty())});
   v("others", p.others, "the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!p.others.empty())});
 }
@@ -185,7 +185,7 @@ struct Accepted {
 
 template <class V>
 void fields(V& v, Same<V, Accepted>& a) {
-  v("lines", a.lines, "what was accepted, with its times");
+  v("lines", a.lines, "the accepted lines, with their times");
   agent_field(v, a.agent);
 }
 

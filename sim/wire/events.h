@@ -127,8 +127,8 @@ struct PowerLost {
 
 template <class V>
 void fields(V& v, Same<V, PowerLost::HalfWritten>& b) {
-  v("address", b.address, "of the byte");
-  v("value", b.value, "what it holds now");
+  v("address", b.address, "address of the byte");
+  v("value", b.value, "its present value");
 }
 
 template <class V>

@@ -85,7 +85,7 @@ inline constexpr std::size_t kMostAgents = 256;
 /// The key of everything that is about one of several robots.
 template <class V>
 void agent_field(V& v, Same<V, int>& agent) {
-  v("agent", agent, "number of the robot that it is about, from 0; absent where 0",
+  v("agent", agent, "number of the robot that it is about, from 0; absent if 0",
     {.presence = when(agent != 0), .least = 0, .most = kMostAgents - 1});
 }
 

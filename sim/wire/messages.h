@@ -26,15 +26,15 @@ template <class V>
 void fields(V& v, Same<V, Hello>& h) {
   v("hello", h.program, "name of the runner's program");
   v("protocol", h.protocol, "version of the protocol that it speaks");
-  v("version", h.version, "of Robosim");
+  v("version", h.version, "version of Robosim");
   v("target", h.target, "whose firmware it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
   v("sandbox", h.sandbox,
     "whether runs are confined ([security](../explanation/security.md)): `\"on\"`, `\"off\"` by choice, or "
     "`\"missing\"` "
     "in the "
-    "kernel; absent where firmware is data",
+    "kernel; absent if firmware is data",
     {.presence = when(!h.sandbox.empty())});
-  v("no_sandbox_why", h.no_sandbox_why, "a clause; absent where it is on",
+  v("no_sandbox_why", h.no_sandbox_why, "the reason, a clause; absent if it is on",
     {.presence = when(!h.no_sandbox_why.empty())});
 }
 

@@ -74,14 +74,14 @@ void fields(V& v, Same<V, RobotInfo::Board>& b) {
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo::Budget>& b) {
-  v("flash_bytes", b.flash_bytes, "at most; 0 means all there is");
-  v("ram_bytes", b.ram_bytes, "at most; 0 means all there is");
+  v("flash_bytes", b.flash_bytes, "limit; 0 means all there is");
+  v("ram_bytes", b.ram_bytes, "limit; 0 means all there is");
 }
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo::Steering>& s) {
   v("servo", s.servo, "the name of its reading");
-  v("base", s.base_mm, "from the driven axle to the steered wheels", {.unit = "mm"});
+  v("base", s.base_mm, "distance from the driven axle to the steered wheels", {.unit = "mm"});
   v("wheels", s.wheels, "1, or 2 that are `track` apart");
   v("middle", s.middle_deg, "the reading with which they point ahead", {.unit = "deg"});
   v("ratio", s.ratio,
@@ -91,7 +91,7 @@ void fields(V& v, Same<V, RobotInfo::Steering>& s) {
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo::Sensor>& s) {
-  v("name", s.name, "as in `readings` of `started`");
+  v("name", s.name, "name, as in `readings` of `started`");
   v("x", s.x_mm, "forward of the axle's centre", {.unit = "mm"});
   v("y", s.y_mm, "left of it", {.unit = "mm"});
   v("footprint", s.footprint_mm, "side of the square of floor that it sees",
@@ -100,13 +100,13 @@ void fields(V& v, Same<V, RobotInfo::Sensor>& s) {
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo::Gauge>& g) {
-  v("name", g.name, "as in `readings` of `started`");
+  v("name", g.name, "name, as in `readings` of `started`");
   v("unit", g.unit, "`\"deg\"`, `\"cm\"`, `\"V\"` …; empty of a bare number");
 }
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo::Part>& p) {
-  v("name", p.name, "as the robot's file has it");
+  v("name", p.name, "name in the robot's file");
   v("type", p.type, "`\"motor\"`");
   v("pins", PinsByUse{p.pins},
     "for each use of a pin, its number on the board, or the name of an output of a shift register: "
@@ -115,11 +115,11 @@ void fields(V& v, Same<V, RobotInfo::Part>& p) {
 
 template <class V>
 void fields(V& v, Same<V, RobotInfo>& r) {
-  v("name", r.name, "of the robot");
+  v("name", r.name, "name of the robot");
   v("file", r.file, "path of its file");
-  v("sha256", r.sha256, "of the file");
+  v("sha256", r.sha256, "SHA-256 of the file");
   v("board", r.board, "the board that it carries");
-  v("budget", r.budget, "what firmware may take of the chip", {.presence = kOptional});
+  v("budget", r.budget, "limits of the chip's resources that firmware may use", {.presence = kOptional});
   v("outline", r.outline_mm, "corners, each `[forward, left]` of the axle's centre", {.unit = "mm"});
   v("track", r.track_mm, "between the wheels' contact points, which are left and right of the axle's centre",
     {.unit = "mm", .presence = kOptional});

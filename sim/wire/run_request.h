@@ -46,7 +46,7 @@ struct AgentRequest {
 
 template <class V>
 void fields(V& v, Same<V, AgentRequest>& a) {
-  v("name", a.name, "of the robot, for messages", {.not_empty = true});
+  v("name", a.name, "name of the robot, for messages", {.not_empty = true});
   v("target", a.target,
     "whose firmware it has: `\"host\"`, `\"avr\"` or `\"stm32\"`, one that the runner has",
     {.otherwise = "the runner's", .presence = when(!a.target.empty())});
@@ -123,7 +123,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
   v("start", r.start, "`\"X,Y,DIR\"`", {.otherwise = "the map's", .presence = when(!r.start.empty())});
   v("goal", r.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!r.goal.empty())});
   v("for_ns", r.for_ns, "simulated time", {.unit = "ns", .presence = kOptional, .least = 0});
-  v("seed", r.seed, "of the noise", {.presence = kOptional});
+  v("seed", r.seed, "seed of the noise", {.presence = kOptional});
   v("profile", r.profile, "how real the robot's parts are", {.presence = kOptional, .one_of = kProfileNames});
   v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
     {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
@@ -177,7 +177,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
                         Name{"io", &r.io}}},
     "which further events are sent; `\"io\"` are `level`, `volts` and `byte` events",
     {.otherwise = "none", .presence = when(r.pins || r.serial || r.notes || r.io)});
-  v("name", r.name, "of the robot, for messages, where there are several",
+  v("name", r.name, "name of the robot, for messages, if there are several",
     {.otherwise = "none", .presence = when(!r.name.empty())});
   v("target", r.target, "whose firmware it has, one that the runner has",
     {.otherwise = "the runner's", .presence = when(!r.target.empty())});

@@ -22,9 +22,9 @@ struct SourceLine {
 
 template <class V>
 void fields(V& v, Same<V, SourceLine>& s) {
-  v("function", s.function, "empty where not known", {.presence = kOptional});
-  v("file", s.file, "as the user named it; empty where not known", {.presence = kOptional});
-  v("line", s.line, "counted from 1; 0 where not known", {.presence = kOptional});
+  v("function", s.function, "empty if unknown", {.presence = kOptional});
+  v("file", s.file, "as the user named it; empty if unknown", {.presence = kOptional});
+  v("line", s.line, "counted from 1; 0 if unknown", {.presence = kOptional});
 }
 
 /// The reason why firmware cannot continue.
@@ -146,9 +146,9 @@ struct ScorePart {
 
 template <class V>
 void fields(V& v, Same<V, ScorePart>& p) {
-  v("part", p.part, "what counts: `\"time\"`, `\"gap\"` …");
+  v("part", p.part, "name of the part: `\"time\"`, `\"gap\"` …");
   v("count", p.count, "how often");
-  v("value", p.value, "what it counts, in all; below 0: taken off");
+  v("value", p.value, "its total in the score; below 0: deducted");
 }
 
 /// Measurements of a run.
@@ -197,7 +197,7 @@ void fields(V& v, Same<V, Metrics>& m) {
     {.presence = when(!m.score_unit.empty())});
   v("run_s", m.run_s, "what the competition's clock shows at the end of the run",
     {.unit = "s", .presence = when(!std::isnan(m.run_s))});
-  v("score_parts", m.score_parts, "what the score is made of; absent if there is nothing yet",
+  v("score_parts", m.score_parts, "parts of the score; absent if there are none yet",
     {.presence = when(!m.score_parts.empty())});
 }
 
@@ -224,7 +224,7 @@ void fields(V& v, Same<V, Usage::Loose>& l) {
 
 template <class V>
 void fields(V& v, Same<V, Usage::Steady>& s) {
-  v("part", s.part, "its name; of an array, the element's");
+  v("part", s.part, "name of the part; for an array, of the element");
   v("reads", s.reads, "`\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`");
 }
 
@@ -244,8 +244,8 @@ struct Pose {
 
 template <class V>
 void fields(V& v, Same<V, Pose>& p) {
-  v("x", p.x_mm, "of the axle's centre, east of the map's left edge", {.unit = "mm"});
-  v("y", p.y_mm, "of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
+  v("x", p.x_mm, "position of the axle's centre, east of the map's left edge", {.unit = "mm"});
+  v("y", p.y_mm, "position of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
@@ -317,7 +317,7 @@ void fields(V& v, Same<V, RunResult>& r) {
     {.presence = when(!r.next_by.empty())});
   v("status", r.status, "exit status that belongs to the verdict");
   v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
-  v("metrics", r.metrics, "figures of the run");
+  v("metrics", r.metrics, "measurements of the run");
   v("crash", r.crash, "absent unless the firmware crashed");
   v("divisions_by_zero", r.divisions_by_zero,
     "on the host: lines that divided an integer by zero, the first 8; the run went on with what a chip gives",
@@ -328,8 +328,8 @@ void fields(V& v, Same<V, RunResult>& r) {
     {.presence = when(!r.lacks.empty())});
   v("detected", r.detected, "what [detectors](../howto/sanitizers.md#detectors) have seen; absent if nothing",
     {.presence = when(!r.detected.empty())});
-  v("resources", r.resources, "what the firmware took of its chip; absent on the host");
-  v("usage", r.usage, "what of the wiring the firmware used, and did not", {.presence = kOptional});
+  v("resources", r.resources, "resources of the chip that the firmware used; absent on the host");
+  v("usage", r.usage, "parts of the wiring that the firmware used, and did not use", {.presence = kOptional});
   v("because", r.because,
     "back from the verdict what caused it ([why](../howto/why.md)); absent unless asked for",
     {.presence = when(!r.because.empty())});
@@ -343,7 +343,7 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("trace_hash", r.trace_hash, "fingerprint of the run: equal inputs give equal hashes");
   v("goal", r.goal, "as on the command line");
   v("for_s", r.for_s, "the most simulated time", {.unit = "s"});
-  v("seed", r.seed, "of the noise");
+  v("seed", r.seed, "seed of the noise");
   v("profile", r.profile, "with its version: `\"ideal\"`, `\"typical@1\"` …");
   v("map_sha256", r.map_sha256, "of the map's file");
   v("robot_sha256", r.robot_sha256, "of the robot's file");
@@ -351,7 +351,8 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("others", r.others,
     "results of the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!r.others.empty())});
-  v("ways", r.ways, "of a run that branches, the results of its second and all further ways; else absent",
+  v("ways", r.ways,
+    "for a run with several ways, the results of the second and all further ways; else absent",
     {.presence = when(!r.ways.empty())});
 }
 

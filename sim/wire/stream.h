@@ -55,8 +55,8 @@ void fields(V& v, Same<V, Started>& s) {
   v("goal", s.goal, "as on the command line");
   v("stations", s.stations, "stations of the map");
   v("readings", s.readings, "names of the readings of a sample, in their order");
-  v("width", s.width, "of the map, in cells", {.presence = kOptional});
-  v("height", s.height, "of the map, in cells", {.presence = kOptional});
+  v("width", s.width, "size of the map, in cells", {.presence = kOptional});
+  v("height", s.height, "size of the map, in cells", {.presence = kOptional});
   v("cell", s.cell_mm, "side of a cell", {.unit = "mm", .presence = kOptional});
   agent_field(v, s.agent);
 }
@@ -81,10 +81,10 @@ struct Sample {
 template <class V>
 void fields(V& v, Same<V, Sample>& s) {
   v("t_us", s.t_us, "when", {.unit = "µs", .least = 0, .most = kLatest_ns / 1000});
-  v("x", s.x_mm, "of the axle's centre, east of the map's left edge", {.unit = "mm"});
-  v("y", s.y_mm, "of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
+  v("x", s.x_mm, "position of the axle's centre, east of the map's left edge", {.unit = "mm"});
+  v("y", s.y_mm, "position of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
   v("yaw", s.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
-  v("speed_mm_s", s.speed_mm_s, "of the axle's centre, forward", {.unit = "mm/s"});
+  v("speed_mm_s", s.speed_mm_s, "speed of the axle's centre, forward", {.unit = "mm/s"});
   v("cross_track", s.cross_track_mm, "distance from the midpoint of the line sensors to the nearest line",
     {.unit = "mm"});
   v("left", s.left, "command of the left motor, -1..1");
@@ -95,7 +95,7 @@ void fields(V& v, Same<V, Sample>& s) {
     "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1, "
     "of gauges in their units");
   v("at", s.at_station,
-    "of a run driven step by step: the station whose centre the body covers; absent if none",
+    "in a run driven step by step, the station whose centre the body covers; absent if none",
     {.presence = when(!s.at_station.empty())});
   agent_field(v, s.agent);
 }
@@ -155,10 +155,10 @@ void fields(V& v, Same<V, PinChange>& p) {
   v("t_ns", p.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("pin", p.pin, "`\"D5\"`");
   v("mode", p.mode, "mode that the firmware has set", {.one_of = {"input", "input_pullup", "output"}});
-  v("level", p.level, "of an output: whether it is high");
+  v("level", p.level, "for an output, whether it is high");
   v("pwm", p.pwm, "whether it is driven by PWM");
   v("duty", p.duty, "share of the time that it is high, 0..1");
-  v("tone_hz", p.tone_hz, "of `tone()`; 0 = none", {.unit = "Hz", .presence = kOptional});
+  v("tone_hz", p.tone_hz, "frequency of `tone()`; 0 = none", {.unit = "Hz", .presence = kOptional});
   source_field(v, p.source);
   agent_field(v, p.agent);
 }
@@ -238,7 +238,7 @@ struct DebuggerAwaited {
 
 template <class V>
 void fields(V& v, Same<V, DebuggerAwaited>& d) {
-  v("port", d.port, "of 127.0.0.1, where the runner listens now");
+  v("port", d.port, "port of 127.0.0.1 on which the runner listens now");
 }
 
 /// Many events at once (batch.h), if the request allows it: raw bytes, after the line with their number.
