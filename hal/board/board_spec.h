@@ -34,8 +34,8 @@ struct BoardSpec {
   uint32_t clock_hz;
   uint16_t adc_steps;     ///< codes are 0 .. adc_steps-1; analogRead's range
   uint32_t flash_bytes;   ///< for the sketch, without the boot loader
-  uint32_t ram_bytes;     ///< the chip's
-  uint16_t eeprom_bytes;  ///< the chip's, or the one that the core emulates in flash
+  uint32_t ram_bytes;     ///< RAM of the chip
+  uint16_t eeprom_bytes;  ///< EEPROM of the chip, or the one that the core emulates in flash
 
   double regulator_drop_volts;  ///< between battery and supply, with the diode before the regulator
   double brown_out_volts;       ///< a lower supply holds the chip in reset

@@ -160,7 +160,7 @@ struct UsbSpec {
 };
 
 struct ChipSpec {
-  const char* name;           ///< the maker's: "ATmega328P"
+  const char* name;           ///< the maker's name: "ATmega328P"
   const char* target;         ///< the target that executes its firmware, as users name it: "avr"
   const char* compiler_name;  ///< avr-gcc's -mmcu; of an STM32 the name of the linker script
   const char* architecture;   ///< avr-gcc's folder of libraries for it: "avr5"; null = none

@@ -119,7 +119,7 @@ struct FirmwareState {
   SimTime next_input = kNever;  ///< when the next input arrives
   uint8_t* heap = nullptr;      ///< the arena of malloc
   size_t heap_bytes = 0;
-  uint8_t* stack = nullptr;  ///< the fiber's
+  uint8_t* stack = nullptr;  ///< the stack of the fiber
   size_t stack_bytes = 0;
   const Lateness* lateness = nullptr;  ///< the next; the last one is at kNever
   SimTime late_from = kNever;          ///< its beginning

@@ -141,7 +141,7 @@ struct Core {
   AdcTriggers triggers;
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
-  std::int64_t clock_hz;      ///< the processor's: the oscillator's, divided by CLKPR
+  std::int64_t clock_hz;      ///< of the processor: the oscillator's frequency, divided by CLKPR
   double supply_volts = 5.0;  ///< also of AVCC. The chip's user may set them.
   SnapshotRegistry snapshots;
   MarkVisitor* visitor = nullptr;  ///< for marks; null = they stop the chip

@@ -8,7 +8,7 @@ namespace robosim {
 
 struct RobotName {
   std::string robot;  ///< the name or path alone
-  std::string board;  ///< empty = the robot's own
+  std::string board;  ///< empty = the board of the robot itself
 };
 
 /// Parses a name. An @ introduces a board only if no '/' or '.' follows it, so that folder names may contain

@@ -13,7 +13,7 @@ namespace robosim::build {
 struct Unit {
   enum class Kind { sketch, library, core };
   Kind kind = Kind::sketch;
-  std::filesystem::path folder;  ///< the sketch's, the library's, or the core's
+  std::filesystem::path folder;  ///< folder of the sketch, the library, or the core
   std::string source;            ///< relative to `folder` in a sketch, else absolute
   std::filesystem::path input;   ///< the joined .ino files; `source` is then empty
   bool archived = false;         ///< put into an archive of its library's objects

@@ -83,7 +83,7 @@ struct Toolchain {
   bool untrusted = false;
   ProjectRules rules = {};
   bool narrow_ints = false;                ///< the sketch's have 16 bits (narrow_ints.h)
-  std::function<void()> core_begins = {};  ///< the Request's
+  std::function<void()> core_begins = {};  ///< from the Request
 };
 
 /// Returns the core for a target and board. With Robosim's hal it is a folder of links in the cache. They

@@ -101,7 +101,7 @@ struct FlashArguments {
   std::string environment;
   std::string robot;
   std::string port;
-  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the board's
+  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: as the board has it
   std::vector<std::string> libraries;
   bool dry_run = false;
 };

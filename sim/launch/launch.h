@@ -31,7 +31,7 @@ struct Launch {
   std::vector<std::string> libraries;  ///< folders
   bool sanitize = false;               ///< the sketch checks itself
   bool count_lines = false;            ///< counts which of the sketch's lines run
-  bool untrusted = false;              ///< a stranger's: refused if this machine cannot confine it
+  bool untrusted = false;              ///< from a stranger: refused if this machine cannot confine it
   wire::RunRequest request;            ///< goal, seed …; Launcher adds image, map and robot
 };
 

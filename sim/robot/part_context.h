@@ -46,7 +46,7 @@ struct View {
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
   double battery = 1.0;  ///< its voltage, as a share of what this robot's has
-  Supply supply;         ///< the board's
+  Supply supply;         ///< the supply of the board
   const world::World* world = nullptr;
   std::size_t body_number = 0;  ///< of `body` in it
   world::RadioChannel* radio = nullptr;

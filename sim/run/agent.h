@@ -206,7 +206,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   const Setup& setup_;
   const int number_;
   exec::Executor& executor_;
-  const std::optional<exec::Crash>& crash_;  ///< the executor's
+  const std::optional<exec::Crash>& crash_;  ///< found by the executor
   const grid::Start start_;
   const grid::Network network_;
   const judge::Goal goal_;

@@ -36,7 +36,7 @@ class WorldChanges {
 
   struct Obstacle {
     grid::CellAt cell;              ///< its initial place
-    int number;                     ///< the world's
+    int number;                     ///< its number in the world
     Vec2 from = {}, to = {};        ///< of a moving one
     SimTime began = 0, period = 0;  ///< period 0: it does not move
   };

@@ -68,7 +68,7 @@ struct Report {
   std::vector<Room> rooms;
   std::string chip_target;  ///< the target whose chip the robot's board has
   bool sees_lines = true;   ///< the robot has sensors for them
-  std::string board = {};   ///< the robot's, by name; empty = not known
+  std::string board = {};   ///< board of the robot, by name; empty = not known
   std::uint64_t chip_ram_bytes = 0;
 };
 

@@ -31,7 +31,7 @@ void fields(V& v, Same<V, SourceLine>& s) {
 struct Crash {
   std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
   SourceLine where;
-  std::vector<SourceLine> calls;  ///< innermost first, including the core's; chip targets only
+  std::vector<SourceLine> calls;  ///< innermost call first, including calls in the core; chip targets only
   std::string registers;          ///< of a chip's processor, for display; else empty
   std::string check;              ///< the check that found it: "mul_overflow", "sandbox"; else empty
 };

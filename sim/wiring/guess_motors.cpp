@@ -233,7 +233,7 @@ void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft)
 void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   if (std::any_of(draft.parts.begin(), draft.parts.end(),
                   [](const PartDraft& p) { return p.type == "motor"; }))
-    return;  // a shield's
+    return;  // a shield has the motors
   Pins pins;
   bool has_standby = false;
   for (const PinEvidence* clue : evidence.left()) {

@@ -251,7 +251,7 @@ class Body {
   struct Winding {
     double seconds = 0.0;  // L / R
     double tau = 0.0;      // the same as a multiple of the command's period
-    double against = 0.0;  // the command's
+    double against = 0.0;  // as in the command
     int phases = 0;
     struct {
       int what;

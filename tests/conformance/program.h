@@ -15,7 +15,7 @@ namespace robosim::conformance {
 
 struct Program {
   std::filesystem::path file;
-  std::string name;                                   ///< the file's, without its ending
+  std::string name;                                   ///< name of the file, without its ending
   std::string sentence;                               ///< what must hold
   std::string source;                                 ///< "DS40002061B, 15.7.2"
   std::vector<std::optional<std::uint8_t>> expected;  ///< none: any

@@ -13,7 +13,7 @@ namespace robosim::museum {
 ///   Tests: PidFollower              suites whose names have one of these words in them are run first
 ///   Survives: it changes no run     only if no test finds it: why
 struct Bug {
-  std::string name;  ///< the file's, without ".patch"
+  std::string name;  ///< name of the file, without ".patch"
   std::filesystem::path patch;
   std::string story;  ///< the sentences, on one line
   std::string kind;

@@ -29,7 +29,7 @@ struct ComparedSide {
 
 /// The behaviour of one robot in one target run.
 struct ComparedRun {
-  std::string name;  ///< the robot's, if there are several
+  std::string name;  ///< name of the robot, if there are several
   RunInputs inputs;
   wire::RunResult result;
 };
@@ -73,7 +73,7 @@ struct Compared {
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference
   std::array<ComparedSide, 2> sides;  ///< of the difference
-  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks: the difference is not the targets'
+  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks: the targets are not the cause
 
   /// Features of the chip that this target lacks, and that the sketch used before the difference. Then the
   /// difference is not the sketch's.

@@ -68,8 +68,8 @@ class CampaignRunner {
   client::Pool pool_;
   HuntSpace space_;
   wire::RobotInfo robot_;
-  std::string board_;                       ///< replaces the robot's own
-  std::string script_;                      ///< the user's
+  std::string board_;                       ///< replaces the board of the robot file
+  std::string script_;                      ///< the script of the user
   std::vector<launch::Prepared> prepared_;  ///< for each build
   std::vector<std::string> map_files_;      ///< for each map
   std::vector<std::string> left_maps_;

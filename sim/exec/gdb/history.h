@@ -39,7 +39,7 @@ struct Search {
   // bytes. If it steps, for the place of the previous instruction.
   SimTime present = 0;
   bool steps = false;
-  std::size_t depth = 0;  ///< of handlers; deeper instructions are not the sketch's
+  std::size_t depth = 0;  ///< depth of handlers; instructions in deeper ones are not the sketch's
   std::optional<Place> found;
   std::optional<Place> before;  ///< the place found before that
 

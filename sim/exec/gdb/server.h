@@ -30,7 +30,7 @@ enum class Edge { none, begin, end };
 /// The reason why a processor is halted.
 struct Stop {
   Signal signal = Signal::trap;
-  std::optional<Access> access;  ///< a watchpoint's
+  std::optional<Access> access;  ///< the access that a watchpoint noticed
   std::uint32_t address = 0;     ///< of that watchpoint, as gdb gave it
   Edge edge = Edge::none;        ///< it cannot go further
 };

@@ -157,7 +157,7 @@ class Cpu {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
          breaks = false, head = false;
-    Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< the instruction's
+    Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< of the instruction
     /// Returns whether there is any action before the instruction runs.
     bool is_told() const { return starts || loop || call || sets || watched || counted; }
     bool is_set() const { return is_told() || breaks || head; }

@@ -352,7 +352,7 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
 TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) {
   lose_the_line();
   e.was_pulled_up.assign(20, false);
-  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // 4 is the button's
+  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // 4 is the pin of the button
   EXPECT_EQ(next(Verdict::lost), "motor pin 5 was written HIGH, but never set to OUTPUT: pinMode(5, OUTPUT)");
   e.was_output[5] = true;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSeen = 0.002;
 
-// Returns a map with a line of 20 mm at 500 mm, from left to right, in pieces of 600 mm.
+// Returns a map with a line of 20 mm at 500 mm. It runs from left to right, in pieces of 600 mm.
 grid::Map map_of_pieces(const std::string& pieces, const std::string& top = "") {
   return grid::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\nline = \"20 mm\"\n" + top +
                              "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [" + pieces +

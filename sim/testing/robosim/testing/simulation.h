@@ -81,7 +81,7 @@ class Simulation {
   std::string station() const { return moment().station; }
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
   std::string serial() const;                         ///< all that the sketch has sent
-  std::vector<std::uint8_t> eeprom() const;           ///< the board's, all of it
+  std::vector<std::uint8_t> eeprom() const;           ///< returns the whole EEPROM of the board
   /// Returns the network of lines that the robot can reach from its start: what an explorer must find.
   Graph true_graph() const;
   bool over() const;
