@@ -3,7 +3,7 @@
 // extended to give the chip's result.
 //
 //   chip       quotient                             remainder      source
-//   AVR        all bits 1; 1 for a dividend below 0 the dividend   libgcc, config/avr/lib1funcs.S: shift and
+//   AVR        all bits 1; 1 if dividend < 0        the dividend   libgcc, config/avr/lib1funcs.S: shift and
 //                                                                  subtract, then the sign
 //   Cortex-M3  0                                    the dividend   DDI 0403E, A7.7.127 (SDIV), CCR.DIV_0_TRP;
 //                                                                  its library for 64 bits gives other values
