@@ -15,7 +15,6 @@
 #include <ctime>
 #include <deque>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -23,6 +22,7 @@
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
+#include "sim/base/process_state.h"
 #include "sim/base/program_sandbox.h"
 #include "sim/base/wall_clock.h"
 
@@ -106,14 +106,6 @@ double processor_s_of(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Returns the state of a process as in /proc: R is one that works, or would if it got a processor.
-char state_of(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  const std::string facts((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_end = facts.rfind(") ");
-  return name_end == facts.npos ? '\0' : facts[name_end + 2];
-}
-
 /// Detects a program that has hardly worked for a while: it waits without end, for example for a writer of
 /// a pipe that it includes.
 struct Idleness {
@@ -121,10 +113,10 @@ struct Idleness {
     static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();
     constexpr double kBusyMachine = 20.0;  // a program that works gets at least this part of a processor
     double now_s = processor_s_of(process);
-    bool is_runnable = state_of(process) == 'R';
+    bool is_runnable = process_state(process) == 'R';
     for (const pid_t one : descendants(process)) {
       now_s += processor_s_of(one);
-      is_runnable |= state_of(one) == 'R';
+      is_runnable |= process_state(one) == 'R';
     }
     const double passed_s = 1e-6 * static_cast<double>(wall_us() - since_us);
     const bool works = is_runnable || now_s < worked_s || now_s - worked_s > passed_s / kBusyMachine;

@@ -1,13 +1,9 @@
 #include "sim/runner/run_watch.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <ctime>
-#include <fstream>
-#include <iterator>
-#include <string>
 
+#include "sim/base/process_state.h"
 #include "sim/base/wall_clock.h"
 
 namespace robosim::runner {
@@ -23,10 +19,8 @@ std::int64_t processor_ns(pid_t process) {
 /// Returns whether a silent run is excused: a debugger has halted it, or it would work if it got a processor.
 /// Other reasons for a stop, such as the sketch itself, do not count.
 bool is_excused(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  const std::string facts((std::istreambuf_iterator<char>(file)), {});
-  const std::size_t name_end = facts.rfind(") ");
-  return name_end != facts.npos && (facts[name_end + 2] == 't' || facts[name_end + 2] == 'R');
+  const char state = process_state(process);
+  return state == 't' || state == 'R';
 }
 
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;

@@ -133,6 +133,7 @@ int bind(httplib::Server& server, const Settings& settings) {
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   if (settings.port == 0 && server.bind_to_port(settings.address.c_str(), kUsualPort)) return kUsualPort;
+  server.stop();  // cpp-httplib 0.18 refuses a second attempt otherwise
   const int port = settings.port == 0 ? server.bind_to_any_port(settings.address.c_str())
                    : server.bind_to_port(settings.address.c_str(), settings.port) ? settings.port
                                                                                   : -1;

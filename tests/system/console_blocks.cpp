@@ -50,6 +50,25 @@ bool fit(const std::vector<std::string>& patterns, std::size_t pattern, const st
   return line == lines.size();
 }
 
+/// The words after ```console.
+struct Info {
+  bool is_run = true;
+  int status = 0, gcc = 0;
+};
+
+/// Throws std::invalid_argument.
+Info read_info(const std::string& text) {
+  if (text.starts_with(" not run: ")) return {false};
+  Info info;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    int* const value = word == "status" ? &info.status : word == "gcc" ? &info.gcc : nullptr;
+    if (!value || !(words >> *value))
+      throw std::invalid_argument("expected 'gcc N', 'status N' or 'not run: REASON', got console" + text);
+  }
+  return info;
+}
+
 }  // namespace
 
 ConsolePage read_console_blocks(std::string_view markdown) {
@@ -58,32 +77,29 @@ ConsolePage read_console_blocks(std::string_view markdown) {
   enum class In { text, console, shown, other } in = In::text;
   ConsolePage page;
   std::istringstream stream{std::string(markdown)};
-  int number = 0, last_status = 0;
+  int number = 0;
+  Info info;
   std::size_t begin = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (line.starts_with(kFence)) {
       if (in != In::text) {
-        if (in == In::console && page.commands.size() > begin) page.commands.back().status = last_status;
+        if (in == In::console && page.commands.size() > begin) page.commands.back().status = info.status;
         in = In::text;
       } else if (line.starts_with(kConsole)) {
-        const std::string info = line.substr(kConsole.size());
         begin = page.commands.size();
-        last_status = info.starts_with(" status ") ? std::stoi(info.substr(8)) : 0;
-        if (!info.empty() && !info.starts_with(" status ") && !info.starts_with(" not run: "))
-          throw std::invalid_argument("line " + std::to_string(number) + ": console" + info +
-                                      ": allowed are 'status N' and 'not run: REASON'");
-        in = info.starts_with(" not run: ") ? In::shown : In::console;
+        info = read_info(line.substr(kConsole.size()));
+        in = info.is_run ? In::console : In::shown;
       } else {
         in = In::other;
       }
     } else if (in == In::text && line.starts_with(kSetup) && line.ends_with(kSetupEnd)) {
       line = line.substr(kSetup.size(), line.size() - kSetup.size() - kSetupEnd.size());
-      page.commands.push_back({number, line, "", 0, true});
+      page.commands.push_back({number, line, "", 0, 0, true});
     } else if (in == In::other && line.starts_with(kPrompt)) {
       page.outside.push_back(number);
     } else if (in == In::console && line.starts_with(kPrompt)) {
-      page.commands.push_back({number, line.substr(kPrompt.size()), "", 0, false});
+      page.commands.push_back({number, line.substr(kPrompt.size()), "", 0, info.gcc, false});
     } else if (in == In::console && page.commands.size() > begin) {
       page.commands.back().output += line + "\n";
     }

@@ -6,6 +6,7 @@
 //   …                           any number of lines; within a line any text
 //   ```
 //   ```console status 1         the last command of the block ends with status 1
+//   ```console gcc 12           the output holds where sketches are compiled by that version; may precede 'status'
 //   ```console not run: REASON  shown only
 //   <!-- setup: COMMAND -->     runs here, and is not shown to readers
 #pragma once
@@ -21,6 +22,7 @@ struct ConsoleCommand {
   std::string command;  ///< without "$ "
   std::string output;   ///< as the page shows it; empty = any
   int status = 0;       ///< the status that it must end with
+  int gcc = 0;          ///< the version of gcc whose output this is; 0 = of any
   bool is_setup = false;
 };
 

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <stdexcept>
 #include <system_error>
+
+#include "sim/base/process_state.h"
 
 namespace robosim {
 namespace {
@@ -21,6 +24,18 @@ TEST(Child, ItsEndingIsToldInWords) {
   EXPECT_EQ(Child(shell("exit 3")).wait().text(), "ended with status 3");
   EXPECT_EQ(Child(shell("kill -9 $$")).wait().text(), "was ended by signal 9 (Killed)");
   EXPECT_TRUE(Child(shell("exit 0")).wait().ok());
+}
+
+TEST(Child, ItsStateIsThatOfTheKernelAndNothingOnceItIsGone) {
+  EXPECT_EQ(process_state(::getpid()), 'R');
+  Child child(shell("kill -STOP $$"));
+  siginfo_t info{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child.pid()), &info, WSTOPPED | WNOWAIT), 0);
+  EXPECT_EQ(process_state(child.pid()), 'T');
+  const pid_t number = child.pid();
+  child.send(SIGKILL);
+  child.wait();
+  EXPECT_EQ(process_state(number), '\0');
 }
 
 TEST(Child, AnEndingStaysKnown) {
