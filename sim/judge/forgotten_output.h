@@ -8,10 +8,11 @@
 // itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. Those on a Nano and on
 // many clones have none.
 //
-// A finding is a pin that was an input with its pull-up and never an output, in a run of 0.1 s or more. It is
-// wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift register. A sketch
-// may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: that is accepted. To fix a finding,
-// call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
+// A finding is a pin that was an input with its pull-up and never an output. The run lasted 0.1 s or more.
+// The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift
+// register.
+// A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: that is accepted. To fix a
+// finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
 //
 // Not detected: pins that were only written LOW, which changes nothing; displays, radios and other parts on a
 // bus; pins without wiring.

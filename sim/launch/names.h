@@ -45,8 +45,8 @@ struct SketchChoice {
 /// checked before any file is read.
 SketchChoice choose_sketch(const std::string& name, const std::string& environment = {},
                            bool untrusted = false);
-/// Returns the name that users are shown, without slashes at its end: the sketch's name, or that of its folder
-/// if it is `.` or `..`.
+/// Returns the name that users are shown, without slashes at its end: the sketch's name, or that of its
+/// folder if it is `.` or `..`.
 std::string title_of(const SketchChoice& sketch);
 std::string title_of(const std::string& name, const std::filesystem::path& folder);
 

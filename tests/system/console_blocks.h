@@ -6,7 +6,7 @@
 //   …                           any number of lines; within a line any text
 //   ```
 //   ```console status 1         the last command of the block ends with status 1
-//   ```console gcc 12           the output holds where sketches are compiled by that version; may precede 'status'
+//   ```console gcc 12           the output is that of sketches compiled by gcc 12; may precede `status 1`
 //   ```console not run: REASON  shown only
 //   <!-- setup: COMMAND -->     runs here, and is not shown to readers
 #pragma once

@@ -51,9 +51,9 @@ struct Tracks {
 rc::Gen<std::string> tracks(Tracks limits = {});
 
 /// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter for
-/// which the file itself gives a spread gets a value within it. Floor sensors are mounted up to `mounting_mm` to the
-/// front or side of their places. Robots shrink to the file's own values, except those that the failure
-/// needs.
+/// which the file itself gives a spread gets a value within it. Floor sensors are mounted up to `mounting_mm`
+/// to the front or side of their places. Robots shrink to the file's own values, except those that the
+/// failure needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
 /// The faults to draw, and their worst degree; 0 = never. docs/reference/robots.md describes each.
