@@ -29,6 +29,8 @@ for package in "$folder"/apt/archives/*.deb; do
   dpkg-deb --extract "$package" "$folder"
 done
 rm -r "$folder/apt"
+# From Debian 13 on all is in /usr, and a package that is not unpacked here links /lib to it.
+[[ -e $folder/lib ]] || ln -s usr/lib "$folder/lib"
 
 # Links to an absolute path would leave the folder.
 find "$folder" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do
