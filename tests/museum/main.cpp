@@ -175,7 +175,7 @@ bool all_apply(const Stage& stage, const std::vector<Bug>& bugs) {
     const std::string complaint = stage.complaint(bug);
     if (complaint.empty()) continue;
     all = false;
-    say(bug.patch.string() + " no longer applies: make it anew for what the firmware is now\n" + complaint);
+    say(bug.patch.string() + " no longer applies: update it for the present firmware\n" + complaint);
   }
   return all;
 }
