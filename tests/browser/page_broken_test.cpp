@@ -75,7 +75,7 @@ TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
        "This recording was made by a newer version of Robosim than this page."},
       {"empty.rec", "", "This is not a recording of Robosim."},
       {"other.html", "<!doctype html><title>Another page</title>",
-       "This page has not a recording of Robosim."},
+       "This page has no recording of Robosim."},
       {"bare.rec", made("{}"), "The recording’s header is damaged: record the run again."},
       {"hollow.rec", made(R"({"streams":[],"notes":[],"result":{},"started":{},"robot_info":{}})"),
        "The recording’s header is damaged: record the run again."},
