@@ -9,7 +9,7 @@
 //
 //   - Steering. e is how far the line is to the right of the middle sensor (mm). The robot turns with
 //     w = steering * e (rad/s, clockwise). That brings the sensors back over the line with the time constant
-//     1 / (steering * sensors_ahead), and the axle after them.
+//     1 / (steering * sensors_ahead), and the axle behind them.
 //   - Speed. Each wheel has a place where it should be by now, and its duty cycle is
 //     duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
 //

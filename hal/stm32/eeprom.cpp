@@ -12,7 +12,7 @@ constexpr Address kBanks[2] = {kEepromFlash, kEepromFlash + kBankBytes};
 
 bool complete(Address bank) { return load_half(bank) == kBankMark; }
 
-/// Returns the valid bank; 0 if there is none yet.
+/// Returns the valid bank, or 0 before the first write.
 Address current_bank() {
   const bool first = complete(kBanks[0]), second = complete(kBanks[1]);
   if (first && second)  // the numbers wrap around

@@ -175,7 +175,7 @@ inline unsigned line_neighbours(const Map& map, CellAt c) {
 constexpr bool has(unsigned mask, Direction d) { return (mask >> static_cast<int>(d) & 1u) != 0; }
 
 /// Returns whether an obstacle stands on the line right ahead of a robot on a line cell: an `x`, or a wall
-/// that was put on the line. Such a wall is straight ahead of a line's end and has line right after it. A
+/// that was put on the line. Such a wall is straight ahead of a line's end and has line right behind it. A
 /// wall next to a continuing line is just a wall, and so is every wall around a single line cell.
 inline bool blocks_line(const Map& map, CellAt c, Direction d) {
   const CellAt next = ahead(c, d);

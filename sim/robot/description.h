@@ -50,7 +50,7 @@ struct Chassis {
   Parameter grip;           ///< coefficient of friction between tyre and floor
   Parameter rolling;        ///< force / weight of tyres and caster
   Parameter wall_friction;  ///< coefficient of friction between outline and wall
-  Parameter caster;         ///< m, ahead of the axle, or behind it; 0 = the usual place in its outline
+  Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the usual place
   Parameter caster_radius;  ///< m
   Parameter height;         ///< m, of the mass's centre; 0 = loads do not shift
   Parameter wheelbase;      ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster

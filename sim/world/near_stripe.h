@@ -45,7 +45,7 @@ class NearStripe {
     bool painted_only;
     double reach;  ///< m: stripes that are farther away do not matter
   };
-  /// Returns the distance from p, which is in the box, to the nearest stripe, m; kNoStripe if there is none.
+  /// Returns the distance from p, which is in the box, to the nearest stripe, m, or kNoStripe.
   double seek(const Around&, Vec2 p);
   static constexpr double kNoStripe = 1e9;
 

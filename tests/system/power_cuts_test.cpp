@@ -29,7 +29,7 @@ std::string without_cr(std::string text) {
   return text;
 }
 
-// Returns the line that begins so, up to its end; nothing if there is none.
+// Returns the first line with this beginning, or an empty text.
 std::string line_of(const std::string& text, const std::string& beginning) {
   const std::size_t at = text.find(beginning);
   return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);

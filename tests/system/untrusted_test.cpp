@@ -195,9 +195,9 @@ TEST_F(Untrusted, ChecksForAllThatNameNoMapAreReportedAsThoseAPupilCanChoose) {
     return robosim({"test", "--untrusted", "--checks", "class.toml", "./S"}).err;
   };
   EXPECT_THAT(warning(""),
-              HasSubstr("class.toml: check \"a\" names no map and robot: files in the sketch's own"));
-  EXPECT_THAT(warning("map = \"oval\"\n"), HasSubstr("names no robot"));
-  EXPECT_THAT(warning("map = \"oval\"\nrobot = \"uno5\"\n"), Not(HasSubstr("names no")));
+              HasSubstr("class.toml: check \"a\" has no map and no robot: files in a sketch's folder"));
+  EXPECT_THAT(warning("map = \"oval\"\n"), HasSubstr("has no robot"));
+  EXPECT_THAT(warning("map = \"oval\"\nrobot = \"uno5\"\n"), Not(HasSubstr("has no")));
 }
 
 TEST_F(Untrusted, ASketchsOwnChecksTakeNoMoreThanAnHourOfSimulatedTimeTogether) {

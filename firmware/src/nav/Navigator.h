@@ -7,7 +7,7 @@
 //   if (navigator.state() == nav::NavState::arrived) …
 //
 // At an obstacle on a line it records the obstacle in the network. Then it goes back to the node that it
-// left, and plans another path. If there is none, it reports that and stays at that node; goTo() another node
+// left, and plans another path. If none exists, it reports that and stays at that node; goTo() another node
 // is then still possible.
 //
 // At a station it turns to face along the line, ready to leave. At a junction it keeps its heading.

@@ -107,8 +107,7 @@ double simulated_s(const SweepPlan& plan) {
   return sum_s;
 }
 
-/// The limit of all runs of the checks that an untrusted sketch brings; an emulated Uno takes some 100 s for
-/// it.
+/// Limits all runs of the checks that an untrusted sketch brings. An emulated Uno takes 100 s for them.
 constexpr double kMostSimulated_s = 3600.0;
 
 analysis::Demand demand_of(const Check& check) {

@@ -234,7 +234,7 @@ class CheckReader {
 
 }  // namespace
 
-std::vector<TextAssertion> promises_in(const fs::path& file) {
+std::vector<TextAssertion> text_assertions_in(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return {};
   const ConfigValue root = parse_toml(read_file(file), file.string());

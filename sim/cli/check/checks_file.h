@@ -37,7 +37,7 @@ struct Check {
 };
 
 /// Returns the file's assertions about all runs, if it exists. Throws InputError.
-std::vector<TextAssertion> promises_in(const std::filesystem::path& file);
+std::vector<TextAssertion> text_assertions_in(const std::filesystem::path& file);
 
 /// Returns all checks of a file, in its order. The command line's own parser checks values of flags, so that
 /// a flag means the same in both. Paths are relative to the file's folder. Throws InputError.

@@ -38,13 +38,13 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
 void warn_of_own_files(const std::string& checks) try {
   for (const Check& check : read_checks(checks)) {
     if (!check.fleet.empty()) continue;
-    std::string missing = check.sweep.maps.empty() ? "map" : "";
-    if (check.sweep.robots.empty()) missing += missing.empty() ? "robot" : " and robot";
+    std::string missing = check.sweep.maps.empty() ? "no map" : "";
+    if (check.sweep.robots.empty()) missing += missing.empty() ? "no robot" : " and no robot";
     if (!missing.empty())
-      complain(
-          fmt::format("robosim: {}: check \"{}\" names no {}: files in the sketch's own folder count, which "
-                      "its author wrote\n",
-                      checks, check.name, missing));
+      complain(fmt::format(
+          "robosim: {}: check \"{}\" has {}: files in a sketch's folder are used, which its author "
+          "wrote; name yours in the check\n",
+          checks, check.name, missing));
   }
 } catch (const InputError&) {
   // each sketch's result has the message

@@ -55,7 +55,7 @@ CampaignRunner::CampaignRunner(const HuntArguments& arguments, tui::Progress& pr
   prepare(arguments, progress);
   look_at_maps(arguments);
   look_at_sketch();
-  space_.assertions = promises_in(prepared_.front().sketch.folder / "checks.toml");
+  space_.assertions = text_assertions_in(prepared_.front().sketch.folder / "checks.toml");
 }
 
 void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& progress) {

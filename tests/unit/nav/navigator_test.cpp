@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // It knows only real obstacles, so if it finds no path, there is none.
+      // It knows only real obstacles, so if it finds no path, no path exists.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);

@@ -80,6 +80,13 @@ class Serving : public testing::Test {
   std::thread thread_;
 };
 
+TEST_F(Serving, TakesAnotherPortWhereTheUsualOneIsInUse) {
+  serve("");
+  const Server second(
+      Settings{root(), outside_.path() / "robosim", "127.0.0.1", 0, std::chrono::seconds(10)});
+  EXPECT_NE(second.url(), server_->url());
+}
+
 TEST_F(Serving, ListsWhatIsInTheFolderAndWhatIsOursAndNothingThatALinkLeadsTo) {
   serve("");
   const auto answer = http_->Get("/api/folder");

@@ -29,7 +29,7 @@ class CommandLine {
     const uint8_t length = static_cast<uint8_t>(strlen_P(word));
     return strncmp_P(text_, word, length) == 0 && (text_[length] == 0 || text_[length] == ' ');
   }
-  /// Returns the number after the word; 0 if there is none.
+  /// Returns the number after the word, or 0.
   long number() const {
     const char* space = strchr(text_, ' ');
     return space == nullptr ? 0 : atol(space);
