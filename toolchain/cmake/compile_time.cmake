@@ -8,6 +8,14 @@ foreach(library project build course print calibrate launch play wiring mutate t
   endif()
 endforeach()
 
+# Where 3 GB are there for each processor, gcc begins to look for garbage at 2 GB: a tenth less time.
+cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
+cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
+math(EXPR enough "${processors} * 3000")
+if(memory GREATER enough)
+  target_compile_options(robosim_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
+endif()
+
 # nlohmann-json's templates cost a compiler some 5 s, once for all files that are compiled together: those that use them
 # stand next to each other.
 foreach(library course record cli)
@@ -35,9 +43,7 @@ file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp "")
 foreach(level usual quick)
   add_library(robosim_headers_${level} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers.cpp)
   target_link_libraries(robosim_headers_${level} PRIVATE robosim_options fmt::fmt)
-  target_precompile_headers(robosim_headers_${level} PRIVATE
-    <fmt/format.h> <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <string>
-    <string_view> <utility> <variant> <vector>)
+  target_precompile_headers(robosim_headers_${level} PRIVATE ${ROBOSIM_SHARED_HEADERS})
 endforeach()
 target_compile_options(robosim_headers_quick PRIVATE ${quick})
 set_target_properties(robosim_headers_usual robosim_headers_quick PROPERTIES ROBOSIM_SHARES_HEADERS ON)
