@@ -4,6 +4,7 @@
 #include <httplib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -30,6 +31,7 @@ constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, a little o
 constexpr const char* kFiles = "/api/file";             // accepts such images
 constexpr std::size_t kLongestRequest = 4000;           // to a watched run
 constexpr std::size_t kThreads = 64;                    // each waits for its client
+constexpr std::uintmax_t kBlock = 4096;                 // of a disk, bytes
 constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // from one byte to the next
 constexpr const char* kCookie = "robosim=";
@@ -152,6 +154,7 @@ int bind(httplib::Server& server, const Settings& settings) {
 struct Server::Impl {
   explicit Impl(const Settings& settings)
       : jobs(settings.robosim, settings.folder),
+        most_saved(settings.most_saved),
         port(bind(http, settings)),
         origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
@@ -194,7 +197,7 @@ struct Server::Impl {
       return Json{{"text", map_text(jobs.folder(), offered.name)}};
     });
     act("/api/floor", [](const Offered& offered) { return Json{{"floor", Json::parse(floor_of(offered))}}; });
-    act(kFiles, [this](const Offered& offered) { return Json{{"saved", keep(jobs.folder(), offered)}}; });
+    act(kFiles, [this](const Offered& offered) { return Json{{"saved", save(offered)}}; });
     http.Get("/live.html", [](const Request&, Response& response) {
       const std::string_view page = record::page_text();
       response.set_content(page.data(), page.size(), "text/html; charset=utf-8");
@@ -228,6 +231,18 @@ struct Server::Impl {
         refuse(response, {409, there.sentence});
       }
     });
+  }
+
+  // Several requests may be answered at the same time.
+  std::string save(const Offered& offered) {
+    const std::uintmax_t size = std::max<std::uintmax_t>(offered.text.size(), kBlock);
+    if (saved += size; saved > most_saved) {
+      saved -= size;
+      throw InputError(
+          fmt::format("no more files are saved: expected at most {} MB until the server ends; start it again",
+                      most_saved / 1'000'000));
+    }
+    return keep(jobs.folder(), offered);
   }
 
   httplib::Server::HandlerResponse check(const Request& request, Response& response) {
@@ -339,6 +354,8 @@ struct Server::Impl {
 
   httplib::Server http;
   JobManager jobs;
+  const std::uintmax_t most_saved;        // bytes
+  std::atomic<std::uintmax_t> saved = 0;  // bytes
   const int port;
   const OriginCheck origin_check;
   RequestDeadline deadline;

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -29,6 +30,8 @@ struct Settings {
   std::string address = "127.0.0.1";  ///< an IP address of this machine; other than loopback requires a token
   int port = 0;                       ///< 0 = 8080, or any free one
   std::chrono::milliseconds deadline{10'000};  ///< for a request, head and body
+  /// Limit of what a server writes into its folder until it ends, in bytes; a file counts for 4096 or more.
+  std::uintmax_t most_saved = 200'000'000;
 };
 
 class Server {

@@ -50,11 +50,12 @@ class Serving : public testing::Test {
     write(outside_.path() / "Theirs/Theirs.ino", "");
     fs::create_directory_symlink(outside_.path(), root() / "away");
   }
-  void serve(const std::string& program, std::chrono::milliseconds deadline = std::chrono::seconds(10)) {
+  void serve(const std::string& program, std::chrono::milliseconds deadline = std::chrono::seconds(10),
+             std::uintmax_t most_saved = 200'000'000) {
     const fs::path file = outside_.path() / "robosim";
     write(file, "#!/bin/sh\n" + program);
     fs::permissions(file, fs::perms::owner_all);
-    server_.emplace(Settings{root(), file, "127.0.0.1", 0, deadline});
+    server_.emplace(Settings{root(), file, "127.0.0.1", 0, deadline, most_saved});
     const std::string url = server_->url();
     http_.emplace(url.substr(0, url.size() - 1));
     http_->set_default_headers({{"X-Robosim", "1"}});
@@ -82,8 +83,7 @@ class Serving : public testing::Test {
 
 TEST_F(Serving, TakesAnotherPortWhereTheUsualOneIsInUse) {
   serve("");
-  const Server second(
-      Settings{root(), outside_.path() / "robosim", "127.0.0.1", 0, std::chrono::seconds(10)});
+  const Server second(Settings{root(), outside_.path() / "robosim"});
   EXPECT_NE(second.url(), server_->url());
 }
 
@@ -396,6 +396,20 @@ TEST_F(Serving, KeepsFilesInTheFolderAndNothingOverWhatIsThereUnasked) {
   EXPECT_EQ(Json::parse(floor->body)["floor"]["width"], 300) << floor->body;
   EXPECT_THAT(http_->Post("/api/floor", R"({"name": "a.map", "text": "S..\n.\n"})", "application/json")->body,
               HasSubstr("a.map:2"));
+}
+
+TEST_F(Serving, FillsNoDisk) {
+  serve("", std::chrono::seconds(10), 3 * 4096);
+  const auto keep = [&](const std::string& name, std::size_t size) {
+    return http_->Post("/api/file", file_json(name, true, std::string(size, ' ')), "application/json");
+  };
+  EXPECT_EQ(keep("A.ino", 5000)->status, 200);
+  EXPECT_EQ(keep("B.ino", 10'000)->status, 400) << "more than is left";
+  EXPECT_EQ(keep("A.ino", 10)->status, 200);
+  const auto refused = keep("C.ino", 10);
+  EXPECT_EQ(refused->status, 400) << "a small file occupies a block of the disk";
+  EXPECT_THAT(refused->body, HasSubstr("no more files are saved: expected at most"));
+  EXPECT_FALSE(fs::exists(root() / "C"));
 }
 
 TEST_F(Serving, KeepsAnImageAndRunsItOnItsOwnChip) {
