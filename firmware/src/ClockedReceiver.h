@@ -1,10 +1,10 @@
-// Receives messages bit by bit from a radio receiver (433 or 315 MHz) with its decoder: three wires.
+// Receives messages bit by bit over three wires from a radio receiver (433 or 315 MHz) and its decoder.
 //
-//   ENABLE  high while a message lasts      DATA  a bit      CLOCK  rises in the middle of each bit
+//   ENABLE  high during a message      DATA  the current bit      CLOCK  rises in the middle of each bit
 //
 // ENABLE and CLOCK use interrupts (pins 2 and 3 on an Uno), so no bit is missed, whatever the sketch does. A
-// message is complete once ENABLE has fallen. If the next one arrives before the sketch has read it, the
-// older one is lost. A sketch can have one receiver.
+// message is complete once ENABLE has fallen. If the next message arrives before the sketch has read it, the
+// older message is lost. A sketch can have only one receiver.
 //
 //   ClockedReceiver radio(5, 2, 3);   // data, clock, enable
 //   void setup() { radio.begin(); }
@@ -22,11 +22,11 @@ class ClockedReceiver {
       : data_(data), clock_(clock), enable_(enable) {}
 
   void begin();
-  /// Returns whether a message has arrived since the last call; bits() and value() then return it.
+  /// Returns whether a message has arrived since the last call. bits() and value() then describe it.
   bool available();
-  /// Returns its number of bits; 255 stands for more, too.
+  /// Returns the message's number of bits; 255 also stands for longer messages.
   uint8_t bits() const { return bits_; }
-  /// Returns its last 16 bits, most significant first.
+  /// Returns the message's last 16 bits, most significant first.
   uint16_t value() const { return value_; }
 
  private:

@@ -1,20 +1,20 @@
-// The two motors of a robot with a wheel on each side.
+// Drives the two motors of a robot with a wheel on each side.
 //
 // A motor driver (H-bridge) needs two inputs for each motor: a direction and a duty cycle, the share of time
-// for which the motor gets the battery. There are two common ways to wire it. The number of pins that you
-// name selects one:
+// for which the motor is connected to the battery. There are two common ways to wire a driver. The number of
+// pins that you pass selects one:
 //
 //   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
 //                              TB6612: as L298N, with its PWM pin as `en`; its STBY pin must be HIGH
 //                              (see DriveMotors).
-//   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1 is
-//                              forward, on IN2 backward.
+//   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1
+//                              drives forward, on IN2 backward.
 //
 // Pins for PWM must support it: 3, 5, 6, 9, 10, 11 on an Uno.
 //
 // Speeds are -255 (full backward) .. 255 (full forward); larger values are limited. They are duty cycles, not
-// metres per second. A motor also needs a smallest duty cycle to turn at all (an L298N about 30 to 60). After
-// setSmallestDuty(), speed 1 just turns it and 255 is full speed:
+// metres per second. A motor needs a smallest duty cycle to turn at all (about 30 to 60 with an L298N). After
+// setSmallestDuty(), speed 1 just turns the motor and 255 is full speed:
 //
 //   duty = smallest + (255 - smallest) * speed / 255
 //
@@ -45,11 +45,11 @@ class DriveMotor {
   /// Sets the duty cycle, 0..254, at which the motor just turns.
   void setSmallestDuty(uint8_t duty) { smallest_ = duty < 255 ? duty : 254; }
 
-  /// Makes the pins outputs, with the motor off.
+  /// Configures the pins as outputs, with the motor off.
   void begin();
   /// Drives at -255..255; 0 brakes.
   void drive(int16_t speed);
-  /// Switches the motor off and lets it coast, which takes longer than drive(0).
+  /// Switches the motor off and lets it coast. Stopping takes longer than with drive(0).
   void coast();
 
   /// Returns the duty cycle for a speed of 0..255, see above.
@@ -63,13 +63,13 @@ class DriveMotor {
 
 class DriveMotors {
  public:
-  /// `standby` is a TB6612's STBY (or a DRV8833's SLEEP) pin, which begin() makes HIGH. Omit it if the pin is
+  /// `standby` is a TB6612's STBY (or a DRV8833's SLEEP) pin, which begin() sets HIGH. Omit it if the pin is
   /// wired to 5 V.
   DriveMotors(const DriveMotor& left, const DriveMotor& right, uint8_t standby = DriveMotor::kNoPin)
       : left_(left), right_(right), standby_(standby) {}
 
   void begin();
-  /// Drives at -255..255 each, see above. Equal speeds drive straight on, opposite ones turn on the spot.
+  /// Drives each motor at -255..255, see above. Equal speeds drive straight, opposite ones turn on the spot.
   void drive(int16_t left, int16_t right) {
     left_.drive(left);
     right_.drive(right);

@@ -5,20 +5,20 @@
 //   PidController.h    how much to steer          output limits, no wind-up
 //   PushButton.h       start and stop             debounced, never waits
 //   PathFollower.h     lines with junctions       three digital sensors, left or right branch first
-//   WheelEncoders.h    how far have I come?       one channel per wheel, by interrupts
+//   WheelEncoders.h    distance of each wheel     one channel per wheel, by interrupts
 //   LineWalker.h       from landmark to landmark  five analog sensors and encoders; drives nav/
 //   ShiftRegisters.h   more outputs               a chain of 74HC595
 //   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
-// Networks of lines need neither pins nor Arduino.h. Include these headers by name:
+// The code for networks of lines uses neither pins nor Arduino.h. Include its headers by name:
 //
 //   nav/Explorer.h      scans a network           nav/Landmark.h lists what a robot must be able to do
-//   nav/FixedNetwork.h  stores it in a chip       200 nodes in 1 KB of RAM; in EEPROM, too
+//   nav/FixedNetwork.h  stores it on a chip       200 nodes in 1 KB of RAM; can be saved to EEPROM
 //   nav/FixedTree.h     stores a tree             200 nodes in 436 bytes
-//   nav/Navigator.h     drives to any node        round obstacles; nav/NextPlanners.h
-//   nav/Plan.h          seven planners            breadth-first search to Dijkstra's algorithm
+//   nav/Navigator.h     drives to any node        plans around obstacles, with nav/NextPlanners.h
+//   nav/Plan.h          seven planners            from breadth-first search to Dijkstra's algorithm
 //
-// No function waits, except LineWalker, which drives until it has arrived, and the sensors themselves (a few
+// No function waits, except LineWalker, which drives until the robot has arrived, and sensor readings (a few
 // hundred microseconds). No function allocates memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H

@@ -29,7 +29,7 @@ void LineSensors::setRange(uint8_t sensor, uint16_t floor, uint16_t line) {
 }
 
 void LineSensors::startCalibration(bool line_reads_high) {
-  // An inside-out range: the first reading becomes both of its ends.
+  // Start with an inverted range, so that the first reading becomes both ends.
   setRange(line_reads_high ? 65535 : 0, line_reads_high ? 0 : 65535);
   line_reads_high_ = line_reads_high;
 }
@@ -101,7 +101,7 @@ void RcLineSensors::readRaw(uint16_t* raw) {
     digitalWrite(pins_[i], HIGH);
   }
   delayMicroseconds(10);
-  // From here on the capacitors drain. An input must have no pull-up, hence LOW after the mode has changed.
+  // The capacitors drain from here on. Write LOW after the mode change, because that switches pull-ups off.
   const uint32_t start = micros();
   for (uint8_t i = 0; i < count_; ++i) {
     pinMode(pins_[i], INPUT);

@@ -1,14 +1,14 @@
-// Reflectance sensors that look for a line on the floor.
+// Reads reflectance sensors that detect a line on the floor.
 //
 // Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. There are three kinds,
 // which differ in how the chip reads them:
 //
-//   AnalogLineSensors    a voltage, by analogRead. Shades of grey, so the line's position is known
-//                        between two sensors.
+//   AnalogLineSensors    a voltage, by analogRead. Shades of grey also locate the line between two
+//                        sensors.
 //   RcLineSensors        a time: the pin charges a small capacitor, then the phototransistor drains it,
-//                        quickly over white, slowly over black. Shades of grey on any digital pin, but
-//                        slower (up to `timeout_us` per reading).
-//   DigitalLineSensors   a comparator's yes or no, by digitalRead. Robust, but the line is only "here"
+//                        quickly over white, slowly over black. Resolves shades of grey on any digital
+//                        pin, more slowly (up to `timeout_us` per reading).
+//   DigitalLineSensors   a comparator's output, by digitalRead. Robust; reports the line only as "here"
 //                        or "not here".
 //
 // List the pins from the LEFT end of the robot to the RIGHT.
@@ -18,23 +18,23 @@
 //
 //   value = 1000 * (raw - floor) / (line - floor),   limited to 0 .. 1000
 //
-// Set the range by setRange(). Or let calibrate() find it while you move the robot across the line for a
-// second or two.
+// Set the range with setRange(). Alternatively, calibrate() finds it while you move the robot across the line
+// for a second or two.
 //
-// Position. The mean place of the line, weighted by each sensor's value:
+// Position. position() is the mean of the sensors' places, weighted by each sensor's value:
 //
 //   position = sum(value * place) / sum(value),   place of sensor i = 1000 * i - 500 * (count - 1)
 //
 // in thousandths of the distance between two sensors. 0 is the middle of the array, negative left, positive
 // right. Five sensors return -2000 to 2000.
 //
-// If no sensor sees the line, position() is the end of the array where the line was last. So a robot that has
-// run off turns back. But if the line was more than one sensor away from both ends, it cannot have left
-// there: this is a gap in the line. Then position() is 0, so that the robot crosses the gap without
-// swerving.
+// If no sensor detects the line, position() is the end of the array nearest to its last position. A robot
+// that has run off the line therefore turns back. If the last position was more than one sensor away from
+// both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the robot
+// crosses the gap without swerving.
 //
-// The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno ends at
-// 32,767.
+// The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno is
+// limited to 32,767.
 //
 // Example:
 //
@@ -51,26 +51,26 @@ class LineSensors {
  public:
   static const uint8_t kMaxSensors = 8;
   static const uint16_t kFullScale = 1000;
-  /// Smaller values do not count in the position: reflections of the bare floor are never quite 0.
+  /// Values below this do not contribute to the position, since the bare floor never reads exactly 0.
   static const uint16_t kFaint = 50;
-  /// If no value is at least this, no sensor sees the line.
+  /// A sensor detects the line if its value is at least this.
   static const uint16_t kSeen = 200;
-  /// From this value on, a sensor is on the line rather than next to it.
+  /// A sensor is on the line, not next to it, if its value is at least this.
   static const uint16_t kOnLine = 500;
 
   /// Sets the pins' modes. Call it in setup().
   void begin();
-  /// Sets a pin that switches the sensors' lamps on (CTRL, LEDON). Call it before begin(), which switches
-  /// them on.
+  /// Sets the pin that switches the sensors' lamps (CTRL, LEDON). Call it before begin(), which switches the
+  /// lamps on.
   void setEmitterPin(uint8_t pin) { emitter_ = pin; }
 
-  /// Sets the readings of all sensors on the bare floor and on the line. `line` may be the smaller one: for a
-  /// white line on a black floor, or for sensors that return less voltage over black.
+  /// Sets the readings of all sensors on the bare floor and on the line. `line` may be the smaller value: for
+  /// a white line on a black floor, or for sensors that return less voltage over black.
   void setRange(uint16_t floor, uint16_t line);
   /// Sets the range of one sensor.
   void setRange(uint8_t sensor, uint16_t floor, uint16_t line);
 
-  /// Forgets the range, so that calibrate() starts again. `line_reads_high`: whether the line gives the
+  /// Discards the range, so that calibrate() starts again. `line_reads_high` is true if the line gives the
   /// larger readings.
   void startCalibration(bool line_reads_high = true);
   /// Reads once and widens each sensor's range to include its reading. Call it many times while all sensors
@@ -84,7 +84,7 @@ class LineSensors {
   uint16_t raw(uint8_t sensor) const { return raw_[sensor]; }
   uint16_t value(uint8_t sensor) const { return value_[sensor]; }  ///< 0 floor .. 1000 line
   bool onLine(uint8_t sensor) const { return value_[sensor] >= kOnLine; }
-  bool seesLine() const { return seen_; }  ///< whether any sensor does
+  bool seesLine() const { return seen_; }  ///< whether any sensor detects the line
   int16_t position() const { return position_; }
 
   /// Apply the formulas above to any values.
@@ -94,7 +94,7 @@ class LineSensors {
  protected:
   LineSensors(const uint8_t* pins, uint8_t count, uint16_t floor, uint16_t line);
   virtual void beginPin(uint8_t pin) = 0;
-  /// Fills `raw`, one value for each of pins_.
+  /// Fills `raw` with one value for each of pins_.
   virtual void readRaw(uint16_t* raw) = 0;
 
   uint8_t pins_[kMaxSensors];
@@ -127,7 +127,7 @@ class AnalogLineSensors : public LineSensors {
 /// Reads by digitalRead: raw is 0 or 1.
 class DigitalLineSensors : public LineSensors {
  public:
-  /// `on_line`: the level that means "line", HIGH or LOW. Sold modules have either.
+  /// `on_line` is the level that means "line", HIGH or LOW. Both kinds of module are sold.
   template <uint8_t N>
   explicit DigitalLineSensors(const uint8_t (&pins)[N], uint8_t on_line = HIGH)
       : LineSensors(pins, N, on_line == HIGH ? 0 : 1, on_line == HIGH ? 1 : 0) {
@@ -142,7 +142,7 @@ class DigitalLineSensors : public LineSensors {
 /// Reads by timing the discharge: raw is microseconds, at most `timeout_us`.
 class RcLineSensors : public LineSensors {
  public:
-  /// `timeout_us`: what takes longer counts as black; 1000..3000 is useful, 2500 usual.
+  /// A discharge longer than `timeout_us` counts as black; 1000..3000 is useful, 2500 is usual.
   template <uint8_t N>
   explicit RcLineSensors(const uint8_t (&pins)[N], uint16_t timeout_us = 2500)
       : LineSensors(pins, N, 0, timeout_us), timeout_us_(timeout_us) {

@@ -1,48 +1,48 @@
-// A robot that runs along lines from landmark to landmark, and knows where it is. It is a Walker for nav/
+// Drives a robot along lines from landmark to landmark, and tracks its position. It is a Walker for nav/
 // (nav/Landmark.h describes its members), with five analog sensors, two motors, two encoders and a bumper.
 //
 //                        1 2 3 4 5      the sensors, in a row across the line, ahead of the axle
 //                            |
 //                    [L]-----+-----[R]  the axle
 //
-// Every 5 ms it reads its sensors, adds up the rotation of its wheels, and drives on:
+// Every 5 ms the robot reads its sensors, adds up the rotation of its wheels, and drives on:
 //
-//   - Steering. e is how far the line is to the right of the middle sensor (mm). The robot turns with
-//     w = steering * e (rad/s, clockwise). That brings the sensors back over the line with the time constant
-//     1 / (steering * sensors_ahead), and the axle behind them.
-//   - Speed. Each wheel has a place where it should be by now, and its duty cycle is
-//     duty_per_speed * speed + duty_per_mm * (where it should be - where it is).
+//   - Steering. e is the distance of the line to the right of the middle sensor (mm). The robot turns at
+//     w = steering * e (rad/s, clockwise). This returns the sensors to the line with the time constant
+//     1 / (steering * sensors_ahead), and the axle follows.
+//   - Speed. Each wheel has a target position for the present time. Its duty cycle is
+//     duty_per_speed * speed + duty_per_mm * (target position - actual position).
 //
 // Landmarks.
 //   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
-//             It stays so for the width of a line; the middle of that is where the arm leaves.
-//   ahead     once the row is past the arms: is there a line under it?
-//   bend      one arm and nothing ahead. It rolls on until the axle stands over the corner, and turns.
-//   junction  two or more ways. It rolls on until the axle stands over it.
-//   end       nothing dark, and the line was not lost to a side. It rolls on until the axle stands
-//             over the end. If there is a line again before that, this was a gap.
-//   blocked   the bumper is pressed. It stops and waits. If that lasts for patience_ms, it backs up a little,
-//             or, near the last landmark or corner, onto that: after a turn between the two, its sensors
-//             would be beyond it and see no line.
+//             The sensor stays dark for the width of a line; the arm leaves at the middle of that.
+//   ahead     whether a line is under the row once the row is past the arms.
+//   bend      one arm and nothing ahead. The robot rolls on until its axle is over the corner, and turns.
+//   junction  two or more ways on. The robot rolls on until its axle is over the junction.
+//   end       no sensor is dark, and the line was not lost to a side. The robot rolls on until its axle is
+//             over the end. If a line reappears before that, the robot has crossed a gap.
+//   blocked   the bumper is pressed. The robot stops and waits. After patience_ms it backs up a little.
+//             Near the last landmark or corner it backs up onto that place: if it turned in between, its
+//             sensors would be beyond that place and find no line.
 //
-// It follows smooth bends with a radius of 150 mm to 1 m. Tighter ones it takes like corners, or follows. At
-// about 130 mm it may confuse the two, and lose the line.
+// The robot follows smooth bends with a radius of 150 mm to 1 m. It treats tighter bends as corners, or
+// follows them. At about 130 mm it may confuse the two cases, and lose the line.
 //
-// Where it is. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is
-// stored as quarter turns and the remaining angle. Lines run along quarters, so a remaining angle of less
-// than 0.15 rad decays with ds / 150 mm. So differences between the wheels do not accumulate. A junction is
-// on the line by which the robot leaves it.
+// Position. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is stored
+// as quarter turns and a remaining angle. Lines run along quarters, so a remaining angle of less than 0.15
+// rad decays with ds / 150 mm. Differences between the wheels therefore do not accumulate. A junction lies on
+// the line by which the robot leaves it.
 //
 // follow(), leave() and begin() return when they are done.
 //
-// Another robot has its own settings, which replace some of those below. They are constants, so that they
+// To adapt the walker to another robot, override some of the settings below. They are constants, so that they
 // take no memory:
 //
 //   struct MySettings : LineWalkerSettings { static constexpr float wheel = 42; };
 //   LineWalkerOf<MySettings> walker(sensors, motors, encoders, BUMPER_PIN);
 //
 // Set the sensors' range (LineSensors::setRange or calibrate) so that a line gives about 1000. A sketch can
-// have one LineWalker (WheelEncoders.h explains why).
+// have only one LineWalker (WheelEncoders.h explains why).
 #ifndef LINEKIT_LINE_WALKER_H
 #define LINEKIT_LINE_WALKER_H
 
@@ -62,17 +62,17 @@ struct LineWalkerSettings {
   static constexpr float sensors_ahead = 70;     ///< of the axle
   static constexpr float pitch = 9.525f;         ///< between two sensors
   static constexpr float line = 20;              ///< width of a line
-  static constexpr float duty_per_speed = 0.2f;  ///< of 255, above the smallest duty: 255 / top speed
+  static constexpr float duty_per_speed = 0.2f;  ///< of 255 per mm/s above the smallest duty: 255 / top speed
   static constexpr uint8_t smallest_duty = 20;   ///< the duty at which the wheels just turn
 
   // How it drives.
   static constexpr float cruise = 300;
-  static constexpr float turning = 150;        ///< of the wheels, on the spot
-  static constexpr float creeping = 60;        ///< at the end of a roll or a turn
+  static constexpr float turning = 150;        ///< speed of the wheels when turning on the spot
+  static constexpr float creeping = 60;        ///< speed at the end of a roll or a turn
   static constexpr float acceleration = 1500;  ///< mm/s2
   static constexpr float steering = 0.2f;      ///< rad/s for each mm that the line is off
-  static constexpr float slowing = 6;          ///< mm/s less for each mm that the line is off
-  static constexpr float duty_per_mm = 4;      ///< for each mm that a wheel is behind
+  static constexpr float slowing = 6;          ///< reduction in mm/s for each mm that the line is off
+  static constexpr float duty_per_mm = 4;      ///< duty for each mm that a wheel lags
 
   static constexpr uint16_t patience_ms = 4000;  ///< how long it waits for an obstacle to go away
 };
@@ -85,7 +85,7 @@ class LineWalkerOf {
   LineWalkerOf(LineSensors& sensors, DriveMotors& motors, WheelEncoders& encoders, uint8_t bumper_pin)
       : sensors_(sensors), motors_(motors), encoders_(encoders), bumper_pin_(bumper_pin) {}
 
-  /// Starts all of the hardware. Call it in setup().
+  /// Initialises the hardware. Call it in setup().
   void setup();
   /// Sets a function that is called when the bumper is pressed (true), and when the robot continues (false).
   void setOnPause(void (*on_pause)(bool)) { on_pause_ = on_pause; }
@@ -100,7 +100,7 @@ class LineWalkerOf {
   enum class Roll : uint8_t { on_line, straight, off_line };
   enum class Passed : uint8_t { nothing, corner, landmark };
 
-  // Makes a step: drives with these wheel speeds, waits for its time, looks, reckons.
+  // Performs a step: drives at these wheel speeds, waits until it is due, reads sensors, updates the pose.
   void step(float left, float right);
   void drive(float forward, float clockwise);
   void spin(float speed);
@@ -129,35 +129,35 @@ class LineWalkerOf {
   uint8_t bumper_pin_;
   void (*on_pause_)(bool) = nullptr;
 
-  uint32_t due_us_ = 0;  ///< of the next step
-  uint16_t steps_ = 0;   ///< driven since the last landmark
-  // Where it is.
+  uint32_t due_us_ = 0;  ///< due time of the next step
+  uint16_t steps_ = 0;   ///< number driven since the last landmark
+  // Position and heading.
   nav::Heading heading_ = 0;
-  float off_ = 0;                  ///< clockwise of heading_, rad
+  float off_ = 0;                  ///< remaining angle, clockwise from heading_, rad
   float x_ = 0, y_ = 0;            ///< mm, as nav::Place
-  float travelled_ = 0;            ///< mm, since it began to follow
-  float turned_ = 0;               ///< rad, clockwise, since it began to turn
-  bool fade_ = false;              ///< the angle off fades away: it follows a line
-  float mark_x_ = 0, mark_y_ = 0;  ///< the last landmark
-  // Motion of its wheels.
-  float speed_ = 0;                           ///< the speed that it has accelerated to
-  float behind_left_ = 0, behind_right_ = 0;  ///< mm
+  float travelled_ = 0;            ///< mm, since follow() began
+  float turned_ = 0;               ///< rad, clockwise, since the turn began
+  bool fade_ = false;              ///< off_ decays, because the robot follows a line
+  float mark_x_ = 0, mark_y_ = 0;  ///< position of the last landmark
+  // Motion of the wheels.
+  float speed_ = 0;                           ///< speed reached by acceleration so far
+  float behind_left_ = 0, behind_right_ = 0;  ///< lag of each wheel, mm
   bool blocked_ = false;
-  bool from_line_ = false;  ///< began in the middle of a line, and has met nothing yet
+  bool from_line_ = false;  ///< began in the middle of a line, and has met no landmark yet
   nav::Heading start_heading_ = 0;
-  // Kind and position of its last landmark; from nearby it backs up onto it.
+  // Kind and position of the last landmark. From nearby, the robot backs up onto the landmark.
   Passed passed_ = Passed::nothing;
   float passed_at_ = 0;
-  nav::Heading passed_heading_ = 0;  ///< the heading in which it came to the corner
+  nav::Heading passed_heading_ = 0;  ///< heading on arrival at the corner
   nav::LandmarkKind passed_kind_ = nav::LandmarkKind::line;
   uint8_t passed_arms_ = 0;
-  bool returned_ = false;  ///< it has backed up onto it
-  bool deaf_ = false;      ///< turns away from an obstacle: the bumper says nothing new
-  uint8_t arms_ = 0;       ///< of the junction
-  uint8_t still_ = 0;      ///< steps without a count
+  bool returned_ = false;  ///< the robot has backed up onto the landmark or corner
+  bool deaf_ = false;      ///< the robot turns away from an obstacle: the bumper is ignored
+  uint8_t arms_ = 0;       ///< arms of the junction
+  uint8_t still_ = 0;      ///< number of steps without a count
 };
 
-/// A walker with the settings above: the robot uno5.
+/// The walker with the settings above, for the robot uno5.
 typedef LineWalkerOf<LineWalkerSettings> LineWalker;
 
 #include "LineWalkerDriving.h"

@@ -1,5 +1,5 @@
-// The driving of LineWalker.h, which includes this: steps, odometry, turns. A template's code must be in a
-// header.
+// Implements the driving of LineWalker.h, which includes this file: steps, odometry, turns. Template code
+// must be in a header.
 #ifndef LINEKIT_LINE_WALKER_DRIVING_H
 #define LINEKIT_LINE_WALKER_DRIVING_H
 

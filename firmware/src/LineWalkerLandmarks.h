@@ -1,5 +1,5 @@
-// The way of LineWalker.h, which includes this, from one landmark to the next, and the recognition of
-// landmarks.
+// Implements the part of LineWalker.h, which includes this file, that drives from landmark to landmark and
+// recognises landmarks.
 #ifndef LINEKIT_LINE_WALKER_LANDMARKS_H
 #define LINEKIT_LINE_WALKER_LANDMARKS_H
 
@@ -53,7 +53,7 @@ nav::Landmark LineWalkerOf<S>::begin() {
   steps_ = 0;
   if (!found) return landmark(nav::LandmarkKind::lost, 0);
   const uint8_t count = nav::slotCount(arms);
-  if (count > 2 && ahead != 0) {  // on a junction, facing no line: as it stood
+  if (count > 2 && ahead != 0) {  // on a junction, facing no line: turn back to the initial heading
     turned_ = ahead * line_walker::kQuarter;
     while (turned_ > line_walker::kTurnedEarly) spin(-S::turning);
     brake();

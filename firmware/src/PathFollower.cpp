@@ -58,7 +58,7 @@ void PathFollower::follow(bool near, bool middle, bool far) {
 void PathFollower::cross(bool near) {
   const uint16_t dark_ms = since() + settings_.noise_ms;
   if (near) {
-    // A branch passes. What stays is the line itself: it has slipped away under the sensor.
+    // A branch soon passes. If the sensor stays dark, the robot has drifted: the sensor is over the line.
     if (dark_ms > 3 * width_ms_) enter(State::following);
     return;
   }

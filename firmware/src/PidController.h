@@ -1,9 +1,9 @@
-// A PID controller: how hard to steer against an error.
+// A PID controller: computes how hard to steer against an error.
 //
 //   output = kp * e  +  ki * integral of e dt  +  kd * de/dt,   limited to [lowest, highest]
 //
-//   kp   reacts to the present error. If it is too large, the robot swings.
-//   kd   reacts to how fast the error changes, and damps the swing.
+//   kp   reacts to the present error. If it is too large, the robot oscillates.
+//   kd   reacts to how fast the error changes, and damps the oscillation.
 //   ki   removes a lasting error, for example if one motor is weaker than the other. Line followers
 //        need little or none.
 //
@@ -34,16 +34,16 @@ class PidController {
   PidController(float kp, float ki, float kd) : kp_(kp), ki_(ki), kd_(kd) {}
 
   void setGains(float kp, float ki, float kd);
-  /// Sets bounds of the output; without this call there are none. Swapped bounds are corrected.
+  /// Sets the bounds of the output, which has none by default. Swapped bounds are corrected.
   void setLimits(float lowest, float highest);
   /// Smooths the derivative over about `seconds`, against noisy sensors; 0 (the default) = no smoothing.
   void setDerivativeSmoothing(float seconds) { smoothing_ = seconds > 0 ? seconds : 0; }
 
-  /// Returns the output after one step. `dt` is the time since the last call, in seconds. With 0 or less,
+  /// Returns the output after one step. `dt` is the time since the last call, in seconds. If it is 0 or less,
   /// integral and derivative do not change.
   float update(float error, float dt);
 
-  /// Forgets integral and derivative, as if never called.
+  /// Clears the integral and the derivative, as if update() had never been called.
   void reset();
 
   float integral() const { return integral_; }  ///< error * seconds

@@ -1,12 +1,12 @@
-// A push button, debounced, that never makes the program wait.
+// Debounces a push button, without making the program wait.
 //
 // Contacts bounce: for some milliseconds after a press the pin goes up and down. So a new level counts only
-// once it has stayed for the debounce time. update() reads the pin once; call it in every loop(), as often as
-// you like.
+// after it has been stable for the debounce time. update() reads the pin once; call it in every loop(), as
+// often as you like.
 //
-// Wiring: between the pin and ground (the default: the chip's pull-up keeps the pin HIGH, a press makes it
-// LOW). Or with `PushButton::PressedIs::high` between the pin and 5 V, and a resistor of 10 kilohm from the
-// pin to ground.
+// Wiring: by default between the pin and ground. The chip's pull-up keeps the pin HIGH, and a press makes it
+// LOW. With `PushButton::PressedIs::high`: between the pin and 5 V, with a resistor of 10 kilohm from the pin
+// to ground.
 //
 // Example:
 //
@@ -25,12 +25,12 @@ class PushButton {
  public:
   enum class PressedIs : uint8_t { low, high };
 
-  /// `debounce_ms` is the time for which a level must stay before it counts; 20 ms suits most buttons.
+  /// `debounce_ms` is the time for which a level must be stable before it counts; 20 ms suits most buttons.
   explicit PushButton(uint8_t pin, PressedIs pressed_is = PressedIs::low, uint8_t debounce_ms = 20)
       : pin_(pin), debounce_ms_(debounce_ms), pressed_is_(pressed_is) {}
 
-  /// Sets the pin's mode and takes its present level as the state. So a button held at power-on is pressed
-  /// at once.
+  /// Sets the pin's mode and uses its present level as the state. A button held at power-on is therefore
+  /// pressed at once.
   void begin();
   /// Reads the pin.
   void update();

@@ -1,9 +1,9 @@
-// A chain of 74HC595s: eight more outputs for each of them, using three pins of the board.
+// Drives a chain of 74HC595s over three pins of the board. Each register adds eight outputs.
 //
-// Wiring: DATA to the first one's SER (DS), its QH' (Q7S) to the next one's SER, and so on; CLOCK to SRCLK
-// (SHCP) and LATCH to RCLK (STCP) of all; OE to ground, SRCLR (MR) to 5 V.
+// Wiring: DATA to the first register's SER (DS), its QH' (Q7S) to the next register's SER, and so on; CLOCK
+// to SRCLK (SHCP) and LATCH to RCLK (STCP) of all registers; OE to ground, SRCLR (MR) to 5 V.
 //
-// Bit q of byte i is output Qq of register i; register 0 is the one at the board. set() only stores the
+// Bit q of byte i is output Qq of register i; register 0 is the first in the chain. set() only stores the
 // value. show() sends all bytes, and then all outputs change at once. At power-on the outputs are undefined:
 // call begin() early in setup().
 //
@@ -21,7 +21,7 @@ class ShiftRegisters {
   ShiftRegisters(uint8_t data, uint8_t clock, uint8_t latch, uint8_t count)
       : data_(data), clock_(clock), latch_(latch), count_(count < kMost ? count : kMost) {}
 
-  /// Makes the pins outputs, and all outputs of the registers low.
+  /// Configures the pins as outputs and sends the stored bytes, which are 0 unless set() has been called.
   void begin();
   void set(uint8_t index, uint8_t bits) {
     if (index < kMost) bits_[index] = bits;

@@ -1,12 +1,12 @@
-// Counts how far two wheels have turned, with one encoder channel on each: two wires.
+// Measures how far two wheels have turned, with one encoder channel per wheel: two wires.
 //
-// Both edges of each channel count, by interrupts (pins 2 and 3 on an Uno), so none is missed, whatever the
-// sketch does. A single channel cannot tell the direction: a wheel is assumed to turn as it was last driven.
-// So let a wheel stop before you reverse it.
+// Both edges of each channel count, by interrupts (pins 2 and 3 on an Uno), so no edge is missed, whatever
+// the sketch does. A single channel cannot indicate the direction: a wheel is assumed to turn as it was last
+// driven. So let a wheel stop before you reverse it.
 //
 //   mm = counts * pi * wheel diameter / (2 * periods per turn of the wheel)
 //
-// A sketch can have one pair of encoders.
+// A sketch can have only one pair of encoders.
 //
 //   WheelEncoders encoders(2, 3);
 //   void setup() { encoders.begin(); }
@@ -25,7 +25,7 @@ class WheelEncoders {
   WheelEncoders(uint8_t left_pin, uint8_t right_pin) : left_pin_(left_pin), right_pin_(right_pin) {}
 
   void begin();
-  /// Sets the direction in which each wheel is driven, by sign; 0 keeps it.
+  /// Sets the direction of each wheel by the sign of its value; 0 leaves the direction unchanged.
   void setDirections(int16_t left, int16_t right);
   /// Return the counts since the last call, forward positive.
   int16_t takeLeft() { return take(left_); }

@@ -5,11 +5,11 @@
 //   Serial, 115200  accepts a destination: a station's number or its name (below), and a newline.
 //                   Rejects anything else
 //   LEDs            pin 13: on a junction, A5: at a station
-//   buzzer          a short beep: done; a long one: an error
-//   bumper          stops the robot; if the obstacle stays, it goes back and takes another way
+//   buzzer          beeps briefly for success, and longer for an error
+//   bumper          stops the robot; if the obstacle stays, the robot goes back and takes another way
 //
-// The EEPROM stores the map and the station at which the robot stands. So it need not scan again after a
-// power cycle, unless it was switched off between stations: then its position is unknown.
+// The EEPROM stores the map and the node at which the robot stopped, so a power cycle requires no new scan.
+// If the robot was switched off between nodes, its position is unknown, and it must scan again.
 
 #include <EEPROM.h>
 #include <LineKit.h>
@@ -21,14 +21,14 @@
 #include "Memory.h"
 #include "Walker.h"
 
-// Names of the stations, from station 1 on. Change them for your floor, or leave them out.
+// Names of the stations, starting with station 1. Change them for your floor, or remove them.
 const char NAMES[] PROGMEM = "home\0dock\0shelf\0";
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};  // left to right
 const uint8_t BUTTON_PIN = 4, BUMPER_PIN = 12;
-const uint8_t LONGEST = 15;  // characters of a destination, at most
+const uint8_t LONGEST = 15;  // maximum length of a destination, in characters
 
-typedef nav::FixedNetwork<60> Network;  // junctions less than 60 mm apart are one
+typedef nav::FixedNetwork<60> Network;  // junctions less than 60 mm apart count as one
 static_assert(Network::kRecordBytes <= STAND_AT, "the EEPROM is too small for this number of nodes");
 typedef nav::Navigator<Walker, Network, nav::TreeOrDijkstra<> > Driver;
 
@@ -40,7 +40,7 @@ Walker walker(sensors, motors, encoders, BUMPER_PIN);
 Network network;
 Driver driver(walker, network);
 
-// UNKNOWN: at no node; STORED: read from the EEPROM, and not verified; KNOWN: verified.
+// UNKNOWN: position unknown; STORED: read from the EEPROM, not yet verified; KNOWN: verified.
 enum Placed : uint8_t { UNKNOWN, STORED, KNOWN } placed = UNKNOWN;
 Stand stand;
 char line[LONGEST + 2];

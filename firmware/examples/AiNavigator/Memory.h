@@ -1,12 +1,12 @@
-// Stores the map (with version and checksum) in EEPROM, and at its end the node at which the robot has
-// stopped.
+// Stores the map, with version and checksum, at the start of the EEPROM. The last three bytes store the node
+// and heading at which the robot stopped.
 #ifndef MEMORY_H
 #define MEMORY_H
 
 #include <EEPROM.h>
 #include <stdint.h>
 
-/// Reads and writes the map's bytes for save() and load() of the network.
+/// Reads and writes the map's bytes for the network's save() and load().
 struct EepromRecord {
   int at = 0;
   void put(uint8_t byte) { EEPROM.update(at++, byte); }
@@ -37,7 +37,7 @@ inline bool loadStand(Stand& stand) {
   return stand.heading < 4 && EEPROM.read(STAND_AT + 2) == checkOf(stand);
 }
 
-/// Invalidates the stored position, when the robot moves or is lost.
+/// Invalidates the stored position. Call it when the robot moves or is lost.
 inline void forgetStand() { EEPROM.update(STAND_AT + 1, 255); }
 
 /// Returns whether the EEPROM has never been written.

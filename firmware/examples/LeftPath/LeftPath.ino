@@ -1,5 +1,5 @@
 // Tours a floor of lines with three digital sensors: takes every left branch, and turns at a line's end.
-// If the lines form no loop, it visits every station and returns home. PathFollower.h explains how and why.
+// If the lines form no loop, the robot visits every station and returns home. PathFollower.h explains why.
 
 #include <LineKit.h>
 

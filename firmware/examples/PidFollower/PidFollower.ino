@@ -1,7 +1,7 @@
 // Follows a line with five analog sensors and a PID controller.
 //
-// It starts immediately, with the sensor range given below. To measure the range first, hold the button
-// while switching on: the robot then turns left and right over the line for two seconds.
+// The robot starts immediately, with the sensor range given below. To measure the range first, hold the
+// button while switching on: the robot then turns left and right over the line for two seconds.
 
 #include <LineKit.h>
 
@@ -9,8 +9,8 @@ const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};  // left to right
 const uint8_t BUTTON_PIN = 4;                        // to ground
 
 const uint8_t STEP_MS = 5;
-const float CRUISE = 140;   // PWM, of 255, with the line under the middle sensor
-const float SLOWER = 40;    // reduction per sensor of offset, so that it drives slower in bends
+const float CRUISE = 140;   // duty cycle, of 255, when the line is under the middle sensor
+const float SLOWER = 40;    // speed reduction per sensor of offset, to slow down in bends
 const float SLOWEST = 60;   // lower limit of the speed
 const float STEERING = 200; // upper limit of the steering
 

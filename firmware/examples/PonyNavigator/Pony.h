@@ -1,11 +1,11 @@
 // The robot's hardware: three line sensors and a collision sensor. A chain of three shift registers drives
 // two motors, two digits, three LEDs and a buzzer.
 //
-// Motors are driven by slow PWM: on for some milliseconds of every period, then braked by the driver. A duty
-// is given in milliseconds of kPeriod; negative is backward. At 14 of 30 the robot drives at about 12 cm/s.
+// The motors are driven by slow PWM: on for some milliseconds of every period, then braked by the driver. A
+// duty is the on-time per kPeriod in ms; negative is backward. At 14 of 30 the robot drives about 12 cm/s.
 //
-// All work is done in step(): it switches the motors, waits until the next step is due, and reads the
-// sensors. While the collision sensor is pressed, it pauses for up to kPatienceMs; then the robot is blocked.
+// step() does all work: it switches the motors, waits until the next step is due, and reads the sensors.
+// While the collision sensor is pressed, it pauses for up to kPatienceMs. After that the robot is blocked.
 #ifndef PONY_H
 #define PONY_H
 
@@ -23,16 +23,16 @@ class Pony {
 
   /// Performs one step with these duties, -kPeriod..kPeriod.
   void step(int8_t left, int8_t right);
-  /// Performs steps at rest.
+  /// Stands still for `ms` milliseconds.
   void rest(uint16_t ms);
 
   /// Returns whether a sensor is over the line, debounced by two equal readings.
   bool left() const { return seen_ & 1; }
   bool middle() const { return seen_ & 2; }
   bool right() const { return seen_ & 4; }
-  /// Returns the steps since power-on, which serve as the clock of all motion.
+  /// Returns the number of steps since power-on, the time base of all motion.
   uint16_t now() const { return steps_; }
-  /// Returns whether an obstacle has been in the way for kPatienceMs. True until forgive().
+  /// Returns whether an obstacle has been in the way for kPatienceMs. Stays true until forgive().
   bool blocked() const { return blocked_; }
   void forgive() { blocked_ = false; }
 

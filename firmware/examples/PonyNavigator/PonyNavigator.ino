@@ -1,14 +1,14 @@
 // Explores a tree of lines, and then drives to any of its stations. Robot: pony, of the m-graph paper.
 //
 //   button 1            starts a scan; if a line ends at the robot, that end is station 1
-//   button 2            loads the map of an earlier scan (EEPROM), after a manual move to station 1
-//   radio               accepts a destination: 8 bits, most significant first. A long beep rejects any other
-//                       number of bits, and a station that does not exist
-//   digits              show the last discovered station during a scan, then the present one or destination
-//   LEDs                show a junction, the end of a line, and driving
-//   collision sensor    makes the robot wait until the way is free; after five seconds it turns back
+//   button 2            sets the position to station 1 of the map (EEPROM), after a manual move there
+//   radio               accepts a destination: 8 bits, most significant first. A long beep reports any other
+//                       number of bits, or a station that does not exist
+//   digits              show the last station found during a scan, then the present station or destination
+//   LEDs                light on a junction, at the end of a line, and while driving
+//   collision sensor    makes the robot wait until the way is free; after five seconds the robot turns back
 //
-// Without encoders it cannot recognise a junction that it has visited, so the lines must not form a loop.
+// Without encoders the robot cannot recognise a junction that it has visited, so the lines must form no loop.
 
 #include <EEPROM.h>
 #include <LineKit.h>
@@ -32,7 +32,7 @@ ClockedReceiver radio(5, 2, 3);  // data, clock, enable
 PonyWalker walker(pony);
 Tree tree;
 Driver driver(walker, tree);
-bool placed = false;  // whether its position is known
+bool placed = false;  // whether the robot's position is known
 
 // Stores a record's bytes in the EEPROM.
 struct Memory {

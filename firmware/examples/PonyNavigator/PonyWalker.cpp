@@ -7,17 +7,17 @@ using nav::LandmarkKind;
 using nav::Turn;
 
 const int8_t CRUISE = 14;        // duty when driving straight on
-const int8_t STEER = 7;          // added on one side, subtracted on the other
+const int8_t STEER = 7;          // duty added on one side, subtracted on the other
 const int8_t TURN = 12;          // duty of turns on the spot
 const int8_t COUNTER = 30;       // reverse duty to brake
 const uint8_t STOP_STEPS = 9;    // duration of braking before a rest
 const uint8_t SETTLE_STEPS = 5;  // duration of braking at the end of a turn
 const uint8_t REST_MS = 60;
-const uint16_t WHITE_STEPS = 75;  // time without a line after which it may have ended
-// Distance to roll, in tenths of a line's width (20 mm), until the axle is over the arm: the sensors are
-// 60 mm ahead of it, less half a width, the third of a width already driven, and the stopping distance.
+const uint16_t WHITE_STEPS = 75;  // steps on white after which the line may have ended
+// Distance to roll until the axle is over the arm, in tenths of a line's width (20 mm): the sensors' 60 mm,
+// less half a width, the third of a width already driven, and the stopping distance.
 const uint16_t ROLL_TENTHS = 20;
-const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn, after which a line is the first one again
+const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn; a later line is the first one again
 const uint8_t SIDE_STEPS = 4;      // debounce time of a dark side sensor
 const uint8_t LEFT = 1, RIGHT = 2;
 
@@ -42,7 +42,7 @@ Landmark PonyWalker::begin() {
   lost_ = false;
   left_at_ = millis();
   if (!pony_.middle() && !turnToLine(1, 6 * quarter_)) return landmark(LandmarkKind::lost);
-  // Turn fully and record the quarters that have a line.
+  // Turns fully and records the quarters that have a line.
   const uint16_t start = pony_.now();
   arms_ = 1;
   bool was_dark = true;
@@ -96,7 +96,7 @@ Landmark PonyWalker::follow() {
   }
   stop();
   if (lost_) return landmark(LandmarkKind::lost);
-  backOff();  // makes space to turn
+  backOff();  // makes room to turn
   pony_.forgive();
   arms_ = 0;
   return landmark(LandmarkKind::blocked);
@@ -116,7 +116,7 @@ bool PonyWalker::followEdge() {
 }
 
 uint8_t PonyWalker::cross() {
-  uint16_t left = SIDE_STEPS, right = SIDE_STEPS;  // dark
+  uint16_t left = SIDE_STEPS, right = SIDE_STEPS;  // steps with a dark sensor
   uint16_t white = 0;
   while (white < width_ / 3) {
     pony_.step(CRUISE, CRUISE);

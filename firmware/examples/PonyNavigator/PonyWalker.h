@@ -6,21 +6,21 @@
 //
 //   under the sensors                  meaning
 //   L or R dark for about one width    an arm; its duration calibrates the following distances
-//   all white for a while              look a little to both sides: the line continues, or has ended
+//   all white for a while              search a little on both sides: the line continues, or has ended
 //
 // (The paper's robot steers by the side sensors, 110 and 011, so it cannot distinguish an arm on one side
-// from drifting off the line. Only 111 is a junction for it.)
+// from drifting off the line. It recognises only 111 as a junction.)
 //
-// After an arm the robot rolls on until its axle is over the arm, and looks for the line ahead. Two arms,
-// including the one of arrival, are a bend; more are a junction; none is an end.
+// After an arm the robot rolls on until its axle is over the arm, and searches for the line ahead. Two arms,
+// including the arm of arrival, are a bend, and more are a junction. Without any arm, the line has ended.
 //
 // Times are in steps of Pony::kStepMs. A line is 20 mm wide, so the duration of an arm is the time for 20 mm.
-// The motors' speed is stable enough to use it for the next distances. The first full turn on the spot
-// detects the lines around, and measures the duration of a quarter turn.
+// The motor speed is stable enough to use this time for the next distances. The first full turn on the spot
+// detects the lines around the robot, and measures the duration of a quarter turn.
 //
 // An obstacle that stays longer than Pony::kPatienceMs is reported as `blocked`.
 //
-// Without encoders it does not recognise places (kKnowsPlaces), so maps must be trees.
+// Without encoders the walker does not recognise places (kKnowsPlaces), so maps must be trees.
 #ifndef PONY_WALKER_H
 #define PONY_WALKER_H
 
@@ -43,7 +43,7 @@ class PonyWalker {
   /// Follows the line's edge. Returns true when an arm begins; false if the line ends or the robot is
   /// blocked.
   bool followEdge();
-  /// Returns the arms that it crosses while driving straight on: 1 left, 2 right; 0 if there was no arm.
+  /// Drives straight on across arms. Returns 1 for a left arm, 2 for a right arm, 3 for both, 0 for none.
   uint8_t cross();
   void roll();
   void backOff();
@@ -52,7 +52,7 @@ class PonyWalker {
   bool lookAhead();
   /// Turns on the spot for at most `steps`; `dir` is 1 to the right, -1 to the left. Returns true at a line.
   bool turnToLine(int8_t dir, uint16_t steps);
-  /// Turns on the spot to the `count`-th line, `quarters` away. Returns false if it is missing.
+  /// Turns on the spot to the `count`-th line, `quarters` away. Returns false if that line is missing.
   bool turn(int8_t dir, uint8_t quarters, uint8_t count);
   void spin(int8_t dir, uint8_t duty) {
     pony_.step(static_cast<int8_t>(dir * duty), static_cast<int8_t>(-dir * duty));
@@ -67,7 +67,7 @@ class PonyWalker {
   bool lost_ = false;
   uint16_t width_ = 85;     ///< steps for 20 mm
   uint16_t quarter_ = 346;  ///< steps for a quarter turn
-  uint32_t left_at_ = 0;    ///< time in ms when it left the last landmark
+  uint32_t left_at_ = 0;    ///< time when the robot left the last landmark, in ms
 };
 
 #endif

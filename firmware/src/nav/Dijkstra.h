@@ -1,4 +1,4 @@
-// Dijkstra's algorithm: the path of the least cost, on any network.
+// Dijkstra's algorithm: finds the path of least cost on any network.
 #ifndef LINEKIT_NAV_DIJKSTRA_H
 #define LINEKIT_NAV_DIJKSTRA_H
 
@@ -8,7 +8,7 @@ namespace nav {
 
 namespace detail {
 
-/// Nodes still to be settled, the nearest first: a binary heap that knows where each node is in it.
+/// Nodes still to be settled, the nearest first: a binary heap that also stores each node's position in it.
 template <class Id, class Cost>
 class NodeHeap {
  public:
@@ -21,7 +21,7 @@ class NodeHeap {
     heap_[size_++] = node;
     rise(node);
   }
-  /// Call it after its distance has decreased.
+  /// Moves a node up the heap. Call it after the node's distance has decreased.
   void rise(Id node) {
     Id at = position_[node];
     while (at > 0) {
@@ -73,8 +73,8 @@ class FixedDijkstraWork {
   Cost costs_[kNodes];
 };
 
-/// Finds the path of the least cost. Sums that Work::Cost cannot hold count as its greatest value. Of equally
-/// near nodes any may be settled first, but always the same. The path's memory is the heap.
+/// Finds the path of least cost. Sums that exceed the range of Work::Cost become its greatest value. Equally
+/// near nodes are settled in an unspecified but repeatable order. The path's memory serves as the heap.
 template <class Network, class Path, class Work>
 Plan dijkstra(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
               Work& work) {
@@ -117,16 +117,16 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
   return Plan::no_way;
 }
 
-/// Finds the next node on the path of the least cost, with 17 bits per junction: for a chip. Stations need no
+/// Finds the next node on the path of least cost, with 17 bits per junction, to fit a chip. Stations need no
 /// memory, since they are only at the ends of paths. The network must count its junctions, by row() and
 /// junctions(), as FixedNetwork does.
 ///
-/// It searches from the destination until it reaches the robot's node. The next node is the one before that.
-/// Sums stay below 2^16: if the lines are too long for that, all costs are halved until they fit.
+/// The search runs from the destination to the robot's node. The next node is the last one before that. Sums
+/// stay below 2^16: if the lines are too long for that, all costs are halved until the sums fit.
 template <uint8_t kJunctions>
 class DijkstraNext {
  public:
-  /// Returns `here` itself if it is there; kNone for an unknown node, no path, or more junctions than memory.
+  /// Returns `here` if it is the destination; kNone for an unknown node, no path, or too many junctions.
   template <class Network>
   typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
     typedef typename Network::Id Id;

@@ -1,21 +1,21 @@
 // Scans a network of lines into a graph: every station, every junction, every obstacle.
 //
-// It makes a depth-first walk, the right-hand arm first. At a new junction it adds a node and takes the first
-// arm to the right. It explores everything beyond it, comes back, and takes the next arm. After the last one
-// it returns the way it first came. On a tree this is the right-hand walk round all of it. A line that leads
-// to a known junction closes a cycle: it records the line and goes back. So it runs along every line once in
-// each direction.
+// The explorer makes a depth-first walk, the right-hand arm first. At a new junction it adds a node and takes
+// the first arm to the right. It explores everything beyond that arm, comes back, and takes the next arm.
+// After the last arm it returns the way it first came. On a tree this is the right-hand walk round the whole
+// tree. A line that leads to a known junction closes a cycle: the explorer records it and goes back. Every
+// line is thus run once in each direction.
 //
-// It recognises a junction by its place, so it needs a Walker with odometry (kKnowsPlaces). Without one it
-// must take every junction for a new one. That is right on trees only; on cycles it continues until the
-// network is full, which is reported.
+// The explorer recognises a junction by its place, so it needs a Walker with odometry (kKnowsPlaces). Without
+// odometry it must treat every junction as new. That is right on trees only. On cycles the scan continues
+// until the network is full, and reports that.
 //
-// It can begin anywhere. At the end of a line, that end is station 1 and the root of the graph. Elsewhere the
-// first node that it meets is the root, and the arm by which it came there is explored last.
+// The scan can begin anywhere. If it begins at the end of a line, that end is station 1 and the root of the
+// graph. Elsewhere the first node that the robot meets is the root, and its arm of arrival is explored last.
 //
-// An obstacle is beyond an arm. If the robot meets it from its other side, too, it is also beyond an arm of
-// another node. The part in between is unknown. If the line is open when the robot comes along it from
-// the other end, the arm is open.
+// An obstacle is recorded beyond an arm. If the robot meets it from the other side, too, it is also recorded
+// beyond an arm of the node there. The part in between stays unknown. If the robot later comes along the line
+// from the other end, the arm is open again.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);
 //   while (explorer.step()) showProgress();
@@ -30,8 +30,8 @@ namespace nav {
 enum class ScanState : uint8_t {
   running,
   complete,  ///< every reachable line is known; the robot stands at the root
-  full,      ///< the network's storage is full; its content is right, but incomplete
-  cut_off,   ///< a new obstacle blocks the way back; the network's content is right
+  full,      ///< the network's storage is full; its content is correct, but incomplete
+  cut_off,   ///< a new obstacle blocks the way back; the network's content is correct
   lost       ///< the walker is lost, or met something impossible
 };
 
@@ -44,7 +44,7 @@ class Explorer : public Pilot<Walker, Network> {
 
   Explorer(Walker& walker, Network& network) : Base(walker, network) {}
 
-  /// Moves to the next node (the first call looks round and clears the network). Returns false once the scan
+  /// Moves to the next node; the first call looks round and clears the network. Returns false once the scan
   /// has ended, see state().
   bool step() {
     if (state_ != ScanState::running) return false;
@@ -98,7 +98,7 @@ class Explorer : public Pilot<Walker, Network> {
     lose();
   }
 
-  // Begins on a junction. Slot 0, explored last, is the last of right, straight, left, back.
+  // Begins on a junction. Slot 0, explored last, is the last existing arm of right, straight, left, back.
   void addRoot(const Landmark& at) {
     Heading last = opposite(heading_);
     while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
@@ -200,8 +200,8 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  /// Goes back along the line of the arm in `slot` of `from`. If it meets a new obstacle there, it returns to
-  /// the node ahead, if one is known.
+  /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot returns
+  /// to the node ahead, if there is a known one.
   void retreat(Id from, uint8_t slot) {
     const Id ahead = network_.link(from, slot);
     turnBack();
@@ -227,7 +227,7 @@ class Explorer : public Pilot<Walker, Network> {
 
   ScanState state_ = ScanState::running;
   bool begun_ = false;
-  bool blocked_behind_ = false;  ///< before the first node
+  bool blocked_behind_ = false;  ///< an obstacle was met before the first node
 };
 
 }  // namespace nav

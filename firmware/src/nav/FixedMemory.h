@@ -1,10 +1,10 @@
-// Additional memory of FixedNetwork, for more than parents and arms. Two choices:
+// Memory of FixedNodes.h for everything except parents and arms. There are two choices:
 //
 //   MapMemory   places of junctions, lines that close cycles, costs: for robots with odometry
 //   TreeMemory  blocked arms only: for robots without odometry, whose networks must be trees
 //
-// A "side line" is at an arm but is not an edge of the depth-first tree: a line that closed a cycle, or an
-// obstacle with nothing known beyond it.
+// A "side line" is a line at an arm that is not an edge of the depth-first tree: a line that closed a cycle,
+// or an obstacle with nothing known beyond it.
 #ifndef LINEKIT_NAV_FIXED_MEMORY_H
 #define LINEKIT_NAV_FIXED_MEMORY_H
 
@@ -39,10 +39,10 @@ struct SideLine {
 static constexpr uint8_t kBlockedArm = 0xFE;
 
 /// Places and side lines share `kCells` cells of four bytes: places from the front, side lines from the back.
-/// Two junctions less than `kTolerance` apart, both in x and in y, are one.
+/// Two junctions less than `kTolerance` apart, both in x and in y, count as one.
 ///
 /// Costs are stored for lines between the first `kCosts` junctions. Only networks with cycles need costs, and
-/// those are not larger.
+/// such networks have no more junctions than that.
 template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
  public:
@@ -51,7 +51,7 @@ class MapMemory {
 
   void clear() { places_ = lines_ = joined_ = 0; }
   uint8_t lines() const { return lines_; }
-  /// Returns the number of lines in addition to the tree's.
+  /// Returns the number of lines that close cycles.
   uint8_t joined() const { return joined_; }
 
   bool addPlace(const Place& at) {
@@ -75,14 +75,14 @@ class MapMemory {
     return best;
   }
 
-  /// Sets the cost of the line to the parent, by the junction's row.
+  /// Sets the cost of the line from the junction in `row` to its parent.
   void setCost(uint8_t row, uint32_t cost) {
     if (row < kCosts) costs_[row] = packCost(cost);
   }
   uint16_t cost(uint8_t row) const { return row < kCosts ? unpackCost(costs_[row]) : 1; }
   static uint16_t cost(const SideLine& line) { return unpackCost(line.cost); }
 
-  /// Finds the other end of the side line at an arm. Returns false if there is none.
+  /// Finds the other end of the side line at an arm. Returns false if the arm has no side line.
   bool sideLine(uint8_t node, uint8_t slot, SideLine& other) const {
     for (uint8_t i = 0; i < lines_; ++i) {
       const Line& line = this->line(i);
@@ -170,7 +170,7 @@ class MapMemory {
   };
   struct Line {
     uint8_t a, b;
-    uint8_t slots;  ///< of a, 4 · that of b, kBlockedLine
+    uint8_t slots;  ///< slot of a | slot of b << 2 | kBlockedLine
     uint8_t cost;
   };
   union Cell {
@@ -218,8 +218,8 @@ class MapMemory {
   uint8_t places_ = 0, lines_ = 0, joined_ = 0;
 };
 
-/// Stores two bytes for each blocked arm that hides what is beyond it. Every line costs 1, and none closes a
-/// cycle.
+/// Stores two bytes for each blocked arm with nothing known beyond it. Every line costs 1, and no line closes
+/// a cycle.
 template <uint8_t kBlockedArms>
 class TreeMemory {
  public:

@@ -1,6 +1,6 @@
 // A Network (Network.h) in fixed arrays (FixedNodes.h): for a chip with 2 KB of RAM.
 //
-//   nav::FixedNetwork<60> network;   // junctions less than 60 (mm) apart are one
+//   nav::FixedNetwork<60> network;   // junctions less than 60 (mm) apart count as one
 //
 // RAM, on an ATmega328P, for 200 nodes:
 //
@@ -10,10 +10,10 @@
 //                                  130 in all                    520
 //   in all                                                       990 bytes
 //
-// A side line is a line that closes a cycle, or an arm that was blocked before anything beyond it was seen.
-// So there is room for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms. Or for
-// 64 junctions with four arms, all of them joined, where 65 lines close cycles. More is refused. In EEPROM a
-// full network takes some 840 bytes.
+// A side line is a line that closes a cycle, or an arm that was blocked before anything beyond it was known.
+// The memory is enough for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms. It
+// is also enough for 64 junctions with four joined arms each, where 65 lines close cycles. Larger networks
+// are refused. In EEPROM a full network takes some 840 bytes.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 
@@ -24,7 +24,7 @@ namespace nav {
 template <uint16_t kTolerance, uint8_t kNodes = kTreeNodes, uint8_t kCells = kNodes / 2 + 30>
 using FixedNetwork = FixedNodes<MapMemory<kCyclicJunctions, kCells, kTolerance>, kNodes>;
 
-// Two bytes per node, and four for every second one, which may be a junction.
+// A node takes two bytes. Every second node may be a junction, which takes four more bytes.
 LINEKIT_LIMIT_GROWS(nodes_of_a_tree, 4, 253);
 static_assert(sizeof(FixedNetwork<1, 202>) - sizeof(FixedNetwork<1, 200>) == 2 * 4, "4 bytes each");
 

@@ -1,14 +1,14 @@
-// The nodes of FixedNetwork.h and FixedTree.h: parents and arms in fixed arrays, with ids of one byte.
+// Stores the nodes of FixedNetwork.h and FixedTree.h: parents and arms in fixed arrays, with ids of one byte.
 // `Memory` (FixedMemory.h) stores everything else.
 //
-// Nodes are in preorder, so links need not be stored. The children of a node are those whose parent it is, in
-// the order of its slots 1, 2, 3 (and 0, for the root) that have no side line. Looking up a link takes a walk
-// through the node's descendants and the side lines: at most some 300 short steps.
+// Nodes are in preorder, so links need not be stored. A node's children are at those of its slots 1, 2, 3
+// (and 0, for the root) that have no side line, in this order. A link is looked up by a walk through the
+// node's descendants and the side lines, in at most some 300 short steps.
 //
-// It can be saved in EEPROM (kRecordBytes at most):
+// A network can be saved in EEPROM (kRecordBytes at most):
 //
 //   network.save(sink);         // sink.put(byte), byte by byte
-//   if (network.load(source))   // source.get(); false, and empty, if the record is damaged or foreign
+//   if (network.load(source))   // source.get(); false and empty if the record is damaged or foreign
 #ifndef LINEKIT_NAV_FIXED_NODES_H
 #define LINEKIT_NAV_FIXED_NODES_H
 
@@ -29,7 +29,7 @@ class FixedNodes {
   /// The longest record: version, size, junctions, one bit for each step up and down the tree, shapes,
   /// memory, checksum.
   static constexpr uint16_t kRecordBytes = 3 + (2 * kNodes + 7) / 8 + kNodes + Memory::kRecordBytes + 2;
-  static constexpr bool kPreorder = true;  ///< the numbering of explorers; load() accepts no other
+  static constexpr bool kPreorder = true;  ///< explorers number nodes in this order; load() rejects others
   static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");
 
   Id size() const { return size_; }
@@ -131,7 +131,7 @@ class FixedNodes {
   }
 
  private:
-  // A node's shape: its arms, 16 · entry, and
+  // A node's shape consists of its arms, 16 · entry, and these flags:
   static constexpr uint8_t kCut = 0x40;  ///< the line to its parent is blocked
   static constexpr uint8_t kJunction = 0x80;
   static constexpr uint8_t kNoSlot = 0xFF;
@@ -146,7 +146,7 @@ class FixedNodes {
     cuts_ = 1;
   }
 
-  // Every path to a station takes its only line: any cost is suitable.
+  // The cost of a station's only line is arbitrary, because every path to the station contains that line.
   uint32_t costToParent(Id node) const { return isStation(node) ? 1 : memory_.cost(row(node)); }
 
   Id add(Id from, uint8_t shape) {
@@ -155,7 +155,7 @@ class FixedNodes {
     return size_++;
   }
 
-  // Slots that may lead to children are numbered 1, 2, 3; `count` replaces 0 for the root.
+  // Finds the child at a slot. The order of the slots is 1, 2, 3, and then 0, for the root.
   Id childBehind(Id node, uint8_t slot) const {
     SideLine other;
     const uint8_t last = slot == 0 ? slotCount(arms(node)) : slot;
@@ -201,7 +201,7 @@ class FixedNodes {
     return true;
   }
 
-  // Returns whether loaded data is safe for all functions above, and all places are distinct.
+  // Returns whether all functions above can use the loaded data, and no two side lines share an arm.
   bool isSound() const {
     if (row(size_) != junctions_ || (!isTree() && junctions_ > kCyclicJunctions)) return false;
     for (Id node = 0; node < size_; ++node) {
@@ -232,7 +232,7 @@ class FixedNodes {
   Id parent_[kNodes];
   uint8_t shape_[kNodes];
   Id size_ = 0, junctions_ = 0;
-  uint8_t cuts_ = 0;  ///< 1 if there are any
+  uint8_t cuts_ = 0;  ///< 1 if any line to a parent is blocked
   Memory memory_;
 };
 

@@ -2,7 +2,7 @@
 //
 //   nav::FixedTree<> network;
 //
-// RAM: 2 bytes for a node, and 2 for each of 16 blocked arms: 436 bytes for 200 nodes.
+// RAM: 2 bytes per node, and 2 for each of 16 blocked arms: 436 bytes for 200 nodes.
 #ifndef LINEKIT_NAV_FIXED_TREE_H
 #define LINEKIT_NAV_FIXED_TREE_H
 

@@ -1,26 +1,26 @@
 // The interface between navigation and robots: landmarks on a network of lines, and the turns at them.
 //
 // A network of lines has nodes of two kinds: junctions, where three or four lines meet at right angles, and
-// stations, where a line ends. Between them a line may have any bends, which navigation need not know.
+// stations, where a line ends. Between nodes a line may bend; navigation ignores the bends.
 //
-// A Walker is any type with these members. It can run along a line, and knows nothing about graphs. There are
-// several: one moves from cell to cell on a simulator's grid, others drive motors.
+// A Walker is any type with these members. It runs along lines, and does not use the graph. There are several
+// walkers: one moves from cell to cell on a simulator's grid, others drive motors.
 //
-//   static const bool kKnowsPlaces;       // whether Landmark::at has a meaning (odometry)
-//   nav::Landmark begin();                // looks round where it stands, see below
-//   nav::Landmark follow();               // runs along the line, round bends, until it meets something
-//   void leave(nav::Turn turn);           // turns there; follow() then runs that way
+//   static const bool kKnowsPlaces;       // whether Landmark::at is valid (odometry)
+//   nav::Landmark begin();                // looks round at the start, see below
+//   nav::Landmark follow();               // runs along the line, round bends, until it meets a landmark
+//   void leave(nav::Turn turn);           // turns at the landmark; follow() then runs in that direction
 //   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
 //
 // begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line leaves in one
 // direction only; the robot then faces that direction. An `end` with no arms is a single spot without any
-// line to follow. `lost` means that there is no line.
+// line to follow. begin() returns `lost` if there is no line.
 //
 // follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
 // outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
-// without having met anything, and `lost` if its position is unknown.
+// without having met a landmark, and `lost` if its position is unknown.
 //
-// After `end` and `blocked` the only turn is Turn::back. At a junction Turn::back goes back the way it came.
+// After `end` and `blocked` the only turn is Turn::back. At a junction it leads back along the same line.
 #ifndef LINEKIT_NAV_LANDMARK_H
 #define LINEKIT_NAV_LANDMARK_H
 
@@ -28,7 +28,7 @@
 
 namespace nav {
 
-/// A direction in quarter turns clockwise, 0..3. 0 is the way that the robot faced when it began.
+/// A direction in quarter turns clockwise, 0..3. 0 is the robot's direction when it began.
 typedef uint8_t Heading;
 
 /// A turn in quarter turns clockwise: heading + turn, modulo 4, is the new heading.
@@ -55,7 +55,7 @@ enum class LandmarkKind : uint8_t { line, junction, end, blocked, loop, lost };
 
 struct Landmark {
   LandmarkKind kind;
-  uint8_t arms;     ///< lines that leave from here, with that of arrival: bit 1 << Heading for each
+  uint8_t arms;     ///< lines that leave from here, including the line of arrival: bit 1 << Heading for each
   Heading heading;  ///< of the robot, now
   Place at;
   uint32_t cost;  ///< since the last landmark: number of moves on a grid, else time in units of 20 ms
@@ -69,8 +69,8 @@ inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
 
 inline bool hasArm(uint8_t arms, Heading h) { return (arms >> h & 1) != 0; }
 
-// Slots. The arms of a junction are numbered: 0 is the arm of first entry. The others follow from right to
-// left for a robot that enters by it (right, straight, left); only existing arms count. So a junction with
+// Slots number the arms of a junction: 0 is the arm of first entry. For a robot that enters by that arm, the
+// others follow from right to left (right, straight, left). Only existing arms count, so a junction with
 // three arms has slots 0, 1, 2.
 
 /// Returns the number of arms.
@@ -79,7 +79,7 @@ inline uint8_t slotCount(uint8_t arms) {
 }
 
 /// Returns the heading in which the arm in a slot leaves. `entry` is the heading in which the junction was
-/// first entered, so the arm in slot 0 leaves in the opposite one. `slot` < slotCount(arms).
+/// first entered, so the arm in slot 0 leaves in the opposite heading. `slot` < slotCount(arms).
 inline Heading headingOf(uint8_t arms, Heading entry, uint8_t slot) {
   Heading h = opposite(entry);
   for (;;) {

@@ -1,29 +1,29 @@
-// Limits that a sketch's size report can print.
+// Defines limits that a sketch's size report can print.
 //
 //   LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, 200);
 //
 // defines the constant nav::kTreeNodes and, in the object file, the symbol linekit_limit_nodes_of_a_tree with
-// the value 200. It is a local absolute symbol: a name and a number in the symbol table, without a byte of
+// the value 200. This is a local absolute symbol: a name and a number in the symbol table, without a byte of
 // flash or RAM. Read it from any .elf or .so that was not stripped, on every target:
 //
 //   $ avr-nm AiNavigator.elf | grep linekit_limit_
 //   000000c8 a linekit_limit_nodes_of_a_tree
 //
 // Write the number in decimal: the preprocessor copies it into the assembler's text. If several files include
-// it, the symbol occurs several times, always with the same value.
+// this header, the symbol occurs several times, always with the same value.
 #ifndef LINEKIT_NAV_LIMITS_H
 #define LINEKIT_NAV_LIMITS_H
 
 #include <stdint.h>
 
-// A sketch may choose how many nodes there are, before its first #include:  #define LINEKIT_TREE_NODES 230
+// A sketch can set the number of nodes before its first #include:  #define LINEKIT_TREE_NODES 230
 #ifndef LINEKIT_TREE_NODES
 #define LINEKIT_TREE_NODES 200
 #endif
 
 #define LINEKIT_REPORT_LIMIT(name, value) __asm__(".set linekit_limit_" #name ", " #value)
-/// Also states the bytes of RAM for one more of them, and how far the limit may be raised. robosim run prints
-/// how many fit next to the deepest stack.
+/// Also defines the bytes of RAM for one more item, and the highest value to which the limit may be raised.
+/// robosim run prints how many items fit next to the deepest stack.
 #define LINEKIT_LIMIT_GROWS(name, bytes_each, most)           \
   __asm__(".set linekit_bytes_each_" #name ", " #bytes_each); \
   __asm__(".set linekit_most_" #name ", " #most)
@@ -34,7 +34,7 @@
 namespace nav {
 
 LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, LINEKIT_TREE_NODES);       // stations and junctions
-LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // and kTreeNodes in all
+LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // of kTreeNodes nodes in all
 
 }  // namespace nav
 

@@ -1,5 +1,5 @@
-// Two simple ways to store a network, for comparing planners: a table of links, as the paper's robot has it,
-// and a table of parents. Neither has costs, places or headings.
+// Two simple ways to store a network, for comparing planners: a table of links, as on the paper's robot, and
+// a table of parents. Neither table stores costs, places or headings.
 #ifndef LINEKIT_NAV_LINK_TABLE_H
 #define LINEKIT_NAV_LINK_TABLE_H
 
@@ -8,8 +8,8 @@
 
 namespace nav {
 
-/// Stores `kSlots` links per node, in any numbering, one byte each. A node's slot 0 is its parent (that of
-/// node 0 is a child).
+/// Stores `kSlots` links per node, in any numbering, one byte each. A node's slot 0 leads to its parent; slot
+/// 0 of node 0 leads to a child.
 template <uint8_t kNodes, uint8_t kSlots>
 class LinkTable {
  public:
@@ -25,7 +25,7 @@ class LinkTable {
     for (Id node = 0; node < size_; ++node)
       for (uint8_t slot = 0; slot < kSlots; ++slot) links_[node][slot] = kNone;
   }
-  /// Sets one direction of a line, once for each slot.
+  /// Sets one direction of a line. Call it once for each slot.
   void setLink(Id node, uint8_t slot, Id to) {
     links_[node][slot] = to;
     ++ends_;

@@ -1,4 +1,4 @@
-// Drives a robot to any node of a network that it knows, from landmark to landmark.
+// Drives a robot from landmark to landmark, to any node of a known network.
 //
 //   nav::Navigator<MyWalker, MyNetwork, nav::TreeOrDijkstra<>> navigator(walker, network);
 //   navigator.start(explorer.here(), explorer.heading());      // after a scan
@@ -6,14 +6,14 @@
 //   while (navigator.step()) showProgress();
 //   if (navigator.state() == nav::NavState::arrived) …
 //
-// At an obstacle on a line it records the obstacle in the network. Then it goes back to the node that it
-// left, and plans another path. If none exists, it reports that and stays at that node; goTo() another node
-// is then still possible.
+// If the robot meets an obstacle on a line, the navigator records it in the network. Then it goes back to the
+// last node, and plans another path. If there is no other path, it reports no_way and stays at that node.
+// goTo() another node is then still possible.
 //
-// At a station it turns to face along the line, ready to leave. At a junction it keeps its heading.
+// At a station the robot turns to face along the line, ready to leave. At a junction it keeps its heading.
 //
-// After a power cycle, load the network from EEPROM and call restore() instead of start(). It looks round,
-// and refuses if the robot's surroundings differ from the network.
+// After a power cycle, load the network from EEPROM and call restore() instead of start(). restore() looks
+// round, and returns false if the robot's surroundings differ from the network.
 //
 // A planner is any type with
 //
@@ -21,7 +21,7 @@
 //   void forget()                             called when its earlier plans become invalid
 //
 // Available: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of the
-// planners in Plan.h. Only the one that is named in the template takes flash.
+// planners in Plan.h. Only the planner that the template names takes flash.
 #ifndef LINEKIT_NAV_NAVIGATOR_H
 #define LINEKIT_NAV_NAVIGATOR_H
 
@@ -35,8 +35,8 @@ enum class NavState : uint8_t {
   idle,     ///< no destination yet
   driving,  ///< on the way; after each step() the robot stands at a node
   arrived,
-  no_way,   ///< obstacles block every path; it stands at a node, here()
-  trapped,  ///< obstacles in front and behind: it stands between two nodes, the last of them here()
+  no_way,   ///< obstacles block every path; the robot stands at a node, here()
+  trapped,  ///< obstacles in front and behind: the robot stands on a line that leaves from here()
   lost      ///< the walker is lost, or met something impossible
 };
 
@@ -51,7 +51,7 @@ class Navigator : public Pilot<Walker, Network> {
   Navigator(Walker& walker, Network& network, const Planner& planner)
       : Base(walker, network), planner_(planner) {}
 
-  /// Sets the robot's node and heading, as an explorer on the same walker left it.
+  /// Sets the robot's node and heading, as left by an explorer with the same walker.
   void start(Id here, Heading heading) {
     here_ = to_ = here;
     heading_ = heading;
@@ -61,8 +61,8 @@ class Navigator : public Pilot<Walker, Network> {
     planner_.forget();
   }
 
-  /// Sets the robot's node and heading after its walker has just been started. Returns false, and is lost, if
-  /// the surroundings differ.
+  /// Sets the robot's node and heading after a power cycle, and looks round. Returns false, with state
+  /// `lost`, if the surroundings differ from the network.
   bool restore(Id here, Heading heading) {
     start(here, heading);
     state_ = NavState::lost;
@@ -90,7 +90,7 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Moves to the next node. Returns false once it has ended, see state().
+  /// Moves to the next node. Returns false once the drive has ended, see state().
   bool step() {
     if (state_ != NavState::driving) return false;
     const Id next = planner_.next(network_, here_, to_);

@@ -2,36 +2,36 @@
 // walk, the right-hand arm first.
 //
 // A Network is any type with these members; explorer and planners are templates over it. FixedNetwork.h
-// stores one in fixed arrays with 8-bit ids, for a chip; on a host it may grow.
+// stores a network in fixed arrays with 8-bit ids, for a chip. On a host a network may grow.
 //
 //   Id                                an unsigned type; nodes are 0, 1, 2, … in preorder
 //   static const Id kNone             beyond an arm: not known (yet); of a root: no parent
 //   static const Id kBlocked          beyond an arm: an obstacle
 //
 //   Id size() const
-//   bool isStation(Id) const          else it is a junction
+//   bool isStation(Id) const          true for a station, false for a junction
 //   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
-//   Heading entry(Id) const           on first entry; slots count from it (Landmark.h)
+//   Heading entry(Id) const           heading on first entry; slots are counted from there (Landmark.h)
 //   Place place(Id) const             of a junction
-//   Id parent(Id) const               the node from which it was first entered; it is beyond slot 0
+//   Id parent(Id) const               the node from which this node was first entered; beyond slot 0
 //   Id link(Id, uint8_t slot) const   the node beyond that arm, or kNone, or kBlocked
-//   uint8_t backSlot(Id, uint8_t slot) const    the slot of link() to which this line leads
-//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a storage that
-//                                               has no room for it may return 1 for a line to a station
+//   uint8_t backSlot(Id, uint8_t slot) const    the slot at which this line arrives at link()
+//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a network without
+//                                               memory for it may return 1 for a line to a station
 //   Id find(const Place&) const       the junction there, or kNone
 //   bool isAt(Id junction, const Place&) const   find(place) == junction
 //   bool isTree() const               whether every line belongs to the depth-first walk
 //
-// It is built in preorder. The children of a node follow in the order of its slots 1, 2, 3, and 0 last for
-// the root:
+// A network is built in preorder. The children of a node follow in the order of its slots 1, 2, 3, and for
+// the root finally 0:
 //
 //   void clear()
 //   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full
 //   Id addJunction(Id from, uint8_t slot, uint8_t arms, Heading entry, Place, uint32_t cost)   kNone if full
 //   bool join(Id a, uint8_t slot_a, Id b, uint8_t slot_b, uint32_t cost)
-//                                     a line between known nodes, or from one to itself; replaces an
-//                                     obstacle noted beyond these arms; false if full
-//   bool block(Id, uint8_t slot)      an obstacle beyond that arm, on both sides of it; false if full
+//                                     adds a line between known nodes, or from a node to itself; replaces an
+//                                     obstacle recorded beyond these arms; false if full
+//   bool block(Id, uint8_t slot)      adds an obstacle at that arm and at the line's other end; false if full
 //
 // For the root, `from` is kNone, and slot and cost have no meaning. The arm of a station is its slot 0.
 #ifndef LINEKIT_NAV_NETWORK_H
@@ -53,7 +53,7 @@ Heading headingOf(const Network& network, typename Network::Id node, uint8_t slo
   return headingOf(network.arms(node), network.entry(node), slot);
 }
 
-/// Returns a station by its number, 1, 2, … in the order in which they were met; kNone if it does not exist.
+/// Returns the node of station 1, 2, … in the order of discovery, or kNone for an unknown station number.
 template <class Network>
 typename Network::Id stationNode(const Network& network, typename Network::Id number) {
   for (typename Network::Id node = 0; node < network.size(); ++node)

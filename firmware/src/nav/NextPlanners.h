@@ -1,4 +1,4 @@
-// Planners for a Navigator, which find the next node.
+// Planners for a Navigator. They find the next node on the way to a destination.
 #ifndef LINEKIT_NAV_NEXT_PLANNERS_H
 #define LINEKIT_NAV_NEXT_PLANNERS_H
 
@@ -17,7 +17,7 @@ struct ClimbPlanner {
   void forget() {}
 };
 
-/// Plans on any FixedNetwork, again at each node, in 137 bytes.
+/// Plans on any FixedNetwork, again at each node, with 137 bytes of memory.
 template <uint8_t kJunctions = kCyclicJunctions>
 class DijkstraPlanner {
  public:
@@ -31,7 +31,7 @@ class DijkstraPlanner {
   DijkstraNext<kJunctions> dijkstra_;
 };
 
-/// Uses ClimbPlanner if the network is a tree, of up to 200 nodes, else DijkstraPlanner.
+/// Uses ClimbPlanner if the network is a tree (of up to 200 nodes), else DijkstraPlanner.
 template <uint8_t kJunctions = kCyclicJunctions>
 class TreeOrDijkstra {
  public:
@@ -45,8 +45,8 @@ class TreeOrDijkstra {
   DijkstraNext<kJunctions> dijkstra_;
 };
 
-/// Adapts any planner of Plan.h: plans the whole path once, and again after forget() or when the robot is
-/// elsewhere. In addition to what Plan.h asks of a Path, it needs size() and [].
+/// Adapts any planner of Plan.h. Plans the whole path once, and again after forget() or when the robot is off
+/// the path. In addition to the members in Plan.h, Path must have size() and [].
 ///
 ///   typedef nav::PathPlanner<Network, Path, Work> Planner;
 ///   Planner planner(nav::bfs<Network, Path, Work>);

@@ -1,4 +1,4 @@
-// A robot's place on a network, and its actions at a node, for Explorer and Navigator.
+// Tracks a robot's place on a network, and acts at nodes, for Explorer and Navigator.
 #ifndef LINEKIT_NAV_PILOT_H
 #define LINEKIT_NAV_PILOT_H
 
@@ -13,13 +13,13 @@ class Pilot {
 
   /// Returns the robot's node, or kNone before the first one.
   Id here() const { return here_; }
-  /// Returns the robot's heading. At a station: along the line.
+  /// Returns the robot's heading. At a station the heading is along the line.
   Heading heading() const { return heading_; }
 
  protected:
   Pilot(Walker& walker, Network& network) : walker_(walker), network_(network) {}
 
-  /// Turns to an arm of the robot's node. At a station it faces the line already.
+  /// Turns to an arm of the robot's node. At a station the robot already faces the line.
   void take(uint8_t slot) {
     const Heading out = headingOf(network_, here_, slot);
     if (!network_.isStation(here_)) walker_.leave(turnBetween(heading_, out));
@@ -59,10 +59,10 @@ class Pilot {
   Network& network_;
   Id here_ = Network::kNone;
   Heading heading_ = 0;
-  // The walker counts headings and places from its pose at the beginning. After a power cycle that differs
-  // from its pose at the scan.
-  Heading frame_ = 0;   ///< of the walker, in the network's headings
-  bool placed_ = true;  ///< whether the walker's places are the network's, turned by frame_
+  // The walker measures headings and places from its initial pose. After a power cycle that pose differs from
+  // the initial pose of the scan.
+  Heading frame_ = 0;   ///< heading 0 of the walker, as a heading of the network
+  bool placed_ = true;  ///< whether the walker's places, rotated by frame_, are those of the network
 };
 
 }  // namespace nav

@@ -5,7 +5,7 @@
 //   if (nav::bfs(network, from, to, path, work) == nav::Plan::found)
 //     for (uint8_t i = 0; i < path.size(); ++i) show(path[i]);   // from, …, to
 //
-// All have this form, so that they are interchangeable:
+// All planners have this form, so that they are interchangeable:
 //
 //   name        header          finds                        work memory besides the path, n nodes
 //   bfs         Search.h        fewest lines                 n ids
@@ -16,11 +16,11 @@
 //   interval    TreeWay.h       the path, on trees           n ids
 //   dijkstra    Dijkstra.h      the least cost               2 n ids, n costs
 //
-// An arm with an obstacle, or with nothing known beyond it, is not a line; nor is a line from a junction to
-// itself. A path does not tell parallel lines apart: slotTowards() returns the cheapest.
+// Planners ignore arms with an obstacle, or with nothing known beyond them, and lines from a junction to
+// itself. A path does not distinguish parallel lines: slotTowards() returns the cheapest.
 //
-// A robot that plans at each node need not store a path: climbNext() in TreeWay.h takes no memory,
-// DijkstraNext in Dijkstra.h 137 bytes for 64 junctions.
+// A robot that plans at each node need not store a path: climbNext() in TreeWay.h takes no memory, and
+// DijkstraNext in Dijkstra.h takes 137 bytes for 64 junctions.
 //
 // A Path is any type with
 //   Id* room(count)    returns an array of `count` ids, or nullptr
@@ -39,10 +39,10 @@ namespace nav {
 enum class Plan : uint8_t {
   found,
   no_way,        ///< both nodes exist; the path stays empty, as in the cases below
-  unknown_node,  ///< one of the two is not a node of the network
+  unknown_node,  ///< `from` or `to` is not a node of the network
   no_room,       ///< the path or the work memory is too small for the network
   not_a_tree,    ///< the planner requires a tree
-  not_preorder   ///< the planner needs ids in preorder, and these are not
+  not_preorder   ///< the planner requires ids in preorder
 };
 
 template <unsigned kRoom>
@@ -70,7 +70,7 @@ class FixedWork {
   uint8_t ids_[kIds];
 };
 
-/// Returns whether there is another node beyond an arm of a node, and the line to it is open.
+/// Returns whether an arm of `node` leads over an open line to another node, `behind`.
 template <class Network>
 bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
   return behind != Network::kNone && behind != Network::kBlocked && behind != node;
@@ -78,7 +78,7 @@ bool isOpen(const Network&, typename Network::Id node, typename Network::Id behi
 
 static constexpr uint8_t kNoSlot = 0xFF;
 
-/// Returns the slot of the cheapest open line from a node to its neighbour; kNoSlot if there is none.
+/// Returns the slot of the cheapest open line from a node to its neighbour, or kNoSlot if there is no line.
 template <class Network>
 uint8_t slotTowards(const Network& network, typename Network::Id node, typename Network::Id neighbour) {
   uint8_t best = kNoSlot;
@@ -94,8 +94,8 @@ uint8_t slotTowards(const Network& network, typename Network::Id node, typename 
   return best;
 }
 
-/// Returns whether ids are those of a depth-first walk. Then every line connects a node and its parent, which
-/// is the node before it or an ancestor of that.
+/// Returns whether the ids are those of a depth-first walk. Then every line connects a node and its parent,
+/// and the parent is the preceding node or one of that node's ancestors.
 template <class Network>
 bool isPreorder(const Network& network) {
   typedef typename Network::Id Id;
@@ -120,7 +120,7 @@ bool isPreorder(const Network& network) {
 
 namespace detail {
 
-/// Extracts the path to `to` from the predecessor of each node; that of `from` is itself.
+/// Extracts the path to `to` from the predecessor of each node; the predecessor of `from` is `from`.
 template <class Id, class Path>
 Plan backtrack(const Id* before, Id from, Id to, Path& path, Id* way) {
   Id length = 1;

@@ -1,13 +1,13 @@
 // Pruned BFS, the planner of the paper on the Pony robot: a breadth-first search of a tree that keeps at most
 // two nodes of each level.
 //
-// The ids must be in preorder. Then the ids of all nodes beyond a node of the frontier, with its own, are
-// cyclically consecutive. So the id that is searched is beyond one of the two nodes of the frontier between
-// whose ids it is, cyclically. The others need not be followed.
+// The ids must be in preorder. Then the ids of a frontier node and of all nodes beyond it are cyclically
+// consecutive. So the destination is beyond one of the two frontier nodes whose ids enclose its id
+// cyclically. The other frontier nodes need not be followed.
 //
-// With any other numbering that is wrong, and most paths would be missed silently. So pruned() checks whether
-// ids are in preorder, and refuses others. That takes longer than the search. A caller that has checked once
-// (isPreorder() in Plan.h) calls prunedSearch().
+// With any other numbering, most paths would be missed silently. So pruned() checks whether the ids are in
+// preorder, and refuses others. The check takes longer than the search. A caller that has checked once
+// (isPreorder() in Plan.h) can call prunedSearch().
 #ifndef LINEKIT_NAV_PRUNED_BFS_H
 #define LINEKIT_NAV_PRUNED_BFS_H
 
@@ -17,7 +17,7 @@ namespace nav {
 
 namespace detail {
 
-/// The frontier: ids in ascending order. Two nodes have at most six new neighbours; one has four.
+/// The frontier: ids in ascending order. Two nodes have at most six new neighbours; a single node has four.
 template <class Id>
 struct Frontier {
   Id id[6];
@@ -28,7 +28,7 @@ struct Frontier {
     for (; i > 0 && id[i - 1] > node; --i) id[i] = id[i - 1];
     id[i] = node;
   }
-  /// Retains the two between which `to` lies.
+  /// Retains the two ids between which `to` lies.
   void prune(Id to) {
     if (size < 3) return;
     uint8_t above = 0;

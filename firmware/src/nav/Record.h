@@ -1,6 +1,6 @@
-// A record of bytes and bits with a checksum (CRC-16, polynomial 0x1021, most significant bit first, as
-// CCITT's). It is written to any type with put(uint8_t), and read from any type with uint8_t get(). Bits are
-// packed from the lowest up; the next byte begins after them. A damaged byte is always detected.
+// Reads and writes a record of bytes and bits with a checksum (CRC-16, polynomial 0x1021, most significant
+// bit first, as in CCITT). The sink is any type with put(uint8_t), the source any type with uint8_t get().
+// Bits are packed from the lowest up; the next byte begins after them. A damaged byte is always detected.
 #ifndef LINEKIT_NAV_RECORD_H
 #define LINEKIT_NAV_RECORD_H
 
@@ -70,7 +70,7 @@ class RecordReader {
     bits_ = static_cast<uint8_t>(bits_ >> 1);
     return bit;
   }
-  /// Returns whether the following checksum is right.
+  /// Reads the checksum and returns whether it is right.
   bool finish() {
     getRaw();
     getRaw();

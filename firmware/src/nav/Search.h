@@ -7,7 +7,7 @@
 namespace nav {
 
 /// Breadth-first search: finds a path with the fewest lines. Nodes are reached in the order of their distance
-/// from `from`, each from a nearer one. The path's memory is the queue.
+/// from `from`, each from a nearer node. The path's memory serves as the queue.
 template <class Network, class Path, class Work>
 Plan bfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -35,7 +35,7 @@ Plan bfs(const Network& network, typename Network::Id from, typename Network::Id
   return detail::backtrack(before, from, to, path, queue);
 }
 
-/// Depth-first search: finds some path, not a short one if there are cycles. The path's memory is the stack.
+/// Depth-first search: finds some path, maybe a long one if there are cycles. The path's memory is the stack.
 template <class Network, class Path, class Work>
 Plan dfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -75,7 +75,7 @@ namespace detail {
 
 enum class Dive : uint8_t { found, not_found, too_deep };
 
-/// Searches depth-first, `limit` lines deep at most. `best` holds the least depth at which each node was
+/// Searches depth-first, `limit` lines deep at most. `best` stores the least depth at which each node was
 /// seen, so that no node is expanded twice at the same depth.
 template <class Network>
 Dive dive(const Network& network, typename Network::Id from, typename Network::Id to,

@@ -1,4 +1,4 @@
-// Two planners for trees, which need no search: they derive the path from the numbering.
+// Two planners for trees. They need no search, because they derive the path from the numbering.
 #ifndef LINEKIT_NAV_TREE_WAY_H
 #define LINEKIT_NAV_TREE_WAY_H
 
@@ -8,7 +8,7 @@ namespace nav {
 
 namespace detail {
 
-// A network that can tell that no line to a parent is blocked has allOpen(): planners are faster then.
+// allOpen() of a network returns whether no line to a parent is blocked. It makes planners faster.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();
@@ -18,7 +18,7 @@ bool allOpen(const Network&, long) {
   return false;
 }
 
-// A network whose parents always have smaller ids than their children has a constant kPreorder.
+// A network defines the constant kPreorder if parents always have smaller ids than their children.
 template <class Network>
 constexpr auto surelyPreorder(int) -> decltype(Network::kPreorder) {
   return Network::kPreorder;
@@ -38,12 +38,12 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 
 }  // namespace detail
 
-/// Climb: replaces the larger of the two ids by its parent, until they are the same. It only needs a parent's
-/// id to be less than its children's.
+/// Climb: replaces the larger of the two ids by its parent, until both are the same. It only requires that a
+/// parent's id is less than its children's ids.
 ///
-/// The path up from `from` grows at the front of the path's memory, the path up from `to` from its back
-/// downwards. In the end the second is moved up to the first. (The loops test at their end: on an ATmega that
-/// saves two of some twenty cycles per node.)
+/// The path up from `from` grows at the front of the path's memory, and the path up from `to` from its back
+/// downwards. In the end the second part is moved to the end of the first. (The loops test at their end,
+/// which saves two of some twenty cycles per node on an ATmega.)
 template <class Network, class Path>
 Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path) {
   typedef typename Network::Id Id;
@@ -86,9 +86,9 @@ Plan climb(const Network& network, typename Network::Id from, typename Network::
   return climb(network, from, to, path);
 }
 
-/// Returns the next node on the path, by climbing, without memory. `here` itself if it is there; kNone if
-/// there is no such node or no path. For networks whose ids are in preorder because an explorer numbered
-/// them.
+/// Returns the next node on the path, by climbing, without memory. Returns `here` if it is the destination,
+/// and kNone for an unknown node or without a path. The ids must be in preorder, which they are if an
+/// explorer has numbered the nodes.
 template <class Network>
 typename Network::Id climbNext(const Network& network, typename Network::Id here, typename Network::Id to) {
   typedef typename Network::Id Id;
@@ -97,7 +97,7 @@ typename Network::Id climbNext(const Network& network, typename Network::Id here
   while (from != to) {
     Id& larger = from > to ? from : to;
     const Id parent = network.link(larger, 0);
-    if (parent >= larger) return Network::kNone;  // kBlocked, too
+    if (parent >= larger) return Network::kNone;  // also for kBlocked
     if (from < to) below = to;
     larger = parent;
   }
@@ -119,8 +119,8 @@ Plan intervals(const Network& network, typename Network::Id* end) {
   return Plan::found;
 }
 
-/// Interval routing: goes up until the destination is a descendant, then down by the child that has it. `end`
-/// is the result of intervals().
+/// Interval routing: goes up until the destination is a descendant, then down through the child above it.
+/// `end` is the result of intervals().
 template <class Network, class Path>
 Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                  const typename Network::Id* end) {
@@ -132,7 +132,7 @@ Plan intervalWay(const Network& network, typename Network::Id from, typename Net
   *out++ = from;
   while (to < from || to > end[from]) *out++ = from = network.parent(from);
   while (from != to) {
-    ++from;  // the first child; the next begins where it ends
+    ++from;  // the first child; the next child follows its interval
     while (end[from] < to) from = static_cast<Id>(end[from] + 1);
     *out++ = from;
   }
