@@ -2,8 +2,8 @@
 // compiles as for an Uno. Print, Stream, String and IPAddress are the genuine core's sources, staged next to
 // this header.
 //
-// Functions are documented at https://docs.arduino.cc/language-reference. Their cost in simulated time is in
-// hal/host.
+// Functions are documented at https://docs.arduino.cc/language-reference. hal/host defines their cost in
+// simulated time.
 #pragma once
 #ifndef Arduino_h
 #define Arduino_h
@@ -47,7 +47,7 @@
 #define DEFAULT 1
 #define INTERNAL 3
 
-// Macros, as in the AVR core: their arguments may be evaluated twice, there and here.
+// Macros, as in the AVR core, so their arguments may be evaluated twice.
 #undef abs
 #define min(a, b) ((a) < (b) ? (a) : (b))
 #define max(a, b) ((a) > (b) ? (a) : (b))

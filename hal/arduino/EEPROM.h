@@ -1,4 +1,4 @@
-// The EEPROM library: bytes that survive power-off. The API is that of the AVR core's library.
+// The EEPROM library: stores bytes that survive power-off. It has the API of the AVR core's library.
 //
 //   EEPROM.put(0, gains);   // any plain type; writes only bytes that differ
 //   EEPROM.get(0, gains);
@@ -88,7 +88,7 @@ struct EEPROMClass {
 
   template <typename T>
   T& get(int address, T& value) {
-    uint8_t* bytes = (uint8_t*)&value;  // drops volatile, too
+    uint8_t* bytes = (uint8_t*)&value;  // also drops volatile
     for (unsigned i = 0; i < sizeof value; ++i) bytes[i] = read(address + static_cast<int>(i));
     return value;
   }

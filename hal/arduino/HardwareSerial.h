@@ -1,5 +1,5 @@
-// The serial port. Its class looks to a sketch like the AVR core's. Bytes leave through the simulated UART at
-// its baud rate; both buffers hold 64 bytes, as on an Uno.
+// The serial port, with the API of the AVR core. Bytes leave through the simulated UART at its baud rate.
+// Both buffers have 64 bytes, as on an Uno.
 #pragma once
 #ifndef HardwareSerial_h
 #define HardwareSerial_h
@@ -39,7 +39,7 @@
 
 class HardwareSerial : public Stream {
  public:
-  /// Creates a port; `connected` means to the computer. Serial1 and further ports are not connected.
+  /// Creates a port; `connected` means connected to the computer. Serial1 and further ports are not.
   explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);

@@ -1,10 +1,10 @@
-// Names for Blue Pill sketches that an Uno does not have, on every target: the chip's pins as STM32duino
-// writes them (PA13 and PA14 are the debugger's, PB2 is BOOT1), and the resolution of analog values.
+// Names that Blue Pill sketches use and an Uno lacks, for every target: the chip's pins as in STM32duino, and
+// the resolution of analog values. PA13 and PA14 belong to the debugger, PB2 is BOOT1.
 #pragma once
 
 #include <stdint.h>
 
-// On the host <avr/io.h> has numbers of bits by these names.
+// On the host <avr/io.h> defines bit numbers with these names.
 #undef PB0
 #undef PB1
 #undef PB2
@@ -51,8 +51,8 @@
 extern "C" {
 #endif
 
-/// Makes analogRead return 0 to 2^bits - 1, for 1 to 16 bits; the default is 10. The converter of the
-/// STM32F103 has 12 bits, the host's 10. Further bits are zero.
+/// Makes analogRead return 0 to 2^bits - 1, for 1 to 16 bits; the default is 10. The STM32F103's converter
+/// has 12 bits, and the host's has 10. Further bits are zero.
 void analogReadResolution(int bits);
 /// Makes analogWrite accept 0 to 2^bits - 1, for 1 to 16 bits; the default is 8. PWM keeps its 256 steps.
 void analogWriteResolution(int bits);

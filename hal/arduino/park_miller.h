@@ -5,7 +5,7 @@
 
 namespace robosim_hal {
 
-/// Returns x' = 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). 0 would stay 0.
+/// Returns 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). Replaces a seed of 0.
 inline long next_random(unsigned long& seed) {
   auto x = static_cast<int32_t>(seed);
   if (x == 0) x = 123459876;

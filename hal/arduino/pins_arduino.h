@@ -1,5 +1,5 @@
-// Pins on the host. The build takes their numbers and functions from the BoardSpec (sim/build/compile.cpp).
-// Ports and timers are an Uno's, whose registers hold pins 0 to 19.
+// Defines the pins on the host. The build passes their numbers and functions from the BoardSpec
+// (sim/build/compile.cpp). Ports and timers are those of an Uno, whose registers cover pins 0 to 19.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h

@@ -7,7 +7,7 @@ namespace robosim_hal {
 extern int read_bits;   ///< of analogRead's result
 extern int write_bits;  ///< of analogWrite's value
 
-/// Converts a value, not below 0, from one number of bits to another, rounding down.
+/// Converts a non-negative value from one number of bits to another, rounding down.
 inline int with_bits(int value, int from_bits, int to_bits) {
   if (to_bits > from_bits) return value << (to_bits - from_bits);
   return value >> (from_bits - to_bits);

@@ -1,8 +1,8 @@
-/* What the checks in a sketch built with them call on an AVR when they fail (the handlers of gcc's
- * UndefinedBehaviorSanitizer): an instruction that no AVR has, so that the emulator stops and looks. The
- * failed check's data and values are in the registers r25 to r20, as they came.
+/* The handlers of gcc's UndefinedBehaviorSanitizer for an AVR. A sketch built with checks calls them when a
+ * check fails. They execute an instruction that no AVR has, so the emulator stops and examines the check. The
+ * failed check's data and values are in the registers r25 to r20, as they were passed.
  *
- * It lies beside the genuine core, and gets into no image that was built without checks. */
+ * The file is compiled with the genuine core. Only images built with checks contain it. */
 #include <stdint.h>
 
 #define ROBOSIM_STOP __asm__ volatile(".word 0x00FE")
@@ -37,11 +37,11 @@ __attribute__((naked, used, externally_visible)) void __ubsan_handle_shift_out_o
 
 static unsigned bits(const struct Type* type) { return 1u << (type->info >> 1); }
 
-/* gcc defines what << does with negative numbers and with bits that fall out at the top: only the distance is
- * a fault. */
+/* gcc defines the result of << for negative numbers, and for bits that are shifted out at the top. So only
+ * the distance can be a fault. */
 __attribute__((used, externally_visible)) void __ubsan_handle_shift_out_of_bounds(
     const struct ShiftData* data, uintptr_t value, uintptr_t distance) {
-  /* What is wider than a pointer is handed over by its address. */
+  /* A value wider than a pointer is passed by its address. */
   const uint32_t by = bits(data->distance) > 16 ? *(const uint32_t*)distance : distance;
   if (by >= bits(data->value)) __ubsan_handle_shift_out_of_bounds_abort(data, value, distance);
 }

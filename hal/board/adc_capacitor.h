@@ -1,12 +1,12 @@
-// The sample-and-hold capacitor of an AVR's ADC (ATmega328P, DS40002061B, 24.6.1 and figure 24-8): 14 pF in
-// series with 1 to 100 kOhm by the data sheet; here it is 10. The source at the pin must charge it from the
-// voltage of the previous channel:
+// Models the sample-and-hold capacitor of an AVR's ADC (ATmega328P, DS40002061B, 24.6.1 and figure 24-8):
+// 14 pF in series with 1 to 100 kOhm by the data sheet, and with 10 kOhm here. The source at the pin must
+// charge the capacitor from the voltage of the previous channel:
 //
 //   tau = 14 pF (10 kOhm + source)        e^(-t / tau) of the old voltage remains
 //
 // t runs from the selection of the channel to the sample, but starts no earlier than the end of the previous
-// conversion. In analogRead() on an Uno it is 12 to 20 us. So nothing remains up to some 100 kOhm; at 1 MOhm,
-// 24 to 43 % remain. A source without a stated resistance counts as 0.
+// conversion. In analogRead() on an Uno, t is 12 to 20 us. Up to some 100 kOhm nothing remains; at 1 MOhm,
+// 24 to 43 % remain. A source without a stated resistance counts as 0 Ohm.
 #pragma once
 
 namespace robosim {

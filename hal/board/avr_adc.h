@@ -1,9 +1,9 @@
 // Registers of an AVR's analog-digital converter (ATmega328P, data sheet DS40002061B, chapter 24). The host
 // target and the emulated chip share them. avr_adc_sample.h samples a board's pins.
 //
-// A conversion takes 13 clocks of the ADC and samples after 1.5. The first one after switching on takes 12
-// more of each (table 24-1). References: AVCC is the supply; AREF is the supply, too, if nothing is wired to
-// it; the bandgap. The temperature sensor reads 0, and so do the differential channels of some chips.
+// A conversion takes 13 ADC clocks and samples after 1.5. The first conversion after switching on takes 12
+// clocks more, and samples 12 later (table 24-1). The references are the supply, at AVCC and at an unwired
+// AREF, and the bandgap. The temperature sensor and the differential channels of some chips read 0.
 #pragma once
 
 #include <stdint.h>
@@ -16,7 +16,7 @@ namespace avr {
 /// Returns the processor cycles per ADC clock, by ADCSRA: table 24-5.
 constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
 
-/// Return half clocks of the ADC from a conversion's start to its sample, and clocks to its end.
+/// Return the ADC half clocks from a conversion's start to its sample, and the ADC clocks to its end.
 constexpr int adc_half_clocks_to_sample(bool first) { return first ? 27 : 3; }
 constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
 
@@ -25,8 +25,8 @@ constexpr int adc_selection(const AdcSpec& adc, uint8_t multiplexer, uint8_t con
   return (multiplexer & adc.multiplexer_bits) | (control_b & adc.high_channels ? 0x20 : 0);
 }
 
-/// Returns the analog input that `selection` connects, single-ended; -1 if none. MUX5 selects inputs from 8
-/// on.
+/// Returns the single-ended analog input that `selection` connects, or -1 if there is none. MUX5 selects
+/// inputs from 8 on.
 constexpr int adc_channel(const AdcSpec& adc, int selection) {
   return (selection & 0x18) != 0 || (selection & 7) + (selection & 0x20 ? 8 : 0) >= adc.pins
              ? -1
@@ -53,15 +53,15 @@ constexpr uint16_t adc_code(double volts, double reference_volts) {
              : static_cast<uint16_t>(volts / reference_volts * 1024.0);
 }
 
-/// Returns ADCH and ADCL together, adjusted as ADMUX says (24.9.3).
+/// Returns ADCH and ADCL together, adjusted as ADMUX selects (24.9.3).
 constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns volts at an
-/// analog input as if the supply were nominal. If it has dropped to `supply_share()`, these volts suit a
-/// reference that drops along. They are too high for one that does not. `held` receives the volts on
-/// the converter's capacitor, at the same scale.
+/// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the volts at an
+/// analog input, scaled as if the supply were nominal. If the supply has dropped to `supply_share()`, these
+/// volts suit a reference that drops with it, and are too high for a constant reference. `held` receives the
+/// volts on the converter's capacitor, at the same scale.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

@@ -1,6 +1,6 @@
 // Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the host target and the
-// emulated chip. These registers have the same address in every ATmega; a ChipSpec has those of ports, timers
-// and UARTs.
+// emulated chip. These registers have the same address in every ATmega. A ChipSpec stores the addresses of
+// ports, timers and UARTs.
 #pragma once
 
 #include <stdint.h>

@@ -6,9 +6,9 @@
 //   period              TOP + 1 ticks, or 2 TOP if the timer counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
-//   COM = 1             toggles at each match: high half the time, one match per period; in PWM modes only
-//                       OCnA, and only if TOP can be set (not by ICRn in the two modes that count up and
-//                       down)
+//   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes only
+//                       OCnA toggles, and only if TOP can be set (not by ICRn in the two modes that count
+//                       up and down)
 #pragma once
 
 #include <stdint.h>
@@ -19,8 +19,8 @@
 namespace robosim {
 namespace avr {
 
-/// Returns the prescaler by TCCRnB: tables 15-9, 16-5, 18-9. 0 if the timer is stopped or counts an external
-/// clock. For an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (data sheet 2586Q, table 12-5).
+/// Returns the prescaler by TCCRnB (tables 15-9, 16-5, 18-9); 0 if the timer is stopped or counts an external
+/// clock. For an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (2586Q, table 12-5).
 constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
   return !timer.top ? timer.prescalers[control_b & 7] : (control_b & 0xF) ? 1 << ((control_b & 0xF) - 1) : 0;
 }
@@ -34,13 +34,13 @@ struct Counting {
   bool dual_slope = false;  ///< up and down: phase correct, phase and frequency correct
   Top top = Top::fixed;
   uint16_t fixed_top = 0xFF;       ///< the value of TOP if `top` is `fixed`
-  bool frequency_correct = false;  ///< of dual slope: OCRnx is taken over at BOTTOM, not at TOP
-  bool short_pulse = false;        ///< of fast PWM: high for OCR ticks, or always if OCR is TOP
+  bool frequency_correct = false;  ///< with dual slope: OCRnx is updated at BOTTOM, not at TOP
+  bool short_pulse = false;        ///< with fast PWM: high for OCR ticks, or always if OCR is TOP
 };
 
-/// Returns the mode by WGM in TCCRnA and TCCRnB: tables 15-8, 16-4, 18-8. Reserved modes count as normal. For
-/// an ATtiny85's timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match with OCR1C, 3 PWM
-/// up to OCR1C.
+/// Returns the mode that WGM in TCCRnA and TCCRnB selects: tables 15-8, 16-4, 18-8. Reserved modes count as
+/// normal. Modes of an ATtiny85's timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match
+/// with OCR1C, 3 PWM up to OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
@@ -77,14 +77,14 @@ constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t c
                           : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];
 }
 
-/// Returns the end of the count, given OCRnA and (for a timer of 16 bits) ICRn.
+/// Returns the end of the count, given OCRnA and (for a 16-bit timer) ICRn.
 constexpr int64_t top_of(const Counting& how, uint16_t compare_a, uint16_t capture) {
   return how.top == Counting::Top::compare_a ? compare_a
          : how.top == Counting::Top::capture ? capture
                                              : how.fixed_top;
 }
 
-/// Returns the ticks from one overflow to the next.
+/// Returns the number of ticks from one overflow to the next.
 constexpr int64_t period_of(const Counting& how, int64_t top) {
   return !how.dual_slope ? top + 1 : top > 0 ? 2 * top : 1;
 }
@@ -92,8 +92,8 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
 /// Returns COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA; 0 if the pin belongs to the port.
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
-/// Returns whether COM of a channel gives its pin to the timer, while DDRx makes it an output. In PWM modes,
-/// COM = 1 does so only for OCnA, and only in some of them.
+/// Returns whether COM of a channel connects its pin to the timer, while DDRx makes the pin an output. In PWM
+/// modes, COM = 1 connects only OCnA, and only in some modes.
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
                   : how.kind != Counting::Kind::pwm ||

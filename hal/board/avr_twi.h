@@ -30,7 +30,7 @@ enum : uint8_t {
   kTwen = 0x04,
   kTwie = 0x01
 };
-constexpr uint8_t kTwpsMask = 0x03;  ///< of TWSR; the rest is the status
+constexpr uint8_t kTwpsMask = 0x03;  ///< of TWSR; the other bits are the status
 constexpr uint8_t kNoTwiStatus = 0xF8;
 constexpr uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
 
@@ -46,7 +46,7 @@ class TwiMaster {
   uint8_t status() const { return status_; }
   Step step() const { return step_; }
 
-  /// Begins the step that TWCR = `control` selects when TWINT is cleared, and returns it.
+  /// Begins the step that TWCR = `control` selects when TWINT is cleared, and returns the step.
   Step begin(uint8_t control) {
     before_ = status_;
     status_ = kNoTwiStatus;
@@ -107,7 +107,7 @@ class TwiMaster {
 
   uint8_t status_ = kNoTwiStatus, before_ = kNoTwiStatus;
   Step step_ = Step::none;
-  bool owns_bus_ = false;  ///< START was sent and STOP not yet
+  bool owns_bus_ = false;  ///< START was sent, and no STOP since
 };
 
 }  // namespace avr

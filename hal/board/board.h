@@ -5,8 +5,8 @@
 //
 // The executor (host, AVR, STM32) acts for the firmware: it drives pins and reads them, always with the exact
 // time (firmware_port.h). The robot's parts provide the values and observe changes (robot_port.h). Neither
-// sees the other's view, and nothing else crosses. No function of either blocks or uses the wall clock. This
-// header has the types that both share.
+// side accesses the other's interface, and there is no other connection. No function of either interface
+// blocks or uses the wall clock. This header has the types that both interfaces share.
 //
 // C++14, no standard library: firmware images include these headers, too.
 #pragma once
@@ -23,7 +23,7 @@ using Pin = uint8_t;
 /// Marks a pin as not wired.
 constexpr Pin kNoPin = 255;
 
-/// Upper bound of Arduino pin numbers over all boards. Numbers from here on are other wires of a robot.
+/// Upper bound of Arduino pin numbers over all boards. Numbers from here on are a robot's other wires.
 constexpr int kMaxPins = 100;
 
 enum class PinMode : uint8_t { input, input_pullup, output };
@@ -32,10 +32,10 @@ enum class PinMode : uint8_t { input, input_pullup, output };
 struct PinDrive {
   PinMode mode = PinMode::input;
   bool level = false;      ///< output latch; meaningful for `output` without PWM
-  bool pwm = false;        ///< a timer drives the pin: `duty` holds, `level` does not
-  double duty = 0.0;       ///< fraction of time high, 0..1; equals `level` where `pwm` is false
+  bool pwm = false;        ///< a timer drives the pin: `duty` is valid, `level` is not
+  double duty = 0.0;       ///< fraction of time high, 0..1; equals `level` if `pwm` is false
   uint32_t tone_hz = 0;    ///< square wave by tone(), in Hz; 0 = none
-  uint32_t period_us = 0;  ///< of PWM; 0 = not known
+  uint32_t period_us = 0;  ///< period of PWM; 0 = unknown
 };
 
 inline bool operator==(const PinDrive& a, const PinDrive& b) {
@@ -44,7 +44,7 @@ inline bool operator==(const PinDrive& a, const PinDrive& b) {
 }
 inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b); }
 
-/// The time that writing a byte of EEPROM takes, including erasing it first (datasheet, table 8-1).
+/// The time to erase and write a byte of EEPROM (datasheet, table 8-1).
 constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
 
 struct BoardSpec;

@@ -37,7 +37,7 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   for (int i = 0; i < kCount; ++i) {
     const ChipPin* pin = chip.pins;
     while (!equal(pin->name, entries[i].chip_name)) ++pin;
-    int first = 0;  // PWM is on the lowest of its numbers, as in Arduino's tables
+    int first = 0;  // PWM is on the pin's lowest number, as in Arduino's tables
     while (!equal(entries[first].chip_name, entries[i].chip_name)) ++first;
     table.pins[i] = {entries[i].name,
                      entries[i].chip_name,
@@ -91,16 +91,16 @@ constexpr PinEntry kLeonardoEntries[] = {
     {"D30", "PD5", -1}};
 constexpr auto kLeonardoPins = pins_of(kAtmega32u4, kLeonardoEntries);
 
-// variants/gemma/pins_arduino.h: A0 to A3 are second names of 5, 2, 4 and 3. 5 is the reset input unless a
-// fuse disables that.
+// variants/gemma/pins_arduino.h: A0 to A3 are second names of 5, 2, 4 and 3. Pin 5 is the reset input unless
+// a fuse disables that.
 constexpr PinEntry kTinyEntries[] = {
     {"D0", "PB0", -1}, {"D1", "PB1", -1}, {"D2", "PB2", 0},  {"D3", "PB3", -1}, {"D4", "PB4", -1},
     {"D5", "PB5", -1}, {"A0", "PB5", -1}, {"A1", "PB2", -1}, {"A2", "PB4", -1}, {"A3", "PB3", -1}};
 constexpr auto kTinyPins = pins_of(kAttiny85, kTinyEntries);
 
-// Pins of the STM32F103C8. Numbers 0 to 19 have the functions of an Uno's: 0 and 1 are USART1, PWM is on 3,
-// 5, 6, 9, 10 and 11, and A0 to A5 are analog. No two of 0 to 8 share an interrupt line. The remaining pins
-// follow. The core uses TIM2 to end a sleep (hal/stm32/clock.h).
+// Pins of the STM32F103C8. Numbers 0 to 19 have the functions of an Uno's pins: 0 and 1 are USART1, PWM is on
+// 3, 5, 6, 9, 10 and 11, and A0 to A5 are analog. No two pins of 0 to 8 share an interrupt line. The
+// remaining pins follow. The core uses TIM2 to end a sleep (hal/stm32/clock.h).
 constexpr PinEntry kBluePillEntries[] = {
     {"D0", "PA10", 0},   {"D1", "PA9", 1},    {"D2", "PB12", 2},  {"D3", "PA8", 3},    {"D4", "PB13", 4},
     {"D5", "PB6", 5},    {"D6", "PB7", 6},    {"D7", "PB14", 7},  {"D8", "PB15", 8},   {"D9", "PB8", 9},
@@ -113,7 +113,7 @@ constexpr PinEntry kBluePillEntries[] = {
 constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103c8::kTim2);
 
 // Sources: the genuine core's boards.txt and the boards' circuit diagrams. The Uno has a diode (0.7 V) before
-// its NCP1117 regulator (1.1 V). The chip's fuses hold it in reset below 2.7 V (BODLEVEL 101).
+// its NCP1117 regulator (1.1 V). The fuses hold the chip in reset below 2.7 V (BODLEVEL 101).
 constexpr BoardSpec kUno = {
     .name = "uno",
     .fqbn = "arduino:avr:uno",
@@ -154,7 +154,7 @@ constexpr BoardSpec nano() {
   return board;
 }
 
-// The Nano of before 2010: half the memory, and a boot loader with a lower baud rate.
+// The Nano before 2010: half the memory, and a boot loader with a lower baud rate.
 constexpr BoardSpec nano168() {
   BoardSpec board = nano();
   board.name = "nano168";
@@ -232,8 +232,8 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// Boards with an ATtiny85. avrdude cannot write to them by a serial port: they have no boot loader, or one of
-// another kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
+// Boards with an ATtiny85. avrdude cannot write to them by a serial port, because they have no boot loader,
+// or a different kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
 constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* platformio, const char* macro,
                              uint32_t clock_hz, double supply_volts, uint32_t flash_bytes) {
   BoardSpec board = kUno;
@@ -259,9 +259,9 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// The Blue Pill at a clock: 72 MHz by its crystal, or 8 MHz as after a reset. The last 4 KB of flash hold the
-// EEPROM. The regulator is assumed to be the Uno's. The chip has no brown-out detector, but a power-down
-// reset at 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
+// The Blue Pill at 72 MHz by its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
+// EEPROM. The regulator is assumed to equal the Uno's. The chip has no brown-out detector. It has a
+// power-down reset at 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {
       .name = name,

@@ -21,9 +21,9 @@ struct PinSpec {
 };
 
 struct BoardSpec {
-  const char* name;        ///< as robot files write it: "uno"
-  const char* fqbn;        ///< as arduino-cli writes it: "arduino:avr:uno"
-  const char* platformio;  ///< as PlatformIO writes it, a space between several names: "uno"
+  const char* name;        ///< the name in robot files: "uno"
+  const char* fqbn;        ///< the name for arduino-cli: "arduino:avr:uno"
+  const char* platformio;  ///< the names for PlatformIO, separated by spaces: "uno"
   const char* macro;       ///< the macro that the core defines: "ARDUINO_AVR_UNO"
   const ChipSpec* chip;
   const PinSpec* pins;
@@ -35,28 +35,28 @@ struct BoardSpec {
   uint16_t adc_steps;     ///< codes are 0 .. adc_steps-1; analogRead's range
   uint32_t flash_bytes;   ///< for the sketch, without the boot loader
   uint32_t ram_bytes;     ///< RAM of the chip
-  uint16_t eeprom_bytes;  ///< EEPROM of the chip, or the one that the core emulates in flash
+  uint16_t eeprom_bytes;  ///< of the chip's EEPROM, or of the EEPROM that the core emulates in flash
 
-  double regulator_drop_volts;  ///< between battery and supply, with the diode before the regulator
+  double regulator_drop_volts;  ///< between battery and supply, including the diode before the regulator
   double brown_out_volts;       ///< a lower supply holds the chip in reset
 
-  /// The board whose registers, timers and speed a sketch finds on the target host; null = this one.
+  /// The board whose registers, timers and speed a sketch finds on the target host; null = this board.
   const BoardSpec* host_model;
-  const char* variant;    ///< the folder of its pins in the genuine core; null = the core is Robosim's
+  const char* variant;    ///< the folder of its pins in the genuine core; null = Robosim's own core
   const char* pin_names;  ///< Robosim's header with further names of pins, on the target host; null = none
-  const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to it
-  uint32_t upload_baud;          ///< of its boot loader
-  uint32_t upload_baud_old;      ///< of the boot loader of older boards; 0 = the same
-  bool upload_by_touch = false;  ///< its boot loader starts when the port is opened with 1200 baud and closed
+  const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to the board
+  uint32_t upload_baud;          ///< of the boot loader
+  uint32_t upload_baud_old;      ///< of older boards' boot loader; 0 = the same
+  bool upload_by_touch = false;  ///< the boot loader starts when the port is opened with 1200 baud and closed
 
-  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or the next index for USB
-  const char* usb_product = nullptr;  ///< as the core has it, where the chip has USB
-  uint16_t usb_id = 0;                ///< product; the vendor is 0x2341, Arduino
+  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or one past the last for USB
+  const char* usb_product = nullptr;  ///< the core's name of the product, if the chip has USB
+  uint16_t usb_id = 0;                ///< product id; the vendor id is 0x2341, Arduino
 };
 
-/// Returns the board of that name, or null. board_at lists the names.
+/// Returns the board called `name`, or null if it does not exist. board_at lists the names.
 const BoardSpec* find_board(const char* name);
-/// Returns the board of that number, from 0; null past the last.
+/// Returns the board with a number, counted from 0, or null past the last board.
 const BoardSpec* board_at(int number);
 /// Returns a pin by any of its usual names: "5", "D5", "A0", "PD5" (case does not matter). kNoPin if the
 /// board has no such pin.
@@ -64,7 +64,7 @@ Pin find_pin(const BoardSpec& board, const char* name);
 /// Returns the highest number of a digital pin.
 Pin last_digital_pin(const BoardSpec& board);
 
-/// Returns the lowest number of the same chip pin, which wires use: a Leonardo's A6 is its pin 4.
+/// Returns the lowest number of the same chip pin. Wires use this number: a Leonardo's A6 is its pin 4.
 inline Pin first_number(const BoardSpec& board, Pin pin) {
   const ChipPin& place = board.pins[pin].chip_pin;
   for (Pin first = 0; first < pin; ++first) {

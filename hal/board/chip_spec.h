@@ -3,7 +3,7 @@
 //   ChipSpec   one per chip, in a header of its own, from its data sheet: atmega328p.h, stm32f103c8.h
 //   BoardSpec  one per board: its chip, its clock, and the names of its pins (board_spec.h)
 //
-// They are constants, so that they can size arrays and label cases. C++14, no standard library: firmware
+// Both are constants, so that they can size arrays and label cases. C++14, no standard library: firmware
 // images include this header, too.
 #pragma once
 
@@ -13,33 +13,33 @@ namespace robosim {
 
 /// A pin of a chip. A number is -1 if the pin lacks that function.
 struct ChipPin {
-  const char* name;       ///< the data sheet's: "PD5"
+  const char* name;       ///< the data sheet's name: "PD5"
   int8_t port;            ///< index of ChipSpec::ports; -1 = analog input only
-  uint8_t bit;            ///< in the port's registers
-  int8_t analog_channel;  ///< of the ADC
-  int8_t timer;           ///< index of ChipSpec::timers: the one that can drive it by PWM
+  uint8_t bit;            ///< bit in the port's registers
+  int8_t analog_channel;  ///< channel of the ADC
+  int8_t timer;           ///< index in ChipSpec::timers of the timer that can drive the pin by PWM
   uint8_t output;         ///< output of that timer, from 0
   int8_t external;        ///< n of INTn; the EXTI line of an STM32
   int8_t change;          ///< n of PCINTn
-  int8_t counted_by;      ///< index of the timer that can count its edges (Tn)
-  int8_t captured_by;     ///< index of the timer that can capture the time of its edges (ICPn)
+  int8_t counted_by;      ///< index of the timer that can count the pin's edges (Tn)
+  int8_t captured_by;     ///< index of the timer that can capture the time of the pin's edges (ICPn)
 };
 
 struct PortSpec {
   char letter;
-  uint32_t address;  ///< of PINx, which DDRx and PORTx follow; of an STM32's GPIOx_CRL
+  uint32_t address;  ///< of PINx, followed by DDRx and PORTx; on an STM32, of GPIOx_CRL
 };
 
 struct TimerSpec {
   uint8_t number;          ///< the n of its registers
-  uint8_t bits;            ///< of its counter
-  uint32_t control;        ///< address of TCCRnA; of an STM32's TIMn_CR1, where the others follow
+  uint8_t bits;            ///< width of the counter
+  uint32_t control;        ///< address of TCCRnA; on an STM32, of TIMn_CR1, followed by the others
   uint16_t count;          ///< address of TCNTn
   uint16_t compare[3];     ///< addresses of OCRnA, OCRnB and OCRnC; 0 = none
   uint16_t capture;        ///< address of ICRn; 0 = none
   uint16_t enables;        ///< address of TIMSKn
-  uint16_t prescalers[8];  ///< by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
-  uint8_t vector;          ///< of compare A, which the others and the overflow follow; an STM32's update
+  uint16_t prescalers[8];  ///< indexed by the bits CSn2 to CSn0; 0 = stopped, or counts a pin's edges
+  uint8_t vector;          ///< of compare A, followed by the others and overflow; on an STM32, of update
   // AVR only:
   uint16_t flags = 0;          ///< address of TIFRn
   bool own_prescaler = false;  ///< false if timers share the prescaler
@@ -48,27 +48,27 @@ struct TimerSpec {
   // Registers; the defaults are an ATmega's:
   uint16_t control_b = 0;    ///< address of TCCRnB; 0 = after TCCRnA
   uint16_t top = 0;          ///< address of OCR1C of an ATtiny85's timer 1, whose TCCRnA is TCCR1; 0 = none
-  const char* pins[2] = {};  ///< OCnA and OCnB, where ChipSpec::pins has another timer's
-  uint8_t overflow_vector = 0;       ///< 0 = after those of the matches
-  uint8_t match_b_vector = 0;        ///< 0 = after that of compare A
+  const char* pins[2] = {};  ///< OCnA and OCnB, if ChipSpec::pins has another timer there
+  uint8_t overflow_vector = 0;       ///< 0 = after the vectors of the matches
+  uint8_t match_b_vector = 0;        ///< 0 = after the vector of compare A
   uint8_t flag_bits[3] = {0, 1, 2};  ///< of overflow, compare A and B, in registers that timers may share
 };
 
 /// Identifies the ATmega32U4's high-speed timer 4 by TimerSpec::bits.
 constexpr uint8_t kHighSpeedBits = 10;
 
-/// Returns whether the timer shares TIFR and TIMSK with others.
+/// Returns whether the timer shares TIFR and TIMSK with other timers.
 constexpr bool shares_flags(const TimerSpec& timer) { return timer.flag_bits[0] != 0; }
 
-/// Returns the timer's number of OCRnx.
+/// Returns the number of the timer's OCRnx registers.
 constexpr uint8_t channels(const TimerSpec& timer) { return timer.compare[2] ? 3 : 2; }
 
 struct UartSpec {
   uint8_t number;    ///< the n of its registers
-  uint32_t address;  ///< of UCSRnA, which UCSRnB and UCSRnC follow; of an STM32's USARTn_SR
+  uint32_t address;  ///< of UCSRnA, followed by UCSRnB and UCSRnC; on an STM32, of USARTn_SR
   uint16_t divider;  ///< address of UBRRn
   uint16_t data;     ///< address of UDRn
-  uint8_t vector;    ///< a byte was received; on an AVR `data register empty` and `sent` follow
+  uint8_t vector;    ///< of a received byte; on an AVR followed by `data register empty` and `sent`
   const char* rx;    ///< pins
   const char* tx;
   uint16_t reduction = 0;     ///< address of PRR
@@ -79,14 +79,14 @@ struct AdcSpec {
   uint8_t bits;            ///< of a result
   uint8_t pins;            ///< channels 0 to pins - 1 are pins
   double bandgap_volts;    ///< the internal reference; 0 = none
-  int8_t bandgap_channel;  ///< the bits MUX that measure it; -1 = none
+  int8_t bandgap_channel;  ///< the bits MUX that select the bandgap; -1 = none
   uint8_t vector;
   // AVR only:
-  /// The vector of the flag that starts a conversion, by the bits ADTS; 0 = the ADC's own flag.
+  /// The vector of the flag that starts a conversion, indexed by the bits ADTS; 0 = the ADC's own flag.
   uint8_t triggers[8] = {};
   uint16_t reduction = 0;           ///< address of PRR
   int8_t reduction_bit = -1;        ///< the bit of PRR that stops the ADC
-  double references[8] = {};        ///< by REFS2, REFS1 and REFS0, in volts; 0 = the supply
+  double references[8] = {};        ///< in volts, indexed by REFS2, REFS1 and REFS0; 0 = the supply
   uint8_t reference_bit = 0;        ///< REFS2 in ADMUX; 0 = none
   uint8_t multiplexer_bits = 0x0F;  ///< MUX in ADMUX
   uint8_t high_channels = 0;        ///< MUX5 in ADCSRB: channels from 8 on; 0 = none
@@ -94,7 +94,7 @@ struct AdcSpec {
 };
 
 struct SpiSpec {
-  uint16_t address = 0;  ///< of an AVR's SPCR, which SPSR and SPDR follow; 0 = not described
+  uint16_t address = 0;  ///< of an AVR's SPCR, followed by SPSR and SPDR; 0 = not described
   uint8_t vector = 0;
   const char* select = "";  ///< pins: SS, MOSI, MISO, SCK
   const char* out = "";
@@ -105,7 +105,7 @@ struct SpiSpec {
 };
 
 struct TwiSpec {
-  uint16_t address = 0;  ///< of an AVR's TWBR, which TWSR, TWAR, TWDR and TWCR follow; 0 = not described
+  uint16_t address = 0;  ///< of an AVR's TWBR, followed by TWSR, TWAR, TWDR and TWCR; 0 = not described
   uint8_t vector = 0;
   const char* data = "";  ///< pins: SDA, SCL
   const char* clock = "";
@@ -116,10 +116,10 @@ struct TwiSpec {
 struct ComparatorSpec {
   uint16_t address = 0;  ///< of an AVR's ACSR; 0 = not described
   uint8_t vector = 0;
-  const char* positive = "";  ///< pins: AIN0, AIN1; without one, the bandgap
+  const char* positive = "";  ///< pins: AIN0, AIN1; empty = the bandgap
   const char* negative = "";
   uint8_t channels = 0;     ///< the number of ADC channels, from 0 on, that may replace AIN1; a power of two
-  int8_t captured_by = -1;  ///< index of the timer that can capture its output's changes
+  int8_t captured_by = -1;  ///< index of the timer that can capture changes of the output
 };
 
 /// Addresses in data memory of an AVR's other registers; the defaults are an ATmega's.
@@ -127,22 +127,22 @@ struct AvrRegisters {
   uint16_t external_sense = 0x69;                ///< EICRA, with ISC0 in its lowest bits
   uint16_t external_enables = 0x3D;              ///< EIMSK
   uint16_t external_flags = 0x3C;                ///< EIFR
-  uint8_t external_bit = 0;                      ///< of INT0 in those two
+  uint8_t external_bit = 0;                      ///< of INT0 in EIMSK and EIFR
   uint16_t change_enables = 0x68;                ///< PCICR
   uint16_t change_flags = 0x3B;                  ///< PCIFR
-  uint8_t change_bit = 0;                        ///< of the first group in those two
-  uint16_t change_masks = 0x6B;                  ///< PCMSK0, which the others follow
+  uint8_t change_bit = 0;                        ///< of the first group in PCICR and PCIFR
+  uint16_t change_masks = 0x6B;                  ///< PCMSK0, followed by the others
   uint8_t pull_ups_off = 0x10;                   ///< PUD in MCUCR
   uint16_t sleep = 0x53;                         ///< SMCR
-  uint8_t sleep_enable = 0x01;                   ///< SE there
-  uint8_t sleep_modes = 0x0E;                    ///< SM there
+  uint8_t sleep_enable = 0x01;                   ///< SE in SMCR
+  uint8_t sleep_modes = 0x0E;                    ///< SM in SMCR
   uint16_t clock_divisor = 0x61;                 ///< CLKPR
   uint16_t watchdog = 0x60;                      ///< WDTCSR
   uint16_t timers = 0x43;                        ///< GTCCR
-  uint8_t timers_kept = 0;                       ///< bits there that belong to a timer
+  uint8_t timers_kept = 0;                       ///< bits in GTCCR that belong to a timer
   uint16_t pll = 0;                              ///< PLLCSR of a PLL that clocks a timer; 0 = none
-  uint16_t eeprom = 0x3F;                        ///< EECR, which EEDR, EEARL and EEARH follow
-  uint16_t adc_data = 0x78;                      ///< ADCL, which ADCH follows
+  uint16_t eeprom = 0x3F;                        ///< EECR, followed by EEDR, EEARL and EEARH
+  uint16_t adc_data = 0x78;                      ///< ADCL, followed by ADCH
   uint16_t adc_control = 0x7A;                   ///< ADCSRA
   uint16_t adc_control_b = 0x7B;                 ///< ADCSRB
   uint16_t adc_multiplexer = 0x7C;               ///< ADMUX
@@ -150,42 +150,42 @@ struct AvrRegisters {
   uint16_t general[2] = {0x3E, 0x4A};            ///< GPIOR0, GPIOR1
 };
 
-/// A USB device controller. It is a serial line to the computer, numbered after those of the UARTs.
+/// A USB device controller. It is a serial line to the computer, numbered after the UARTs.
 struct UsbSpec {
-  uint16_t address = 0;  ///< of an AVR's USBCON, which the others follow; 0 = none
+  uint16_t address = 0;  ///< of an AVR's USBCON, followed by the others; 0 = none
   uint16_t pll = 0;      ///< address of PLLCSR
-  uint8_t vector = 0;    ///< the general one, which the endpoints' follows
+  uint8_t vector = 0;    ///< the general vector, followed by the endpoints' vector
   uint16_t reduction = 0;
   int8_t reduction_bit = -1;
 };
 
 struct ChipSpec {
   const char* name;           ///< the maker's name: "ATmega328P"
-  const char* target;         ///< the target that executes its firmware, as users name it: "avr"
-  const char* compiler_name;  ///< avr-gcc's -mmcu; of an STM32 the name of the linker script
-  const char* architecture;   ///< avr-gcc's folder of libraries for it: "avr5"; null = none
-  const char* macro;          ///< the macro that avr-gcc defines for it; null = none
-  const char* registers;      ///< avr-libc's header of its registers; null = none
-  const char* avrdude_name;   ///< null = avrdude does not support it
+  const char* target;         ///< the target that executes the chip's firmware, as users name it: "avr"
+  const char* compiler_name;  ///< avr-gcc's -mmcu; for an STM32 the name of the linker script
+  const char* architecture;   ///< avr-gcc's folder of libraries for the chip: "avr5"; null = none
+  const char* macro;          ///< the macro that avr-gcc defines for the chip; null = none
+  const char* registers;      ///< avr-libc's header of the chip's registers; null = none
+  const char* avrdude_name;   ///< null = avrdude does not support the chip
   uint8_t signature[3];       ///< read by programmers; zeros = none
 
-  uint32_t flash_address;  ///< in its own address space, as far as it is one
-  uint32_t flash_bytes;    ///< all of it, boot loader included
+  uint32_t flash_address;  ///< in the address space of flash, if it has one of its own
+  uint32_t flash_bytes;    ///< including the boot loader
   uint32_t ram_address;
   uint32_t ram_bytes;
-  uint16_t eeprom_bytes;         ///< 0 = the core emulates one in flash
+  uint16_t eeprom_bytes;         ///< 0 = the core emulates an EEPROM in flash
   uint8_t return_address_bytes;  ///< number of bytes that a call pushes onto the stack; 0 = into a register
 
-  uint8_t vectors;          ///< interrupt vectors, the reset's included
-  uint8_t external_vector;  ///< of INT0, which the others follow
-  uint8_t external_count;   ///< INTn
-  uint8_t change_vector;    ///< of PCINT0 to 7, which the others follow by eights
-  uint8_t change_count;     ///< groups of eight
+  uint8_t vectors;          ///< number of interrupt vectors, including reset
+  uint8_t external_vector;  ///< of INT0, followed by the others
+  uint8_t external_count;   ///< number of INTn
+  uint8_t change_vector;    ///< of PCINT0 to 7, followed by the other groups
+  uint8_t change_count;     ///< number of groups of eight PCINTn
   uint8_t watchdog_vector = 0;
   uint8_t eeprom_vector = 0;
   bool small_core = false;           ///< an AVR without MUL, JMP and CALL
   bool linked_relaxed = false;       ///< Arduino's linker shortens calls and jumps (--relax)
-  uint16_t start_up_cycles = 16384;  ///< of its oscillator, after power-down; the default is a crystal's
+  uint16_t start_up_cycles = 16384;  ///< of the oscillator, after power-down; the default is a crystal's
 
   const ChipPin* pins;
   uint8_t pin_count;

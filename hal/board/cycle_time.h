@@ -1,5 +1,5 @@
-// Converts a number of clock cycles to whole nanoseconds, rounded down. It converts the absolute count, so
-// that nothing drifts.
+// Converts a number of clock cycles to whole nanoseconds, rounded down. The absolute number is converted, so
+// that no error accumulates.
 #pragma once
 
 #include <stdint.h>

@@ -1,11 +1,11 @@
-// The board as the robot sees it. The robot's parts and the simulation around them call this interface.
+// The robot's view of the board. The robot's parts and the simulation around them call this interface.
 #pragma once
 
 #include "hal/board/board.h"
 
 namespace robosim {
 
-/// A signal that the robot puts on a pin. Firmware's reads call it, with a time inside the current tick; it
+/// A signal that the robot puts on a pin. Reads by firmware call it, with a time inside the current tick. It
 /// extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
@@ -13,10 +13,10 @@ class PinSource {
   virtual double volts(SimTime t) = 0;
   /// Returns the logic level. May consume a sample of noise.
   virtual bool level(SimTime t) = 0;
-  /// Returns until when, exclusive, level() certainly keeps its value at `t`, for any number of reads. The
-  /// pin's drive and the world must stay the same until then. `t` = no promise.
+  /// Returns the time until which (exclusive) level() stays as at `t`, for any number of reads. This requires
+  /// that the pin's drive and the world stay the same. `t` = no guarantee.
   virtual SimTime same_until(SimTime t) { return t; }
-  /// Returns its resistance, which charges the capacitor of an ADC; 0 = negligible. Constant.
+  /// Returns the constant resistance through which the source charges an ADC's capacitor; 0 = negligible.
   virtual double source_ohms() const { return 0.0; }
 
  protected:
@@ -35,14 +35,14 @@ class PinWatcher {
 /// Receives every byte that the firmware has sent by UART.
 class SerialWatcher {
  public:
-  /// Receives a byte; `t` is when the firmware handed it over.
+  /// Receives a byte; `t` is the time at which the firmware wrote it.
   virtual void byte_sent(uint8_t byte, SimTime t) = 0;
 
  protected:
   ~SerialWatcher() = default;
 };
 
-/// Receives every byte of EEPROM whose writing begins; writing takes kEepromWriteTime.
+/// Receives every byte of EEPROM when its writing begins; writing takes kEepromWriteTime.
 class EepromWatcher {
  public:
   virtual void eeprom_written(uint16_t address, uint8_t before, uint8_t value, SimTime t) = 0;
@@ -54,8 +54,8 @@ class EepromWatcher {
 /// Receives every conversion of a pin by an AVR's ADC.
 class AdcWatcher {
  public:
-  /// Receives a conversion whose capacitor was still `volts` away from the pin's voltage; positive = above
-  /// it.
+  /// Receives a conversion for which the capacitor was still `volts` away from the pin's voltage; positive =
+  /// above the pin's voltage.
   virtual void converted(Pin pin, double volts, SimTime t) = 0;
 
  protected:
@@ -63,7 +63,7 @@ class AdcWatcher {
 };
 
 /// Receives every input of the microcontroller: values that firmware reads from a pin, edges that reach an
-/// interrupt, bytes that reach the UART. The order of time holds nearly, but not always.
+/// interrupt, bytes that reach the UART. The calls are nearly, but not always, in order of time.
 class InputWatcher {
  public:
   virtual void level_seen(Pin pin, bool level, SimTime t) = 0;
@@ -77,13 +77,13 @@ class InputWatcher {
 /// A device on the two-wire bus. Addresses have seven bits.
 class TwoWireDevice {
  public:
-  /// Returns whether it answers to `address`; if so, it is selected from now on.
+  /// Returns whether the device answers to `address`. If so, it is selected from now on.
   virtual bool address(uint8_t address, bool reads, SimTime t) = 0;
-  /// Receives a byte, and returns whether it acknowledges it.
+  /// Receives a byte, and returns whether the device acknowledges it.
   virtual bool write(uint8_t byte, SimTime t) = 0;
-  /// Returns the next byte that it sends.
+  /// Returns the next byte that the device sends.
   virtual uint8_t read(SimTime t) = 0;
-  /// Ends its selection: a STOP, or the START of another transfer.
+  /// Ends the selection, by a STOP or by the START of another transfer.
   virtual void stop(SimTime) {}
 
  protected:
@@ -94,31 +94,31 @@ class RobotPort {
  public:
   virtual const BoardSpec& spec() const = 0;
   virtual const PinDrive& drive(Pin pin) const = 0;
-  /// Connects a source, one per pin. It must outlive the board's use of it.
+  /// Connects a source, one per pin. The source must outlive the board's use of it.
   virtual void connect(Pin pin, PinSource& source) = 0;
   /// Connects a device. If several have the same address, the first answers.
   virtual void connect(TwoWireDevice& device) = 0;
-  /// Makes the board's supply this share of the nominal one; the variable must outlive the board's use of it.
+  /// Sets the board's supply to this share of the nominal supply. The variable must outlive the board's use.
   virtual void feed(const double& /*share*/) {}
   /// Adds a watcher. Several watchers of a pin are called in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
-  /// Adds a watcher. Several are called in the order in which they were added.
+  /// Adds a watcher. Several watchers are called in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
-  /// Sets the only watcher. Boards whose ADC has no such capacitor here never call it.
+  /// Sets the only watcher. Boards whose ADC is modelled without a capacitor never call it.
   virtual void watch_adc(AdcWatcher& /*watcher*/) {}
   /// Sets the only watcher, which does not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// Schedules that `pin` has `level` from `at` on, a time within the next tick. Interrupts and polling
-  /// emulators see this edge. The pin's source must agree with it. Per pin, times must not decrease. There is
-  /// no edge if the pin already has that level.
+  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. Interrupts and polling
+  /// emulators detect the edge. The pin's source must agree with it. Per pin, times must not decrease. There
+  /// is no edge if the pin already has that level.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
   /// Returns whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's
-  /// input register must follow). Sources that are costly to evaluate ask first.
+  /// input register must follow). Sources that are costly to evaluate call this first.
   virtual bool wants_edges(Pin pin) const = 0;
-  /// Returns whether that is so for any pin. Called once a tick.
+  /// Returns whether wants_edges() is true for any pin. Called once a tick.
   virtual bool wants_any_edges() const = 0;
-  /// Delivers a byte to the UART. Bytes queue at the firmware's baud rate.
+  /// Delivers a byte to the UART. Queued bytes arrive at the firmware's baud rate.
   virtual void receive_byte(uint8_t byte, SimTime at) = 0;
 
  protected:

@@ -1,12 +1,12 @@
-// The simulation's only clock. Wall time is never an input of it.
+// The simulation's only clock. Wall time is never an input to the simulation.
 #pragma once
 
 #include <stdint.h>
 
 namespace robosim {
 
-/// Simulated time in nanoseconds since power-on of the world. CPU cycles are converted from their absolute
-/// count, so that nothing drifts; 2^63 ns are 292 years.
+/// Simulated time in nanoseconds since the world's power-on. CPU cycles are converted from their absolute
+/// count, so that no error accumulates; 2^63 ns are 292 years.
 using SimTime = int64_t;
 
 constexpr SimTime kNanosecond = 1;
@@ -14,10 +14,10 @@ constexpr SimTime kMicrosecond = 1000;
 constexpr SimTime kMillisecond = 1000 * kMicrosecond;
 constexpr SimTime kSecond = 1000 * kMillisecond;
 
-/// The step of the world. Firmware and world synchronise at every multiple of it.
+/// The step of the world. Firmware and world synchronise at every multiple of this step.
 constexpr SimTime kTick = kMillisecond;
 
-/// A time that no event reaches.
+/// A time later than any event.
 constexpr SimTime kNever = INT64_MAX;
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
 // The STM32F103C8 of a Blue Pill. Sources: data sheet DS5319, reference manual RM0008 rev. 21; each group
-// names its section of the latter. Other registers are in hal/stm32/addresses.h.
+// names its section of RM0008. Other registers are in hal/stm32/addresses.h.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -19,7 +19,7 @@ constexpr ChipPin pin(const char* name, int8_t port, uint8_t bit, int8_t analog_
   return {name, port, bit, analog_channel, timer, output, static_cast<int8_t>(bit), -1, -1, -1};
 }
 
-// DS5319, table 5: pins where they are after a reset. PA13 and PA14 are the debugger's, PB2 is BOOT1.
+// DS5319, table 5: functions as assigned after a reset. PA13 and PA14 belong to the debugger, PB2 is BOOT1.
 constexpr ChipPin kPins[] = {
     pin("PA0", kA, 0, 0, kTim2, 0),
     pin("PA1", kA, 1, 1, kTim2, 1),
@@ -66,7 +66,7 @@ constexpr TimerSpec kTimers[] = {
     timer(4, 0x40000800, 30),
 };
 
-// 27; interrupts: table 63. The core has the first of them.
+// 27; interrupts: table 63. The core uses only the first USART.
 constexpr UartSpec kUarts[] = {{1, 0x40013800, 0, 0, 37, "PA10", "PA9"},
                                {2, 0x40004400, 0, 0, 38, "PA3", "PA2"},
                                {3, 0x40004800, 0, 0, 39, "PB11", "PB10"}};
@@ -100,7 +100,7 @@ constexpr ChipSpec kStm32f103c8 = {
     .timers = stm32f103c8::kTimers,
     .timer_count = 4,
     .uarts = stm32f103c8::kUarts,
-    .uart_count = 1,  // that the core has
+    .uart_count = 1,  // the core uses only the first
     .adc = {.bits = 12, .pins = 10, .bandgap_volts = 0.0, .bandgap_channel = -1, .vector = 18},  // 11
 };
 

@@ -1,4 +1,4 @@
-// Registers of the STM32F103x8 and their bits, as far as hal/stm32 uses them and the emulated chip has them.
+// Registers of the STM32F103x8, and their bits, that hal/stm32 and the emulated chip use.
 //
 // Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (each group names its section); for the
 // processor PM0056 rev. 6, the programming manual of the Cortex-M3.
@@ -18,8 +18,8 @@ using Address = uint32_t;
 // --- memory (RM0008 3.3)
 constexpr Address kFlash = kStm32f103c8.flash_address, kRam = kStm32f103c8.ram_address;
 constexpr uint32_t kFlashBytes = kStm32f103c8.flash_bytes, kRamBytes = kStm32f103c8.ram_bytes;
-constexpr uint32_t kPageBytes = 1024;  // of flash, the least that can be erased (PM0075 1.2)
-/// The last pages of flash hold the emulated EEPROM (eeprom.h), if a program uses it.
+constexpr uint32_t kPageBytes = 1024;  // a page of flash, the smallest unit of erasure (PM0075 1.2)
+/// The last pages of flash store the emulated EEPROM (eeprom.h), if a program uses it.
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
@@ -38,7 +38,7 @@ constexpr Address kRccCr = kRcc + 0x00, kRccCfgr = kRcc + 0x04, kRccCir = kRcc +
 // 7.3.1
 constexpr uint32_t kHsiOn = 1u << 0, kHsiReady = 1u << 1, kHseOn = 1u << 16, kHseReady = 1u << 17,
                    kPllOn = 1u << 24, kPllReady = 1u << 25;
-// 7.3.2: SW selects what SWS confirms two bits further up: 0 = HSI, 1 = HSE, 2 = PLL.
+// 7.3.2: SW selects a clock, and SWS confirms it two bits further up: 0 = HSI, 1 = HSE, 2 = PLL.
 constexpr uint32_t kSwMask = 3u << 0, kSwPll = 2u << 0, kSwsMask = 3u << 2, kSwsPll = 2u << 2,
                    kPpre1Half = 4u << 8, kAdcPreMask = 3u << 14, kAdcPre6 = 2u << 14, kPllSrcHse = 1u << 16,
                    kPllXtpre = 1u << 17, kPllMul9 = 7u << 18, kPllMulMask = 15u << 18;
@@ -47,12 +47,12 @@ constexpr uint32_t kDma1En = 1u << 0, kCrcUnitEn = 1u << 6;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
-/// A peripheral's bit in RCC_APB1ENR or RCC_APB2ENR, and in RCC_APB1RSTR or RCC_APB2RSTR (7.3.3, 7.3.4): its
-/// place on its bus, each 0x400 bytes long.
+/// Returns a peripheral's bit in RCC_APB1ENR or RCC_APB2ENR, and in RCC_APB1RSTR or RCC_APB2RSTR (7.3.3,
+/// 7.3.4): the peripheral's place on its bus, in units of 0x400 bytes.
 constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
 constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 
-// 7.3.10: what has reset the chip
+// 7.3.10: causes of a reset
 constexpr uint32_t kLsiOn = 1u << 0, kLsiReady = 1u << 1, kRemoveFlags = 1u << 24, kPinReset = 1u << 26,
                    kPowerOnReset = 1u << 27, kSoftwareReset = 1u << 28, kIwdgReset = 1u << 29,
                    kWwdgReset = 1u << 30;
@@ -77,17 +77,17 @@ constexpr uint32_t kFlashPg = 1u << 0, kFlashPer = 1u << 1, kFlashStart = 1u << 
 constexpr Address kGpioA = kStm32f103c8.ports[0].address;
 constexpr Address kPortBytes = 0x400;
 constexpr Address kCrl = 0x00, kCrh = 0x04, kIdr = 0x08, kOdr = 0x0C, kBsrr = 0x10, kBrr = 0x14, kLckr = 0x18;
-// 9.2.1: four bits a pin. MODE: 0 = input, 1 to 3 = output of 10, 2, 50 MHz.
+// 9.2.1: four bits per pin. MODE: 0 = input, 1 to 3 = output of 10, 2, 50 MHz.
 constexpr uint32_t kAnalog = 0x0, kFloating = 0x4, kPulled = 0x8, kPushPull = 0x3, kAlternate = 0xB;
 
 // --- AFIO: alternate functions and external interrupts (RM0008 9.4)
 constexpr Address kAfio = 0x40010000;
 constexpr Address kAfioEvcr = kAfio + 0x00, kAfioMapr = kAfio + 0x04,
-                  kAfioExticr1 = kAfio + 0x08;  // to 4; four bits a line
+                  kAfioExticr1 = kAfio + 0x08;  // to 4; four bits per line
 constexpr uint32_t kSwjMask = 7u << 24,
                    kSwjNoJtag = 2u << 24;  // 9.4.2: PA15, PB3 and PB4 become ordinary pins
 
-// --- EXTI (RM0008 10.3): a bit for each line
+// --- EXTI (RM0008 10.3): one bit per line
 constexpr Address kExti = 0x40010400;
 constexpr Address kExtiImr = kExti + 0x00, kExtiEmr = kExti + 0x04, kExtiRtsr = kExti + 0x08,
                   kExtiFtsr = kExti + 0x0C, kExtiSwier = kExti + 0x10, kExtiPr = kExti + 0x14;
@@ -110,7 +110,7 @@ constexpr Address kTimCr1 = 0x00, kTimCr2 = 0x04, kTimSmcr = 0x08, kTimDier = 0x
                   kTimPsc = 0x28, kTimArr = 0x2C, kTimRcr = 0x30, kTimCcr1 = 0x34, kTimBdtr = 0x44;
 constexpr uint32_t kCen = 1u << 0, kUrs = 1u << 2, kOpm = 1u << 3, kArpe = 1u << 7;  // TIM_CR1
 constexpr uint32_t kUie = 1u << 0, kUif = 1u << 0, kUg = 1u << 0;
-constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR, of an even channel 8 bits further up
+constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR; of an even channel 8 bits further up
 constexpr uint32_t kMoe = 1u << 15;                          // TIM1_BDTR (14.4.18)
 
 // --- USART1 (RM0008 27.6); USART2 and USART3 have the same registers from their own addresses on

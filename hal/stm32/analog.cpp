@@ -15,7 +15,7 @@ constexpr uint32_t kSampleTime = 3;
 
 void start_adc() {
   at(kRccApb2Enr) |= kAdc1En;
-  at(kAdcCr2) = kAdOn | kExtSelSw | kExtTrig;  // wakes it up (11.3.1)
+  at(kAdcCr2) = kAdOn | kExtSelSw | kExtTrig;  // wakes the ADC up (11.3.1)
   delayMicroseconds(1);                        // tSTAB (DS5319, table 46)
   at(kAdcCr2) |= kRstCal;
   at(kAdcCr2).await(kRstCal, 0);
@@ -84,7 +84,7 @@ void analogWrite(uint8_t number, int given) {
   const Address timer = timer_base(pin->timer);
   const uint32_t compare = value > kPwmSteps ? kPwmSteps : value;
   const bool runs = configuration(*pin) == kAlternate;
-  if (!runs) start_pwm(*pin, timer);  // first: a timer without clock ignores writes
+  if (!runs) start_pwm(*pin, timer);  // before the write, which a timer without clock ignores
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;
   if (!runs) configure(*pin, kAlternate);
 }

@@ -7,7 +7,7 @@ namespace stm32 {
 
 void start_clocks() {
 #if F_CPU == 72000000L
-  // From 48 MHz on flash needs two wait states (RM0008 3.3.3). APB1 runs at 36 MHz at most (7.2).
+  // From 48 MHz on, flash needs two wait states (RM0008 3.3.3). APB1 runs at 36 MHz at most (7.2).
   at(kFlashAcr) = kLatency2 | kPrefetch;
   at(kRccCr) |= kHseOn;
   at(kRccCr).await(kHseReady, kHseReady);
@@ -29,8 +29,8 @@ void start_systick() {
 
 void sleep_for(uint32_t us) {
   at(kRccApb1Enr) |= kTim2En;
-  // One pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler; URS prevents an interrupt by
-  // that.
+  // One pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler; URS prevents that from causing
+  // an interrupt.
   at(kTim2 + kTimCr1) = kUrs | kOpm;
   at(kTim2 + kTimPsc) = kCyclesPerMicro - 1;
   at(kTim2 + kTimArr) = us;

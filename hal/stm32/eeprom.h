@@ -1,14 +1,14 @@
 // An EEPROM of 1024 bytes in the last four pages of flash (PM0075 2: a page of 1 KB is erased at once, half
-// words are programmed one by one).
+// words are programmed one at a time).
 //
 // Two banks of two pages alternate. A bank:
 //
-//   0x000  0x5AA5 once it is complete; its number, one more than the previous bank's
+//   0x000  0x5AA5 once the bank is complete; its number, one more than the previous bank's
 //   0x004  1024 bytes: the EEPROM's content when the bank was made
-//   0x404  up to 255 changes since: the byte's value | 0xA500, its address
+//   0x404  up to 255 later changes: the byte's value | 0xA500, its address
 //
-// The bank with the higher number is valid. A change counts only if both halves are present, so that
-// power-off can interrupt it. A bank without its mark is ignored.
+// The bank with the higher number is valid. A change counts only if both halves are present, so a power-off
+// during a change does no harm. A bank without its mark is ignored.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// attachInterrupt on any pin (RM0008 10.2, 9.4.3). A line belongs to one port: the last one attached.
+// attachInterrupt on any pin (RM0008 10.2, 9.4.3). A line belongs to one port: that of the pin attached last.
 #include <Arduino.h>
 
 #include "hal/stm32/pins.h"
@@ -18,7 +18,7 @@ void serve(uint8_t first, uint8_t last) {
   const uint32_t pending = load(kExtiPr) & load(kExtiImr);
   for (uint8_t line = first; line <= last; ++line) {
     if (!(pending >> line & 1u)) continue;
-    at(kExtiPr) = 1u << line;  // a 1 clears it (10.3.6)
+    at(kExtiPr) = 1u << line;  // writing 1 clears the bit (10.3.6)
     if (handlers[line]) handlers[line]();
   }
 }

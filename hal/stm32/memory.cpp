@@ -1,4 +1,4 @@
-// System calls that the C library (newlib) requires: memory for malloc, and a way to end.
+// System calls that the C library (newlib) requires: memory for malloc, and a function to end the program.
 #include <assert.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -34,7 +34,7 @@ inline void write_pin(const PinMap& pin, bool level) {
 }
 inline bool read_pin(const PinMap& pin) { return load(bit_band(port_of(pin) + kIdr, pin.bit)) != 0; }
 
-/// Clocks ports A to C and AFIO, and releases PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays.
+/// Clocks ports A to C and AFIO, and frees PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays enabled.
 void start_pins();
 /// Changes one bit of the pin's port without reading it first.
 void toggle_pin(const PinMap& pin);

@@ -1,5 +1,5 @@
-// Register access for firmware, and the few instructions that C++ cannot express. In tests on a PC, both use
-// a model of the chip instead.
+// Register access for firmware, and the few instructions that C++ cannot express. Tests on a PC replace both
+// by a model of the chip.
 //
 //   at(kRccCr) |= kHseOn;
 #pragma once
@@ -41,8 +41,8 @@ inline bool takes_interrupts() {
   __asm__ volatile("mrs %0, primask\n\tmrs %1, ipsr" : "=r"(masked), "=r"(handler));
   return masked == 0 && handler == 0;
 }
-/// Sleeps until an interrupt. One that PRIMASK masks wakes it, too, without calling its handler (PM0056
-/// 2.5.2).
+/// Sleeps until an interrupt. An interrupt that PRIMASK masks also ends the sleep, without a call of its
+/// handler (PM0056 2.5.2).
 inline void wait_for_interrupt() { __asm__ volatile("wfi" ::: "memory"); }
 #endif
 

@@ -35,7 +35,7 @@ bool started;
 void serve() {
   const uint32_t status = load(kUsartSr);
   if (status & (kRxne | kOre)) {
-    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // clears RXNE and, after SR, ORE (27.6.1)
+    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // clears RXNE and, as SR was read, ORE (27.6.1)
     if (status & kRxne && !received.full()) received.put(byte);
   }
   if (status & kTxe && load(kUsartCr1) & kTxeie) {

@@ -9,11 +9,11 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
-/// The time to begin and end a sleep, at most: some 400 cycles.
+/// The maximum time to begin and end a sleep: some 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits by the counter alone, for callers with interrupts off, where micros() stops after a millisecond.
-/// Needs no interrupt.
+/// Waits by the counter alone, for callers with interrupts off, for whom micros() stops after a
+/// millisecond.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {
@@ -24,7 +24,7 @@ void spin(uint32_t us) {
   }
 }
 
-/// Waits while `pin` stays at `level`. Returns false if that takes until `timeout` us after `start`.
+/// Waits while `pin` stays at `level`. Returns false once `timeout` us have passed since `start`.
 bool wait_while(const PinMap& pin, bool level, unsigned long start, unsigned long timeout) {
   while (read_pin(pin) == level)
     if (micros() - start >= timeout) return false;

@@ -1,4 +1,4 @@
-// tone(): timer 1 interrupts at every edge. Meanwhile, analogWrite does nothing on pins 0, 1, 3 and 28.
+// tone(): timer 1 interrupts at every edge. During a tone, analogWrite does nothing on pins 0, 1, 3 and 28.
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -9,7 +9,7 @@ using namespace robosim::stm32;
 namespace {
 
 const PinMap* volatile sounding;
-volatile uint32_t edges_left;  ///< 0 = without end
+volatile uint32_t edges_left;  ///< the number of remaining edges, if `ends`
 volatile bool ends;
 
 void stop() {

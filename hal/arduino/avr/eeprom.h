@@ -1,5 +1,5 @@
-// EEPROM by address, with avr-libc's interface. An EEMEM variable's address is its offset in its section.
-// Its initial value is not loaded, as Arduino's upload does not load it either.
+// Accesses the EEPROM by address, with avr-libc's interface. An EEMEM variable's address is its offset in its
+// section. Its initial value is not loaded; Arduino's upload does not load it either.
 #pragma once
 
 #include <avr/io.h>

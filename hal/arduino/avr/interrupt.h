@@ -13,7 +13,7 @@
 #define ROBOSIM_HANDLER
 #endif
 
-// Attributes such as ISR_NOBLOCK are accepted; a handler is never interrupted here.
+// Attributes such as ISR_NOBLOCK are accepted without effect: on the host no handler is ever interrupted.
 #define ISR(vector, ...)                                               \
   ROBOSIM_HANDLER void vector(void) __attribute__((used)) __VA_ARGS__; \
   ROBOSIM_HANDLER void vector(void)

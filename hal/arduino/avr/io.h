@@ -1,11 +1,11 @@
-// Registers of the chip by the names that sketches use: PORTB, TCCR1A, ADC, ...
+// Defines the chip's registers by the names that sketches use: PORTB, TCCR1A, ADC, ...
 //
 // Names, addresses and bits come from avr-libc's header, staged as iom328p.h next to this one. Each access
 // calls the simulated chip (hal/host). So a register is an object that can be read, assigned and changed by
 // every operator.
 //
-// Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. They
-// are compiled a second time with ROBOSIM_REGISTER_MEMORY, where registers are memory and accesses to memory
+// Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. Such
+// programs are compiled again with ROBOSIM_REGISTER_MEMORY. Registers are then memory, and memory accesses
 // are observed (hal/host/register_memory.h).
 #pragma once
 #define _AVR_IO_H_
@@ -68,8 +68,8 @@ class Register8 {
   constexpr RegisterPointer operator&() const;
 
  private:
-  /// PINx, TIFRn, PCIFR and EIFR. `|=` of one bit, where the compiler knows both, is the instruction SBI,
-  /// which writes that bit alone.
+  /// Returns whether a register acts on ones: PINx, TIFRn, PCIFR and EIFR. `|=` of one bit, if the compiler
+  /// knows register and bit, is the instruction SBI, which writes only that bit.
   static constexpr bool is_set_by_ones(robosim_register address) {
     return address == 0x23 || address == 0x26 || address == 0x29 || (address >= 0x35 && address <= 0x37) ||
            address == 0x3B || address == 0x3C;
@@ -83,7 +83,7 @@ class Register8 {
   robosim_register address_;
 };
 
-/// The type of `&PORTB` and portOutputRegister(). `*p |= mask` works. A program that converts it to a
+/// The type of `&PORTB` and portOutputRegister(). `*p |= mask` works. A program that converts this type to a
 /// `volatile uint8_t*` references robosim_register_memory, and is compiled again.
 class RegisterPointer {
  public:
@@ -103,7 +103,7 @@ constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(
 #define ROBOSIM_INLINE __attribute__((always_inline)) inline
 
 /// A register with side effects on reading, which programs trigger by a bare statement: `(void)UDR0;`,
-/// `SPSR;`. If nothing else was done with it, it is read when the statement ends.
+/// `SPSR;`. A register that the statement has not used otherwise is read when the statement ends.
 class ReadRegister8 {
  public:
   ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}
@@ -156,7 +156,7 @@ class ReadRegister8 {
   mutable bool used_ = false;
 };
 
-/// A pair of registers of 16 bits, read and written at once, as the chip's TEMP register allows.
+/// A 16-bit register pair, read and written at once, as the chip's TEMP register allows.
 class Register16 {
  public:
   explicit constexpr Register16(robosim_register address) : address_(address) {}

@@ -1,5 +1,5 @@
 // Power reduction (bits of PRR) and the clock's divisor (CLKPR). On the host a module that is switched off
-// keeps working, and the clock stays the same; `robosim compare` reports that.
+// keeps working, and the clock stays the same; `robosim compare` reports the differences.
 #pragma once
 
 #include <avr/io.h>

@@ -1,4 +1,4 @@
-// avr-libc's <math.h>. `double` is the host's: 64 bits, where the chip has 32.
+// avr-libc's <math.h>. `double` is the host's type, which has 64 bits; the chip's `double` has 32.
 #pragma once
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-// Strings and memory: exactly avr-libc's names, since a sketch may define its own `index` or `rindex`, for
-// example.
+// String and memory functions. This header declares only avr-libc's names, because a sketch may define its
+// own `index` or `rindex`, for example.
 #pragma once
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// avr-libc 2.0's clock: seconds since 2000, which only the sketch advances. Its calendar functions are
+// avr-libc 2.0's clock: seconds since 2000, which only the sketch advances. The calendar functions are
 // missing.
 #pragma once
 
@@ -10,8 +10,8 @@ extern "C" {
 
 typedef uint32_t time_t;
 
-/// Returns the seconds since 1 January 2000, 0:00, as they were set and advanced; stores them in *seconds
-/// unless it is null.
+/// Returns the seconds since 1 January 2000, 0:00, as set and advanced. Also stores them in *seconds, unless
+/// `seconds` is null.
 time_t time(time_t* seconds);
 int32_t difftime(time_t later, time_t earlier);
 void set_system_time(time_t seconds);

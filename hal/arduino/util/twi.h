@@ -1,4 +1,4 @@
-// Status codes in TWSR of the two-wire interface: names of avr-libc, codes of the data sheet (chapter 21).
+// Status codes in TWSR of the two-wire interface: names from avr-libc, codes from the data sheet, chapter 21.
 #pragma once
 
 #include <avr/io.h>

@@ -96,7 +96,7 @@ bool Adafruit_NeoPixel::canShow() {
   return now - shown_ >= kQuiet_us;
 }
 
-// A bit takes 20 cycles at 16 MHz: 5 of them high for a 0, 13 for a 1.
+// A bit takes 20 cycles at 16 MHz, of which 5 are high for a 0, and 13 for a 1.
 void Adafruit_NeoPixel::show() {
   if (!bytes_ || pin_ < 0) return;
   while (!canShow()) {
@@ -150,7 +150,7 @@ void Adafruit_NeoPixel::rainbow(uint16_t first_hue, int8_t times, uint8_t satura
   }
 }
 
-// Rescales the stored colours, too, which loses precision.
+// Also rescales the stored colours, which loses precision.
 void Adafruit_NeoPixel::setBrightness(uint8_t brightness) {
   const auto scale = static_cast<uint8_t>(brightness + 1);
   if (scale == scale_) return;

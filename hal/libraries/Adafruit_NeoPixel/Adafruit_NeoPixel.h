@@ -1,11 +1,11 @@
-// Strips of WS2812 LEDs. Bytes in memory have the strip's format. Brightness is applied when a colour is set,
-// and to all colours when it changes.
+// Drives strips of WS2812 LEDs. Bytes in memory have the strip's format. The brightness is applied to a
+// colour when the colour is set, and to all colours when the brightness changes.
 #pragma once
 
 #include <Arduino.h>
 
-// Encodes the order of a LED's bytes: two bits each for white, red, green, blue, from the top. If white is
-// at red's place, a LED has three bytes.
+// Encodes the order of an LED's bytes: two bits each for white, red, green, blue, from the top. If white has
+// the position of red, an LED has three bytes.
 #define NEO_ORDER(w, r, g, b) ((w) << 6 | (r) << 4 | (g) << 2 | (b))
 #define NEO_RGB NEO_ORDER(0, 0, 1, 2)
 #define NEO_RBG NEO_ORDER(0, 0, 2, 1)

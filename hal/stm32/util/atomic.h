@@ -1,4 +1,4 @@
-// ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }: interrupts are off inside, however the block is left.
+// ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }: interrupts are off inside the block, and restored at every exit.
 #pragma once
 
 #include <avr/interrupt.h>
