@@ -3,8 +3,8 @@
 //   ENABLE  high during a message      DATA  the current bit      CLOCK  rises in the middle of each bit
 //
 // ENABLE and CLOCK use interrupts (pins 2 and 3 on an Uno), so no bit is missed, whatever the sketch does. A
-// message is complete once ENABLE has fallen. If the next message arrives before the sketch has read it, the
-// older message is lost. A sketch can have only one receiver.
+// message is complete once ENABLE has fallen. If another message arrives before the sketch has read the
+// first, the first is lost. A sketch can have only one receiver.
 //
 //   ClockedReceiver radio(5, 2, 3);   // data, clock, enable
 //   void setup() { radio.begin(); }

@@ -10,10 +10,10 @@
 //   DriveMotor(in1, in2)       DRV8833, L9110S, L298N with its EN jumpers left on: PWM on IN1
 //                              drives forward, on IN2 backward.
 //
-// Pins for PWM must support it: 3, 5, 6, 9, 10, 11 on an Uno.
+// Connect PWM inputs to pins that support PWM: 3, 5, 6, 9, 10, 11 on an Uno.
 //
 // Speeds are -255 (full backward) .. 255 (full forward); larger values are limited. They are duty cycles, not
-// metres per second. A motor needs a smallest duty cycle to turn at all (about 30 to 60 with an L298N). After
+// metres per second. A motor needs a minimum duty cycle to turn at all (about 30 to 60 with an L298N). After
 // setSmallestDuty(), speed 1 just turns the motor and 255 is full speed:
 //
 //   duty = smallest + (255 - smallest) * speed / 255

@@ -130,7 +130,7 @@ class LineWalkerOf {
   void (*on_pause_)(bool) = nullptr;
 
   uint32_t due_us_ = 0;  ///< due time of the next step
-  uint16_t steps_ = 0;   ///< number driven since the last landmark
+  uint16_t steps_ = 0;   ///< steps driven since the last landmark
   // Position and heading.
   nav::Heading heading_ = 0;
   float off_ = 0;                  ///< remaining angle, clockwise from heading_, rad

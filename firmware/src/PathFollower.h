@@ -88,7 +88,7 @@ class PathFollower {
   uint16_t widthMs() const { return width_ms_; }
 
  private:
-  // `near` is the sensor on the preferred side, `far` the one on the other.
+  // `near` is the sensor on the preferred side, `far` the sensor on the other side.
   void follow(bool near, bool middle, bool far);
   void cross(bool near);
   void roll(bool middle, bool far);

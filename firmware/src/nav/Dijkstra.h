@@ -121,7 +121,7 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
 /// memory, since they are only at the ends of paths. The network must count its junctions, by row() and
 /// junctions(), as FixedNetwork does.
 ///
-/// The search runs from the destination to the robot's node. The next node is the last one before that. Sums
+/// The search runs from the destination to the robot's node; the last node before that is the next node. Sums
 /// stay below 2^16: if the lines are too long for that, all costs are halved until the sums fit.
 template <uint8_t kJunctions>
 class DijkstraNext {

@@ -1,9 +1,9 @@
 // Stores the nodes of FixedNetwork.h and FixedTree.h: parents and arms in fixed arrays, with ids of one byte.
 // `Memory` (FixedMemory.h) stores everything else.
 //
-// Nodes are in preorder, so links need not be stored. A node's children are at those of its slots 1, 2, 3
-// (and 0, for the root) that have no side line, in this order. A link is looked up by a walk through the
-// node's descendants and the side lines, in at most some 300 short steps.
+// Nodes are in preorder, so links need not be stored. A node's children occupy its slots 1, 2, 3 (and 0, for
+// the root) in order, except slots with a side line. A link is looked up by a walk through the node's
+// descendants and the side lines, in at most some 300 short steps.
 //
 // A network can be saved in EEPROM (kRecordBytes at most):
 //
