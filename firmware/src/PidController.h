@@ -11,8 +11,8 @@
 // steps: kp is PWM steps per pitch; ki PWM steps per pitch and second; kd PWM steps per pitch per second.
 //
 // Two details that a textbook formula omits and a robot needs:
-// - Wind-up. While the output is at its limit the integral must not grow further in that direction, or the
-//   robot keeps turning long after the error is gone. Here the integral waits ("conditional integration").
+// - Wind-up. While the output is at its limit, the integral must not grow further in that direction.
+//   Otherwise the robot turns long after the error is gone. The integral waits (conditional integration).
 // - The first call has no previous error, so it has no derivative. Call reset() whenever control starts
 //   again.
 //

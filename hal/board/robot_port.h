@@ -5,8 +5,8 @@
 
 namespace robosim {
 
-/// A signal that the robot puts on a pin. Reads by firmware call it, with a time inside the current tick. It
-/// extrapolates from the world's state at the tick's start.
+/// A signal that the robot puts on a pin. Reads by firmware call a source with a time inside the current
+/// tick. The source extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
   /// Returns the voltage against ground, in volts. May consume a sample of noise.

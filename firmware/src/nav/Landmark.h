@@ -18,7 +18,7 @@
 //
 // follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
 // outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
-// without having met a landmark, and `lost` if its position is unknown.
+// without a landmark on the way. `lost` means that its position is unknown.
 //
 // After `end` and `blocked` the only turn is Turn::back. At a junction it leads back along the same line.
 #ifndef LINEKIT_NAV_LANDMARK_H

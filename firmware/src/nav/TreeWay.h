@@ -41,7 +41,7 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 /// Climb: replaces the larger of the two ids by its parent, until both are the same. It only requires that a
 /// parent's id is less than its children's ids.
 ///
-/// The path up from `from` grows at the front of the path's memory, and the path up from `to` from its back
+/// The path up from `from` grows at the front of the path's memory. The path up from `to` grows from the back
 /// downwards. In the end the second part is moved to the end of the first. (The loops test at their end,
 /// which saves two of some twenty cycles per node on an ATmega.)
 template <class Network, class Path>

@@ -49,7 +49,7 @@ class Encoder {
 
   void update() {
     // Counts by the levels before (bits 0 and 1) and now (bits 2 and 3). If both levels have changed, an edge
-    // was missed: this counts two, in the direction that the second pin indicates.
+    // was missed: the count changes by two, in the direction that the second pin indicates.
     static const int8_t counts[16] = {0, 1, -1, 2, -1, 0, -2, 1, 1, -2, 0, -1, 2, -1, 1, 0};
     const uint8_t now = levels();
     count_ += counts[levels_ | now << 2];
