@@ -1,4 +1,4 @@
-// The analog to digital converter (datasheet, chapter 24). hal/board/avr_adc.h has the meaning of its
+// The analog-to-digital converter (datasheet, chapter 24). hal/board/avr_adc.h explains its
 // registers.
 #pragma once
 
@@ -22,12 +22,12 @@ class Adc {
   /// Returns the result in the format of the register ADC: left-adjusted if ADLAR is set.
   uint16_t data() const;
 
-  /// Samples the selected channel, `late` after now: 0 for analogRead, which waits by itself.
+  /// Samples the selected channel `late` after now. Pass 0 for analogRead(), which waits by itself.
   uint16_t sample(SimTime late);
-  /// Connects the converter's capacitor to the selection from now on: another channel, or the same one after
-  /// a conversion.
+  /// Connects the converter's capacitor to the selected channel from now on. Call it when the selection
+  /// changes and after a conversion.
   void charge() { charges_since_ = state.now; }
-  /// Returns the code of a voltage at the selected reference.
+  /// Returns the conversion result for a voltage at the selected reference.
   uint16_t code_of(double volts) const;
   /// Returns the duration of one ADC clock.
   SimTime clock() const { return cycles(avr::adc_prescaler(control_)); }
@@ -38,22 +38,22 @@ class Adc {
     return clock_began_ + (past + clock - 1) / clock * clock;
   }
   bool on() const { return control_ & 0x80; }
-  /// Returns at the beginning of a conversion whether it is the first one after ADEN, which takes longer
-  /// (24.4). For an analogRead() init()'s ADEN does not count: it takes as long as any other, on which the
-  /// traces of all sketches depend.
+  /// Returns at the start of a conversion whether it is the first one after ADEN, which takes longer (24.4).
+  /// In analogRead(), a conversion after init()'s ADEN takes the usual time: the traces of all sketches
+  /// depend on that.
   bool take_first(bool of_analog_read) {
     const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
     first_ = First::over;
     return first;
   }
   void enabled_by_init() { first_ = First::by_init; }
-  /// Ends a conversion with this code, which reads of ADCL and then ADCH return.
+  /// Ends a conversion with this code. Reads of ADCL and then ADCH return it.
   uint16_t end_with(uint16_t code) {
     if (!locked_) code_ = code;
     locked_ = false;
     return code_;
   }
-  /// Handles a read of ADCL: ADCL and ADCH do not change until ADCH is read (24.9.3).
+  /// Handles a read of ADCL. ADCL and ADCH then stay unchanged until ADCH is read (24.9.3).
   void lock() { locked_ = true; }
   void unlock() { locked_ = false; }
 
@@ -77,9 +77,9 @@ class Adc {
   enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< the preceding ADEN
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
-  double held_ = 0.0;          ///< V, on its capacitor
-  SimTime charges_since_ = 0;  ///< from the selected source
-  SimTime clock_began_ = 0;    ///< the ADC clock runs since the ADC was enabled
+  double held_ = 0.0;          ///< voltage of the converter's capacitor, V
+  SimTime charges_since_ = 0;  ///< when the capacitor was connected to the selected source
+  SimTime clock_began_ = 0;    ///< when the ADC, and with it the ADC clock, was enabled
 };
 
 extern Adc adc;

@@ -23,7 +23,7 @@ bool is_in(uintptr_t address, const void* begin, uintptr_t bytes) {
   return address - reinterpret_cast<uintptr_t>(begin) < bytes;
 }
 
-/// Returns whether the address has a shadow: image, stack or heap.
+/// Returns whether the address has a shadow: it lies in the image, the stack or the heap.
 bool is_ours(uintptr_t address) {
   return is_in(address, state.stack, state.stack_bytes) ||
          is_in(address, __ehdr_start, static_cast<uintptr_t>(_end - __ehdr_start)) ||
@@ -43,7 +43,7 @@ __attribute__((noinline, noreturn)) void report(uintptr_t address, size_t bytes,
   access.write = write;
   access.first = first;
   if (is_ours(first)) {
-    // A mark of 1..7 is for an object's own last bytes; the following mark has its kind.
+    // A mark of 1..7 means that an object ends within these 8 bytes. The following mark has its kind.
     const uint8_t* mark = shadow_of(first);
     access.mark = *mark < kGrain ? mark[1] : *mark;
   }
@@ -62,7 +62,7 @@ constexpr uintptr_t kNone = UINTPTR_MAX;
 uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
   for (uintptr_t at = address; at - address < bytes;) {
     if (!is_ours(at) || !is_allowed(at)) return at;
-    // Continues with the next grain; in a last one of fewer bytes, with the next byte.
+    // Continues with the next 8 bytes, or with the next byte if only the first of these 8 are accessible.
     at = *shadow_of(at) == 0 ? (at / kGrain + 1) * kGrain : at + 1;
   }
   return kNone;
@@ -71,19 +71,19 @@ uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
 inline void check(uintptr_t address, size_t bytes, bool write, const void* where) {
   const uintptr_t first = first_forbidden(address, bytes);
   if (first == kNone) return;
-  // The processor reports more about a null pointer, and immediately.
+  // The processor itself reports more about a null pointer, and immediately.
   constexpr uintptr_t kNullPage = 4096;
   if (first < kNullPage) return;
   report(address, bytes, write, first, where);
 }
 
-/// Checks accesses of functions that are also called with the executor's memory.
+/// Checks an access by a function that the executor calls with its own memory, too.
 void check_ours(const void* begin, size_t bytes, bool write, const void* where) {
   const auto address = reinterpret_cast<uintptr_t>(begin);
   if (bytes > 0 && is_ours(address)) check(address, bytes, write, where);
 }
 
-/// Replaces the C library's function, which checks by itself if Robosim runs under AddressSanitizer.
+/// Replaces the C library's strlen(), which has its own checks if Robosim runs under AddressSanitizer.
 size_t length(const char* text, size_t most = SIZE_MAX) {
   const volatile char* at = text;
   size_t count = 0;
@@ -93,7 +93,7 @@ size_t length(const char* text, size_t most = SIZE_MAX) {
 
 }  // namespace
 
-// Byte by byte (volatile): if Robosim runs under AddressSanitizer, its memset must not see the shadow.
+// Writes the shadow byte by byte (volatile). Otherwise memset() would check it if Robosim runs under ASan.
 void allow(const void* begin, size_t bytes) {
   volatile uint8_t* shadow = shadow_of(reinterpret_cast<uintptr_t>(begin));
   for (; bytes >= kGrain; bytes -= kGrain) *shadow++ = 0;
@@ -133,7 +133,7 @@ void __asan_version_mismatch_check_v8() {}
 void __asan_before_dynamic_init(const char*) {}
 void __asan_after_dynamic_init() {}
 void __asan_unregister_globals(const void*, size_t) {}
-// A function that does not return ends the firmware: its stack stays unchanged.
+// A function that does not return ends the firmware, so its stack needs no change.
 void __asan_handle_no_return() {}
 
 void __asan_register_globals(const robosim::host::GlobalRecord* globals, size_t count) {
@@ -170,7 +170,7 @@ void __asan_allocas_unpoison(uintptr_t top, uintptr_t bottom) {
   if (top != 0 && top <= bottom) robosim::host::allow(reinterpret_cast<const void*>(top), bottom - top);
 }
 
-// Functions of the C library, which has no checks: the linker redirects their callers to these (--wrap).
+// Checks accesses by the C library, which is not instrumented. The linker redirects calls to here (--wrap).
 #define ROBOSIM_READ(begin, bytes) check_ours(begin, bytes, false, __builtin_return_address(0))
 #define ROBOSIM_WRITE(begin, bytes) check_ours(begin, bytes, true, __builtin_return_address(0))
 

@@ -1,10 +1,10 @@
-// Address checks: which bytes of an image with checks may be accessed. gcc's AddressSanitizer calls functions
-// in addresses.cpp before every access of the sketch, its libraries and the core. gcc's own runtime is not
-// used, since it must be the process's first library and ends the process.
+// Checks which bytes of an image may be accessed. gcc's AddressSanitizer calls functions in addresses.cpp
+// before every access of the sketch, its libraries and the core. gcc's own runtime is not used, since it must
+// be the process's first library and ends the process.
 //
-// One shadow byte describes 8 bytes of memory: 0 = all accessible, n = 1..7 = only the first n, from 0x80
-// on = none, and why. The shadow lies where gcc expects it, since functions write the shadow of their own
-// frames themselves.
+// One shadow byte describes 8 bytes of memory: 0 = all are accessible, n = 1..7 = only the first n, 0x80 and
+// above = none (the value is the reason). The shadow lies where gcc expects it, since instrumented functions
+// mark their own frames.
 #pragma once
 
 #include <stddef.h>
@@ -23,7 +23,7 @@ constexpr uintptr_t kShadow = uintptr_t{1} << 36;
 constexpr uintptr_t kShadow = uintptr_t{1} << 29;
 #endif
 
-// Our own marks and those of gcc's code for a function's frame, with LLVM's compiler-rt numbers.
+// The marks that we set, and those that gcc's code sets for a frame. Values are those of LLVM's compiler-rt.
 constexpr uint8_t kStackBefore = 0xF1;
 constexpr uint8_t kStackBetween = 0xF2;
 constexpr uint8_t kStackBehind = 0xF3;
@@ -31,10 +31,10 @@ constexpr uint8_t kOutOfScope = 0xF8;
 constexpr uint8_t kGlobalGap = 0xF9;
 constexpr uint8_t kHeapGap = 0xFA;
 constexpr uint8_t kHeapFreed = 0xFD;
-constexpr uint8_t kArrayBefore = 0xCA;  // of an array whose length is known only at run time
+constexpr uint8_t kArrayBefore = 0xCA;  // an array whose length is known only at run time
 constexpr uint8_t kArrayBehind = 0xCB;
 
-/// A block of the heap, with the size that malloc was asked for.
+/// A block of the heap, with the size requested from malloc().
 struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
@@ -43,10 +43,10 @@ struct HeapBlock {
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE
-/// Allows access to `bytes` from `begin`, a multiple of 8. A rest of less than 8 bytes is marked by its
-/// length.
+/// Allows access to `bytes` from `begin`, a multiple of 8. If fewer than 8 bytes remain at the end, their
+/// mark is their number.
 void allow(const void* begin, size_t bytes);
-/// Forbids access; `begin` and `bytes` are multiples of 8.
+/// Forbids access. `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);
 /// Fills uninitialised bytes with the pattern of local variables (-ftrivial-auto-var-init=pattern).
 void fill_unset(void* begin, size_t bytes);

@@ -1,5 +1,5 @@
-// Records calls of the Arduino API, so that a verdict can name what firmware waits for. Every function of the
-// API begins with one of these.
+// Records calls of the Arduino API, so that a verdict can name what firmware waits for. Every API function
+// begins with one of these functions.
 #pragma once
 
 #include "hal/host/clock.h"
@@ -29,8 +29,8 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
   if (!in_handler()) note_arguments(name, pin, arguments, first, second);
 }
 
-/// Records a call that only spends time, by spend_asking(). Its result depends on the sketch, on
-/// `polling.clock` and on levels reported to note_level().
+/// Records a call that only spends time, with spend_asking(). Its result may depend only on the sketch, on
+/// `polling.clock`, and on levels passed to note_level().
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();
@@ -39,7 +39,7 @@ __attribute__((always_inline)) inline void note_question(const char* name, Pin p
   if (!in_handler()) note_arguments(name, pin, arguments, first, 0);
 }
 
-/// Remembers which input the sketch reads, even if it does something else between two reads.
+/// Records which input the sketch reads, even if other calls occur between two reads.
 inline void note_read(Pin pin) {
   if (in_handler()) return;
   state.read_pin = pin;

@@ -1,4 +1,4 @@
-// attachInterrupt (WInterrupts.c of the Arduino AVR core).
+// Implements attachInterrupt() (WInterrupts.c of the Arduino AVR core).
 #include <Arduino.h>
 
 #include "hal/board/board_spec.h"
@@ -20,7 +20,7 @@ void run_attached(int number) {
   if (attached[number]) attached[number]();
 }
 
-/// Returns the board's own number; for the first two, which every board has, the chip's.
+/// Returns the pin of a board's interrupt number. If the board defines none, the chip's INTn is used.
 Pin pin_of(uint8_t number) {
   const robosim::BoardSpec& spec = host::board->spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)

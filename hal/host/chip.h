@@ -1,5 +1,5 @@
-// The chip whose registers, timers and interrupts a sketch finds on the target host. In hal/host only this
-// header names it.
+// The chip whose registers, timers and interrupts a sketch finds on the target host. No other header in
+// hal/host names the chip.
 //
 // A core is compiled for one board (sim/build/compile.cpp):
 //   ROBOSIM_CLOCK_HZ       the chip's clock
@@ -11,8 +11,8 @@
 #include "hal/board/atmega328p.h"
 #include "hal/board/board.h"
 
-/// Marks declarations of a namespace that is private to the image, so that gcc accesses its variables without
-/// a table (-fvisibility=hidden applies to definitions only).
+/// Marks a namespace as private to the image, so that gcc accesses its variables without an offset table
+/// (-fvisibility=hidden applies to definitions only).
 #define ROBOSIM_WITHIN __attribute__((visibility("hidden")))
 
 namespace robosim {

@@ -22,17 +22,17 @@ void (*unsettled)();
 
 namespace {
 
-constexpr size_t kFrames = 256;  // bytes that hand_registers(), hand_stack() and those between may use
+constexpr size_t kFrames = 256;  // bytes for hand_registers(), hand_stack() and functions between them
 
 void yield_to_executor(SimTime wake) {
   state.wake = wake;
   executor->yield();
 }
 
-/// Returns the next event that does not depend on enabled interrupts.
+/// Returns the time of the next event that does not depend on enabled interrupts.
 SimTime next_event() { return watchdog.due() < tone_end ? watchdog.due() : tone_end; }
 
-/// `pending`: an interrupt waits to be served.
+/// Returns the time of the next event. `pending`: an interrupt is ready to be served.
 SimTime next_due(bool pending) {
   const SimTime event = next_event();
   if (!interrupts_enabled()) return event;
@@ -44,9 +44,9 @@ void set_deadline(SimTime due) {
   deadline = polling.again ? state.now : state.limit < due ? state.limit : due;
 }
 
-// Handles the most frequent case: only Timer 0's overflow is due, for the core's own handler. The result
-// equals that of reach_deadline(), which checks all peripherals. Returns false, without effect, in any other
-// case.
+// Handles the most frequent case: only Timer 0's overflow is due, and the core's own handler serves it. The
+// result equals that of reach_deadline(), which checks all peripherals. In any other case, returns false and
+// changes nothing.
 bool serve_overflow_alone() {
   if (state.now >= state.limit || !interrupts_enabled() || !timer0.overflows_next()) return false;
   const SimTime next = next_alone();
@@ -58,9 +58,9 @@ bool serve_overflow_alone() {
   return true;
 }
 
-// Idles if nothing happens before `time` except Timer 0's overflow, for the core's own handler. The result
-// equals that of idle_until(), which checks all peripherals. Returns false, without effect, in any other
-// case: then idle_until() must continue.
+// Idles if Timer 0's overflow, served by the core's own handler, is the only event before `time`. The result
+// equals that of idle_until(), which checks all peripherals. In any other case, returns false and changes
+// nothing, and idle_until() must continue.
 bool sleep_alone(SimTime time) {
   while (interrupts_enabled()) {
     const SimTime next = next_alone();
@@ -99,7 +99,7 @@ void reach_deadline() {
     if (state.now < deadline) return;
     ++served;
   }
-  // A low level raises its interrupt repeatedly: so the firmware's own code still gets a block in between.
+  // Limits the number of handlers: a low level raises its interrupt repeatedly, and the sketch must progress.
   while (served < kVectors) {
     if (state.now >= state.limit) {
       yield_to_executor(state.now);
@@ -117,7 +117,7 @@ void reach_deadline() {
 
 namespace {
 
-// Remains of calls on the stack must not look like state of the firmware.
+// Clears the remains of earlier calls from the stack, since they would count as firmware state.
 __attribute__((noinline)) void wipe_stack() {
   uint8_t frame[kFrames];
   memset(frame, 0, sizeof frame);
@@ -133,10 +133,10 @@ __attribute__((noinline)) void hand_stack() {
   } else {
     polling.same = executor->has_state(stack);
   }
-  __asm__ volatile("" ::: "memory");  // no tail call: the frame stays
+  __asm__ volatile("" ::: "memory");  // prevents a tail call, so that the frame stays
 }
 
-// Saves the registers with callers' values on the stack, in its own frame.
+// Saves the registers that hold callers' values in its own stack frame.
 __attribute__((noinline)) void hand_registers() {
   __builtin_unwind_init();
   hand_stack();
@@ -161,8 +161,8 @@ __attribute__((noinline)) void block_is_due() {
   begin_look();
 }
 
-// Its own state would be compared, too. So it has none, in a frame without gaps: with a frame pointer and
-// nothing else.
+// The comparison includes the frame of this function. The frame must therefore have no state and no gaps,
+// only a frame pointer.
 __attribute__((noinline)) void block_in_look() {
   __asm__ volatile("" : : "r"(__builtin_frame_address(0)));
   if (look_wants_state()) {
@@ -202,7 +202,7 @@ void be_late() {
 void idle_until(SimTime time) {
   settle_registers();
   if (sleep_alone(time)) return;
-  // During the wait only the following code raises flags.
+  // Only the following code raises flags during the wait.
   bool pending = interrupts_enabled() && pending_interrupts();
   while (state.now < time) {
     SimTime next = time < next_event() ? time : next_event();
@@ -264,8 +264,8 @@ void stop_for_ever(const char* how) {
 }  // namespace host
 }  // namespace robosim
 
-/// gcc does not instrument empty blocks: `for (;;);` would be a jump to itself, in which no time passes.
-/// sim/build replaces such a jump by a call of this.
+/// Replaces the jump of an endless loop without a body. gcc does not instrument `for (;;);`, so no time would
+/// pass in it. sim/build replaces that jump by a call of this function.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

@@ -1,5 +1,5 @@
-// Firmware's time. Every call and every basic block advances it. At its deadline interrupts are served and
-// the executor takes over.
+// The firmware's clock. Every call and every basic block advances it. At the deadline, interrupts are served
+// and the executor takes over.
 #pragma once
 
 #include "hal/board/firmware_port.h"
@@ -20,42 +20,42 @@ namespace host ROBOSIM_WITHIN {
 
 extern FirmwareState state;
 extern FirmwarePort* board;
-/// The board's description of itself.
+/// The board's specification.
 extern const BoardSpec* board_spec;
 extern Host* executor;
-/// The time of the next action: the limit, or an interrupt that is due earlier.
+/// The time of the next action: the limit, or an earlier interrupt.
 extern SimTime deadline;
-/// Like `deadline`; earlier while blocks are observed and call block_at_deadline() before it.
+/// Equals `deadline`, except while blocks are observed: each then calls block_at_deadline() before this time.
 extern SimTime watched_deadline;
 
-/// Serves what is due, yields at the limit, and sets the next deadline.
+/// Serves due interrupts, yields at the limit, and sets the next deadline.
 void reach_deadline();
-/// Returns the time of the next autonomous event: an interrupt that will be served, a reset, the end of a
+/// Returns the time of the next autonomous event: an interrupt that will be served, a reset, or the end of a
 /// tone.
 SimTime next_due();
-/// Recomputes the deadline. Call it after any change that moves an interrupt.
+/// Recomputes the deadline. Call it after any change that may move an interrupt.
 void refresh_deadline();
 
-/// Like spend(), at a place where a polling look may begin (polling.h).
+/// Serves due events, and may begin a polling look (polling.h).
 void spend_late();
 
-/// Spends a short stretch of work. Interrupts that occur in it are served at its end.
+/// Spends the time of a short piece of code. Interrupts that occur meanwhile are served at its end.
 inline void spend(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) spend_late();
 }
 
 void block_at_deadline();
-/// Like spend(), in a basic block of firmware, which may be observed.
+/// Variant of spend() for a basic block of firmware, which may be observed.
 inline void spend_in_block(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) block_at_deadline();
 }
 
-/// Does `duration` of the processor's own work, which interrupts prolong.
+/// Spends `duration` of processor time. Interrupts prolong it.
 void work(SimTime duration);
 
-/// The time by which the next delay() is shortened, ns.
+/// The amount by which the next delay() is shortened, ns.
 extern SimTime sooner;
 
 void be_late();
@@ -64,7 +64,7 @@ inline void be_late_if_due() {
   if (__builtin_expect(state.now >= state.late_from, 0)) be_late();
 }
 
-/// Waits for `time`, serving interrupts at their exact moments. Ends later only if a handler takes longer.
+/// Waits until `time`, and serves interrupts at their exact times. Ends later only if a handler takes longer.
 /// Its cost does not depend on the duration.
 void wait_long(SimTime time);
 inline void wait_until(SimTime time) {
@@ -72,13 +72,13 @@ inline void wait_until(SimTime time) {
   if (time > state.now) state.now = time;
 }
 
-/// Like wait_long(), for firmware outside of an API call: it hangs.
+/// Variant of wait_long() for firmware that hangs outside of an API call.
 void idle_until(SimTime time);
 
-/// Waits for the next interrupt to be served. Interrupts must be enabled.
+/// Waits until the next interrupt is served. Interrupts must be enabled.
 void wait_for_interrupt(bool timer0_counts);
 
-/// Ends the firmware at its own request; `how` is the call as the sketch would write it. Does not return.
+/// Ends the firmware at its own request. `how` is the call as the sketch would write it. Does not return.
 __attribute__((noreturn)) void stop_for_ever(const char* how);
 
 }  // namespace ROBOSIM_WITHIN

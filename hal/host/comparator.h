@@ -1,8 +1,8 @@
-// The analog comparator (datasheet, chapter 23). It compares AIN0 (pin 6) or the bandgap with AIN1 (pin 7) or
+// The analog comparator (datasheet, chapter 23). Compares AIN0 (pin 6) or the bandgap with AIN1 (pin 7) or
 // the analog input that ADMUX selects.
 //
-// Voltages are sampled when ACSR is read or written, and every 64 cycles while its interrupt is enabled or
-// timer 1 captures its edges.
+// Samples voltages when ACSR is read or written. Also samples every 64 cycles while its interrupt is enabled
+// or timer 1 captures its edges.
 #pragma once
 
 #include <stdint.h>
@@ -22,7 +22,7 @@ class Comparator {
   void sync() {
     if (state.now >= due_) look_again();
   }
-  /// Returns the time of the next sample by itself.
+  /// Returns the time of the next automatic sample.
   SimTime due() const { return due_; }
   bool may_interrupt() const;
   bool pending() const;
@@ -33,7 +33,7 @@ class Comparator {
   void look_again();
   double negative_volts() const;
 
-  uint8_t control_ = 0;  ///< without ACO
+  uint8_t control_ = 0;  ///< ACSR without the bit ACO
   bool output_ = false;
   SimTime due_ = kNever;
 };

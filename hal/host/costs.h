@@ -1,8 +1,8 @@
 // The cost of every Arduino API call on an ATmega328P, in CPU cycles. No other file has these values.
 //
 // Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6. A cost is
-// the cycles between two writes of GPIOR0 around the call, less the empty pair's. Arguments of the calls are
-// not constants.
+// the number of cycles between two writes of GPIOR0 around the call, less that of an empty pair. The calls'
+// arguments are not constants.
 #pragma once
 
 #include <stdint.h>
@@ -20,64 +20,64 @@ constexpr SimTime cycles(int64_t count) { return kCycles.of(count); }
 
 namespace cost {
 
-// The firmware's own code, for each basic block of gcc -O1 on the host. M: five bodies of line followers'
+// The cost of each basic block of the firmware (gcc -O1 on the host). M: five bodies of line followers'
 // loops, cycles in simavr / blocks on the host: 7.9 (three sensors, if-else), 19.2 (shortening a maze's
 // path), 19.3 (calibration of five sensors), 276 (weighted position with five long divisions), 1421 (PID in
-// floats, one block). The median, rounded. So decisions and loops are about right, and long divisions and
-// floats too cheap: 45 us and 10 us each on a chip at 16 MHz.
+// floats, one block). The value is the median, rounded. It is about right for decisions and loops, but too
+// low for long divisions and floats: they take 45 us and 10 us on a chip at 16 MHz.
 constexpr int kBlock = 20;
-constexpr int kLoop = 10;  ///< from one loop() to the next; M: an empty loop() turns in 16 with its own body
-constexpr int kInit = 60;  ///< wiring.c's init(), counted in its disassembly
+constexpr int kLoop = 10;  ///< from one loop() to the next; M: an empty loop() takes 16 with its own body
+constexpr int kInit = 60;  ///< init() in wiring.c, counted in its disassembly
 
-// Digital pins. M
+// Digital pins (M)
 constexpr int kPinMode = 73;       ///< 70 output, 77 input
 constexpr int kDigitalWrite = 73;  ///< 93 on a pin with PWM
 constexpr int kDigitalRead = 74;   ///< 94 on a pin with PWM
-constexpr int kTimerPin = 20;      ///< addition to both for a pin with PWM
-constexpr int kShiftOutBit = 170;  ///< of 244 a bit, the rest is one digitalWrite
-constexpr int kShiftInBit = 104;   ///< of 251 a bit, the rest is one digitalWrite and one digitalRead
+constexpr int kTimerPin = 20;      ///< added to both on a pin with PWM
+constexpr int kShiftOutBit = 170;  ///< per bit: M 244, less one digitalWrite
+constexpr int kShiftInBit = 104;   ///< per bit: M 251, less one digitalWrite and one digitalRead
 
 // Analog pins.
 constexpr int kAnalogWrite = 128;         ///< M, with PWM
-constexpr int kAnalogWriteDigital = 192;  ///< M, values 0 and 255, and pins without PWM
-/// M: 1706 cycles less 13 ADC clocks of 128. The wait for the ADC's next clock is added, so consecutive reads
-/// take 14 ADC clocks (112 us on a board at 16 MHz), as on boards.
+constexpr int kAnalogWriteDigital = 192;  ///< M, for values 0 and 255, and for pins without PWM
+/// M: 1706 cycles, less 13 ADC clocks of 128 cycles. The wait for the ADC's next clock is added, so
+/// consecutive reads take 14 ADC clocks, as on real boards (112 us at 16 MHz).
 constexpr int kAnalogRead = 42;
 
-// Time. M
+// Time (M)
 constexpr int kMillis = 19;
 constexpr int kMicros = 55;
 constexpr int kDelayEnd = 85;   ///< delay(10) took 160,154 cycles, 69 of them in the first call of micros()
-constexpr int kDelayPoll = 30;  ///< delay()'s loop without its micros()
+constexpr int kDelayPoll = 30;  ///< one round of delay()'s loop, without its micros()
 constexpr int kPulseWait = 11;  ///< a round of pulseIn's loops that wait for the pulse: timeouts come early
-constexpr int kPulseLoop = 16;  ///< a round of the loop that measures it
+constexpr int kPulseLoop = 16;  ///< one round of the loop that measures the pulse
 
-// Interrupts. M
-constexpr int kInterrupt = 30;        ///< entry, saved registers and return of an ISR()
-constexpr int kAttachedHandler = 50;  ///< addition for a handler by attachInterrupt
+// Interrupts (M)
+constexpr int kInterrupt = 30;        ///< entry and return of an ISR(), and saving registers
+constexpr int kAttachedHandler = 50;  ///< added for a handler passed to attachInterrupt()
 constexpr int kTimer0Overflow = 96;   ///< the whole handler, every 64 * 256 cycles
 constexpr int kAttachInterrupt = 13;
 
-// Mathematics. M
+// Mathematics (M)
 constexpr int kMap = 687;
 constexpr int kRandom = 810;       ///< random(), rand()
-constexpr int kRandomBelow = 590;  ///< addition for random(below)
+constexpr int kRandomBelow = 590;  ///< added for random(below)
 
-// Serial. M
+// Serial (M)
 constexpr int kSerialBegin = 161;
 constexpr int kSerialWrite = 88;
 constexpr int kSerialTransmitHandler = 122;
 constexpr int kSerialReceiveHandler = 45;  ///< counted in the handler's disassembly, less kInterrupt
-constexpr int kSerialNumber = 130;         ///< print(number): once,
-constexpr int kSerialDigit = 615;  ///< and for each digit, besides its write(): print(10000L) took 3765
+constexpr int kSerialNumber = 130;         ///< print(number): once per call,
+constexpr int kSerialDigit = 615;  ///< and per digit, in addition to its write(): print(10000L) took 3765
 constexpr int kSerialRead = 32;
 constexpr int kSerialAvailable = 35;
 
-// Tone. M: tone(8, 100), which tries all prescalers with a long division each.
+// Tone: M for tone(8, 100), which tries all prescalers with a long division each.
 constexpr int kTone = 4011;
 constexpr int kNoTone = 111;
 
-constexpr int kRegister = 2;       ///< lds, sts, sbi: instruction set manual
+constexpr int kRegister = 2;       ///< lds, sts, sbi: from the instruction set manual
 constexpr int kEepromAccess = 20;  ///< eeprom_read_byte of avr-libc, counted in its disassembly
 constexpr int kAllocate = 118;     ///< M: malloc(20) on a fresh heap
 

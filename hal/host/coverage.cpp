@@ -5,16 +5,16 @@
 struct gcov_info;
 
 extern "C" {
-// gcc's record of each source, collected by the linker (-fprofile-info-section).
+// The records that gcc makes for each source file. The linker collects them (-fprofile-info-section).
 extern const gcov_info* const __start_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 extern const gcov_info* const __stop_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 
-// From libgcov, for programs without files.
+// Declares a function of libgcov for programs that have no files.
 void __gcov_info_to_gcda(const gcov_info* info, void (*name)(const char*, void*),
                          void (*dump)(const void*, unsigned, void*), void* (*allocate)(unsigned, void*),
                          void* argument);
 
-// Records refer to it for merging with a file, which only happens if there are files.
+// Defines the function to which gcc's records refer for merging counts with a file. It is never called here.
 void __gcov_merge_add(int64_t*, unsigned) {}
 }
 
@@ -28,7 +28,7 @@ void dump(const void* bytes, unsigned count, void* sink) {
   static_cast<CounterSink*>(sink)->add(bytes, count);
 }
 
-// Required by kinds of counters that -fprofile-arcs does not use.
+// Allocates nothing: -fprofile-arcs has no counters that need memory.
 void* allocate(unsigned, void*) { return nullptr; }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Line coverage of the sketch: gcc's counters (-fprofile-arcs), as the files that gcov reads.
+// Line coverage of the sketch: passes gcc's counters (-fprofile-arcs) on in the format that gcov reads.
 #pragma once
 
 #include "hal/host/image.h"

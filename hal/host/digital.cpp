@@ -1,4 +1,4 @@
-// Digital and analog pins (wiring_digital.c, wiring_analog.c and wiring_shift.c of the Arduino AVR core).
+// Implements digital and analog pins (the AVR core's wiring_digital.c, wiring_analog.c and wiring_shift.c).
 #include <Arduino.h>
 
 #include "hal/arduino/resolution.h"
@@ -19,7 +19,7 @@ uint8_t reference = DEFAULT;
 constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
 constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
-/// Returns whether anything has changed.
+/// Sets the mode of a pin. Returns whether anything has changed.
 bool set_mode(uint8_t pin, uint8_t mode) {
   const host::Port port = host::port_of(pin);
   const uint8_t mask = host::mask_of(pin);
@@ -38,8 +38,8 @@ bool set_mode(uint8_t pin, uint8_t mode) {
   return before.direction != registers.direction || before.output != registers.output;
 }
 
-/// Disconnects PWM from a pin before a read or write, like the core: only bit COMxx1. Returns whether it had
-/// any.
+/// Disconnects PWM from a pin before a read or write, like the core: clears only bit COMxx1. Returns whether
+/// the pin had PWM.
 bool disconnect(uint8_t pin) {
   const host::TimerPin by = host::timer_of(pin);
   if (by.timer < 0) return host::end_pwm(pin);
@@ -104,7 +104,7 @@ void analogReference(uint8_t mode) {
 }
 
 ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
-  // Both conventions of the core: 8 is A8, and so is its number as a pin.
+  // Accepts both of the core's conventions: 8 means A8, and so does the pin number of A8.
   const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
   const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
   const bool elsewhere = host::places[number].no_channel;
@@ -147,7 +147,7 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
   host::Timer& timer = host::timer(by.timer);
   const uint8_t connection = timer.connection(by.channel);
   if (!(connection & 2)) timer.set_connection(by.channel, connection | 2);
-  // An 8-bit register stores the low byte of a value out of range.
+  // An 8-bit register stores only the low byte of the value.
   timer.set_compare(by.channel, timer.is_wide() ? static_cast<uint16_t>(value) : static_cast<uint8_t>(value));
   host::refresh_pin(pin);
 }

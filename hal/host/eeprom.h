@@ -1,5 +1,5 @@
-// The EEPROM (datasheet, chapter 8.4), by avr-libc's functions and by its registers. A write continues in the
-// background; the next access waits for it or polls EEPE. EEMPE holds for 64 cycles, not 4.
+// The EEPROM (datasheet, chapter 8.4), for avr-libc's functions and register accesses. A write continues in
+// the background; the next access waits for it or polls EEPE. EEMPE stays set for 64 cycles, not 4.
 #pragma once
 
 #include <stdint.h>
@@ -15,16 +15,16 @@ class Eeprom {
   /// Reads EECR.
   uint8_t control() const;
   void set_control(uint8_t value);
-  /// Read EEDR, and EEAR, which does not change during a write.
+  /// Return EEDR and EEAR. EEAR does not change during a write.
   uint8_t data() const { return data_; }
   void set_data(uint8_t value) { data_ = value; }
   uint16_t address() const { return address_; }
   void set_address(uint16_t value);
 
-  /// Reads a byte, writes one, and begins a write of the same duration, without waiting for the previous one.
+  /// Read a byte, and begin to write one, which lasts `takes`. Neither waits for the previous write.
   uint8_t read(uint16_t address) const;
   void write(uint16_t address, uint8_t value, SimTime takes);
-  /// Returns the end of the last write.
+  /// Returns when the last write ends.
   SimTime ready() const { return ready_; }
 
   bool may_interrupt() const { return control_ & kEerie; }

@@ -15,7 +15,7 @@ PinSet heard;
 
 namespace {
 
-ROBOSIM_CLOCKWORK bool heard_level[kPins];  // of pins in `heard`
+ROBOSIM_CLOCKWORK bool heard_level[kPins];  // last level of each pin in `heard`
 
 /// Returns whether an edge to this level matches `sense`.
 bool is_edge(int sense, bool level) { return sense == kAnyEdge || sense == (level ? kRising : kFalling); }
@@ -38,7 +38,7 @@ void set_low(int number, bool low) {
 }  // namespace
 
 bool has_line(Pin pin) {
-  // The lowest numbers are those of INTn.
+  // Numbers below kExternals belong to INTn.
   const BoardSpec& spec = *board_spec;
   return places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
          spec.pins[pin].interrupt >= kExternals;

@@ -1,5 +1,5 @@
-// Interrupts by pins (datasheet, chapter 13): INTn and pin change interrupts. A Blue Pill has one per pin.
-// Pins without an INTn use attachInterrupt only, with the pin's number.
+// External interrupts (datasheet, chapter 13): INTn and pin change interrupts. A Blue Pill has one per pin.
+// Pins without an INTn can interrupt only if their number is passed to attachInterrupt().
 #pragma once
 
 #include <stdint.h>
@@ -12,13 +12,13 @@ namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
 struct ExternalRegisters {
-  uint8_t sense = 0;           ///< EICRA: two bits each: 0 low level, 1 any edge, 2 falling, 3 rising
+  uint8_t sense = 0;           ///< EICRA, two bits per INTn: 0 low level, 1 any edge, 2 falling, 3 rising
   uint8_t mask = 0;            ///< EIMSK
   uint8_t flags = 0;           ///< EIFR
   uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
   uint8_t change_flags = 0;    ///< PCIFR
   uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
-  uint8_t low = 0;  ///< not a register: the INTn whose low level interrupts, and lasts
+  uint8_t low = 0;  ///< INTn whose low level currently interrupts; not a register of the chip
 };
 extern ExternalRegisters external;
 
@@ -39,7 +39,7 @@ struct PinSet {
   }
   void add(Pin pin) { words[pin / 32] |= 1u << pin % 32; }
   void remove(Pin pin) { words[pin / 32] &= ~(1u << pin % 32); }
-  /// Returns the lowest pin in both; kNoPin if there is none.
+  /// Returns the lowest pin that is in both sets; kNoPin if none is.
   Pin first_common(const PinSet& other) const {
     int number = 0;
     for (const uint32_t& word : words) {
@@ -51,32 +51,32 @@ struct PinSet {
   }
 };
 
-/// Pins that interrupt on an edge, on boards with more such pins than INTn.
+/// Pins that interrupt on an edge, for boards with more interrupt pins than INTn.
 struct Lines {
   PinSet enabled, flags;
-  uint8_t sense[kPins] = {};  ///< Edge
+  uint8_t sense[kPins] = {};  ///< an Edge for each pin
 };
 extern Lines lines;
 
 /// Returns whether this pin interrupts through `lines`.
 bool has_line(Pin pin);
-/// Returns the lowest pin whose flag is raised and enabled, and clears the flag; kNoPin if there is none.
+/// Clears the lowest flag that is raised and enabled, and returns its pin; kNoPin if there is none.
 Pin take_line();
 
-/// Reports to the executor which edges matter. Call it after a change of the registers.
+/// Reports to the executor which edges matter. Call it after a change of these registers.
 ROBOSIM_RARE void refresh_external();
 /// Pins whose edges matter.
 extern PinSet heard;
-/// Takes the edges that have reached such pins until now, including those caused by driving a pin
-/// differently.
+/// Handles edges that have reached pins in `heard` until now, including those caused by a change of a pin's
+/// drive.
 void hear();
 void drive_changed(Pin pin);
-/// Handles an edge that has arrived at an input at that moment.
+/// Handles an edge that arrived at an input at the time `at`.
 void external_edge(Pin pin, bool level, SimTime at);
-/// Handles the level of an observed pin from a moment on, whatever its source: an edge, if the level changes.
+/// Handles the level of an observed pin from `at` on, whatever its source. A change of level is an edge.
 void hear_level(Pin pin, bool level, SimTime at);
-/// Returns the vectors of INTn and pin changes that are raised and enabled, one bit each, and kLines. A low
-/// level keeps its flag raised while it lasts.
+/// Returns the raised and enabled vectors, one bit each: INTn, pin changes, and kLines. A low level keeps its
+/// flag raised while it lasts.
 inline uint32_t pending_external() {
   constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
   const uint32_t edges = (external.flags | external.low) & external.mask & kAllExternal;
@@ -84,9 +84,9 @@ inline uint32_t pending_external() {
   const bool by_line = lines.flags.first_common(lines.enabled) != kNoPin;
   return edges << kExternal0 | changes << kPinChange0 | (by_line ? 1u << kLines : 0u);
 }
-/// Clears the flag of an edge as the handler of `vector` starts.
+/// Clears the flag of an edge when the handler of `vector` starts.
 void acknowledge_external(int vector);
-/// Returns whether any of these interrupts is enabled.
+/// Returns whether any external interrupt is enabled.
 bool external_may_interrupt();
 
 }  // namespace ROBOSIM_WITHIN

@@ -12,7 +12,7 @@
 #include "hal/host/timers.h"
 #include "hal/host/uart.h"
 
-// The constructors of static objects, in the order of linking; the loader does not run them.
+// The constructors of static objects, in link order. The loader does not run them.
 extern "C" {
 using Constructor = void (*)();
 extern const Constructor __start_robosim_init_array[] __attribute__((weak, visibility("hidden")));
@@ -20,10 +20,10 @@ extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibi
 // The bounds of the image in memory.
 extern const char __ehdr_start[] __attribute__((visibility("hidden")));
 extern const char _end[] __attribute__((visibility("hidden")));
-// The bounds of its clockwork.
+// The bounds of the image's clockwork (image.h).
 extern const char __start_robosim_clockwork[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_clockwork[] __attribute__((visibility("hidden")));
-// The bounds of its settings.
+// The bounds of the image's settings (image.h).
 extern const char __start_robosim_settings[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_settings[] __attribute__((visibility("hidden")));
 }
@@ -35,7 +35,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-/// Returns ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible; at most 7, which divides by 128.
+/// Returns ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible. The largest value is 7, for 128.
 constexpr int adc_prescaler() {
   int bits = 7;
   for (int64_t hz = 16000000; kClockHz < hz && bits > 1; hz /= 2) --bits;
@@ -62,9 +62,9 @@ namespace host = robosim::host;
 
 extern "C" {
 
-/// Initialises like wiring.c. At 16 MHz PWM has 976 Hz on pins 5 and 6, and 490 Hz on the others. Timer 0
-/// counts for millis(), and the ADC has 125 kHz. Bits that constructors of static objects have set stay,
-/// except those of timer 1's prescaler, and the UART is off.
+/// Initialises the chip like wiring.c. At 16 MHz, PWM has 976 Hz on pins 5 and 6, and 490 Hz on the others.
+/// Timer 0 counts for millis(), the ADC has 125 kHz, and the UART is off. Register bits set by constructors
+/// of static objects are preserved, except those of timer 1's prescaler.
 void init() {
   const auto with = [](uint8_t value, int bits) { return static_cast<uint8_t>(value | bits); };
   host::status_register |= 0x80;
@@ -79,7 +79,7 @@ void init() {
   host::uart.set_control(0);
   host::refresh_deadline();
   host::spend(host::cost::kInit);
-  // Last: its first tick, 64 cycles later, comes after the first statements of setup().
+  // Starts timer 2 last: its first tick, 64 cycles later, comes after the first statements of setup().
   host::timer2.set_control_b(with(host::timer2.control_b(), 4));
   host::timer2.set_control_a(with(host::timer2.control_a(), 1));
   host::refresh_deadline();

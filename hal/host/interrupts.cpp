@@ -15,7 +15,7 @@
 #include "hal/host/watchdog.h"
 #include "hal/host/waves.h"
 
-// Defined by ISR(…) in a sketch. Unused ones stay null; `__vector_16` is the core's (timers.cpp).
+// Declares a vector that a sketch defines by ISR(…). Unused vectors are null; timers.cpp has `__vector_16`.
 #define ROBOSIM_VECTOR(number) __attribute__((weak, visibility("hidden"))) void __vector_##number();
 extern "C" {
 ROBOSIM_VECTOR(1)
@@ -56,7 +56,7 @@ int handler_depth;
 
 namespace {
 
-// The handlers' names contain numbers, and so do their declarations.
+// The names and declarations of handlers contain these numbers.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
                   kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 &&
                   kEepromReady == 22 && kCompared == 23 && kTwoWire == 24 && kWatchdog == 6,

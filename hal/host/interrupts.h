@@ -1,5 +1,5 @@
-// The interrupt controller: which handlers are due, and the I flag. Numbers and priority (lowest first) are
-// those of the chip's vector table.
+// The interrupt controller: selects the handlers that are due, and has the I flag. Numbers and priorities
+// (lowest number first) are those of the chip's vector table.
 #pragma once
 
 #include <stdint.h>
@@ -11,10 +11,10 @@ namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
 enum Vector : uint8_t {
-  kExternal0 = kChip.external_vector,  // followed by the others
-  kPinChange0 = kChip.change_vector,   // followed by the other groups
+  kExternal0 = kChip.external_vector,  // followed by the other INTn
+  kPinChange0 = kChip.change_vector,   // followed by the other pin change groups
   kWatchdog = kChip.watchdog_vector,
-  kTimer2 = kChip.timers[2].vector,  // compare A; +1 compare B; +2 overflow
+  kTimer2 = kChip.timers[2].vector,  // compare A; + 1: compare B; + 2: overflow
   kTimer1 = kChip.timers[1].vector,
   kTimer1Captured = kTimer1 - 1,
   kTimer0 = kChip.timers[0].vector,
@@ -27,7 +27,7 @@ enum Vector : uint8_t {
   kCompared = kChip.comparator.vector,
   kSpi = kChip.spi.vector,
   kTwoWire = kChip.twi.vector,
-  kLines = kChip.vectors,  // not a vector of the chip: external.h
+  kLines = kChip.vectors,  // not a vector of the chip: see external.h
   kVectors = kLines + 1,
 };
 static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
@@ -35,18 +35,18 @@ static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 
 inline bool interrupts_enabled() { return status_register & 0x80; }
-/// The number of nested handlers that run now.
+/// The current number of nested handlers.
 extern int handler_depth;
 inline bool in_handler() { return handler_depth > 0; }
-/// True after the sketch has enabled SPI, two-wire interface, comparator or the EEPROM's interrupt. Few
-/// sketches do; until then these are skipped.
+/// True once the sketch has enabled SPI, the two-wire interface, the comparator or the EEPROM's interrupt.
+/// Few sketches do so; these peripherals are skipped until then.
 extern bool rare_used;
-/// The number of handlers that have run.
+/// The number of handlers that have run since the start.
 extern uint32_t handlers_run;
 
-/// Brings all flags up to the present moment.
+/// Updates all flags to the present time.
 void sync_peripherals();
-/// Like sync_peripherals(), for external inputs only.
+/// Updates the flags of external inputs only.
 void take_inputs();
 /// Returns the flags that are raised and enabled, one bit per vector.
 uint32_t pending_interrupts();
@@ -54,13 +54,13 @@ uint32_t pending_interrupts();
 /// counts.
 SimTime next_interrupt(bool with_timer0_overflow);
 /// Returns the time of the next autonomous event other than Timer 0's overflow, whether it interrupts or not.
-/// 0 if a flag is raised and enabled, or a conversion is in progress.
+/// Returns 0 if a flag is raised and enabled, or a conversion is in progress.
 SimTime next_alone();
-/// Returns whether an enabled interrupt may occur even if firmware accesses no register. Those of the core's
-/// clock and its Serial do not count, since a sketch sees them only through calls. `held_back` includes those
-/// that occur only once the I flag is set again.
+/// Returns whether an enabled interrupt may occur even if firmware accesses no register. Interrupts of the
+/// core's clock and Serial do not count, since sketches see those only through calls. `held_back` includes
+/// interrupts that occur only after the I flag is set again.
 bool may_interrupt(bool held_back);
-/// Runs the handler of the most urgent pending interrupt; returns false if there is none, or I is clear.
+/// Runs the handler of the most urgent pending interrupt. Returns false if none is pending or I is clear.
 bool serve_interrupt();
 
 }  // namespace ROBOSIM_WITHIN

@@ -1,4 +1,4 @@
-// Random numbers (avr-libc 2.0, random.c and rand.c) and WMath.cpp of the Arduino AVR core.
+// Implements random numbers (avr-libc 2.0, random.c and rand.c) and the Arduino AVR core's WMath.cpp.
 #include <Arduino.h>
 
 #include "hal/arduino/park_miller.h"
@@ -12,7 +12,7 @@ namespace {
 unsigned long random_state = 1;
 unsigned long rand_state = 1;
 
-/// Returns what the chip gives: see sim/build/division.h.
+/// Returns the chip's result of a division by zero (sim/build/division.h).
 long quotient_by_zero(long dividend) {
 #ifdef ROBOSIM_ZERO_BY_ZERO
   return static_cast<void>(dividend), 0;

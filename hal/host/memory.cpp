@@ -1,5 +1,5 @@
-// malloc and free on an arena in the image: a sketch that overruns its heap hits the arena's guard pages.
-// First fit over blocks in address order, neighbours joined when freed, like avr-libc.
+// Implements malloc() and free() on an arena in the image. A sketch that overruns its heap reaches guard
+// pages. Like avr-libc, uses first fit over blocks in address order, and joins neighbours that are free.
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,14 +10,14 @@ namespace host = robosim::host;
 
 namespace {
 
-/// Precedes every block; blocks follow each other without gaps.
+/// The header before each block. Blocks follow each other without gaps.
 struct Block {
-  uint32_t bytes;  ///< of the payload
+  uint32_t bytes;  ///< bytes of the payload
   uint32_t use;
-  uint32_t asked;  ///< the size requested from malloc
+  uint32_t asked;  ///< size requested from malloc()
 };
 
-/// With address checks a freed block rests until there is no other room, so that later uses are detected.
+/// With address checks, a freed block is reused only when there is no other room, to detect later accesses.
 enum Use : uint32_t { kFree, kUsed, kResting };
 
 constexpr size_t kAlign = 16;
@@ -36,7 +36,7 @@ __attribute__((noreturn)) void fail(const char* reason) {
   __builtin_unreachable();
 }
 
-/// An inconsistent header has been overwritten: the sketch wrote past the end of a block.
+/// Fails if the header is inconsistent: the sketch wrote past the end of a block.
 void check(uint8_t* block) {
   const Block* head = header(block);
   const auto room = static_cast<size_t>(arena_end() - payload(block));
@@ -61,7 +61,7 @@ uint8_t* block_of(void* memory) {
   return address - kAlign;
 }
 
-/// Gives `size` bytes of the block to the sketch.
+/// Marks `size` bytes of the block as used by the sketch.
 void give(uint8_t* block, size_t size) {
   const auto end = static_cast<size_t>(next(block) - arena());
   if (end > host::state.heap_used) host::state.heap_used = end;
@@ -90,7 +90,7 @@ void* take(size_t size) {
   return nullptr;
 }
 
-/// Frees all resting blocks; returns false if there are none.
+/// Makes all resting blocks free; returns false if there are none.
 bool wake_resting() {
   bool any = false;
   for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {

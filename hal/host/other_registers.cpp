@@ -17,11 +17,11 @@ constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
 
 uint8_t plain[256];
 
-/// Bits that have an effect on the chip if set, and none here.
+/// Bits that have an effect on the chip, but not on the host.
 struct Lack {
   Address address;
   uint8_t bits;
-  bool by_reading;  ///< reads return another value, too
+  bool by_reading;  ///< reads are affected, too
   const char* name;
 };
 constexpr Lack kLacks[] = {
@@ -43,14 +43,14 @@ const Lack* lack_at(uint8_t address) {
   return nullptr;
 }
 
-/// Returns whether it does more than run as init() has set it up.
+/// Returns whether the timer does more than run as set up by init().
 bool is_in_use(const Timer& timer, uint8_t divisor_of_init) {
   const bool is_left = timer.control_a() == 1 && timer.control_b() == divisor_of_init;
   return timer.enabled() || (timer.control_b() & 7 && !is_left);
 }
 
-/// Returns the bits of PRR that stop autonomous activity. Converter, serial lines and two-wire interface wait
-/// for the sketch; using them while they are off is its own fault.
+/// Returns the bits of PRR that stop autonomous activity. Converter, serial lines and two-wire interface act
+/// only on request. A sketch must not use them while they are off.
 uint8_t stopped_by(uint8_t reduction) {
   const int in_use = (is_in_use(timer1, 3) ? 0x08 : 0) | (is_in_use(timer0, 3) ? 0x20 : 0) |
                      (is_in_use(timer2, 4) ? 0x40 : 0);

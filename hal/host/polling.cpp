@@ -14,7 +14,7 @@ ROBOSIM_CLOCKWORK Polling polling;
 namespace {
 
 constexpr int kPatience = 6;
-constexpr int kMostBlocks = 300, kMostVisits = 70;  // of a look, and of its place
+constexpr int kMostBlocks = 300, kMostVisits = 70;  // in a look, and at its place
 constexpr int kFarAway = 32;                        // blocks after which it must be another loop
 constexpr int kLongestWait = 64;                    // deadlines; there are about two per millisecond
 
@@ -33,7 +33,7 @@ void find_nothing() {
   polling.left = polling.wait;
 }
 
-/// Interrupts a look: something is due, or a call does more than query.
+/// Interrupts a look, because work is due or a call does more than a query.
 void break_off() {
   if (polling.patience == 0) return find_nothing();
   --polling.patience;
@@ -62,10 +62,10 @@ void begin_round() {
   polling.points = polling.reads = 0;
 }
 
-/// Rounds continue through Timer 0's overflow if they do not see its effects. It is served at the first of
-/// their points after it, and delays what follows. `next` is the time of the next other event. Returns false,
-/// without effect, unless it happens in the round that begins now, and nothing else before its end. Otherwise
-/// `shift` is by how much more than its end the round's last call is delayed.
+/// Passes Timer 0's overflow within a round, if the round does not read its effects. The handler runs at the
+/// first point after the overflow, and delays the rest of the round. `next` is the time of the next other
+/// event. Returns false and changes nothing unless the overflow is the only event in the round that begins
+/// now. `shift` is how much more the end of the round is delayed than its last call.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
@@ -82,10 +82,10 @@ bool pass_overflow(SimTime next, SimTime& shift) {
   return true;
 }
 
-/// Returns whether the counts of Timer 0's interrupt differ from what the round has read.
+/// Returns whether the counts of Timer 0's interrupt have changed since the round read them.
 bool reads_anew() { return polling.clock && timer0_count.millis != polling.millis; }
 
-/// Skips rounds; returns false if there is no time for one.
+/// Skips rounds; returns false if there is no time for a round.
 bool skip() {
   leave();
   const SimTime began = state.now, next = polling.pins || !interrupts_enabled() ? 0 : next_alone();
@@ -94,7 +94,7 @@ bool skip() {
     const SimTime others =
         state.late_from > state.now ? earlier(state.next_input, state.late_from) : state.next_input;
     SimTime end = earlier(earlier(due, others), polling.promised);
-    // The world may change with each tick.
+    // The world may change at each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
     // The board records the time of the last read.
@@ -122,13 +122,13 @@ bool skip() {
   return true;
 }
 
-/// Handles a return to `place` in the same state.
+/// Handles a return to `place` in an unchanged state.
 bool come_round() {
   if (reads_anew()) {
     begin_round();
     return true;
   }
-  if (polling.pins && !polling.going) {  // they may have changed with the tick
+  if (polling.pins && !polling.going) {  // pins may have changed with the tick
     polling.going = true;
     polling.promised = kNever;
     return true;
@@ -172,7 +172,7 @@ bool look_at_block() {
   note_point();
   if (state.place != polling.place) {
     if (polling.blocks == kFarAway) polling.known = polling.sure = false;
-    // Until a place has repeated, a later one is tried after 1, 2, 4, … blocks.
+    // Until a place has repeated, it is replaced by a later one after 1, 2, 4, … blocks.
     if (!polling.known && polling.blocks >= polling.next_place) {
       polling.place = state.place;
       polling.next_place *= 2;
@@ -187,7 +187,7 @@ bool look_at_block() {
   }
   if (!polling.same) {
     polling.once = false;
-    // A state is replaced by a later one after 1, 2, 4, … visits.
+    // The state is replaced by a later one after 1, 2, 4, … visits.
     if (++polling.visits < polling.next_take) return true;
     polling.next_take *= 2;
     polling.known = false;

@@ -17,9 +17,9 @@ uint16_t inputs_off;
 namespace {
 
 ROBOSIM_SETTINGS uint32_t tone_hz[kPins];
-ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // of pins without a timer
+ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // PWM values of pins without a timer
 
-// The pins of each port, by bit, and of each timer, by channel. They are constant.
+// The pins of each port by bit, and of each timer by channel. They are constant.
 ROBOSIM_CLOCKWORK Pin port_pins[kPorts][kBits];
 ROBOSIM_CLOCKWORK Pin timer_pins[kTimers][2];
 ROBOSIM_CLOCKWORK Pin external_pins[kChip.external_count];

@@ -1,6 +1,6 @@
-// Ports (datasheet, chapter 14), and the mapping of Arduino pins to their bits: the board's, or that of its
-// substitute on the host (BoardSpec::host_model). A board with more pins than the substitute has additional
-// ports without registers.
+// Ports (datasheet, chapter 14), and the mapping of Arduino pins to port bits. The mapping is that of the
+// board, or of its substitute on the host (BoardSpec::host_model). If the board has more pins than the
+// substitute, the other pins belong to additional ports without registers.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Index of a port; those of ChipSpec::ports come first.
+/// Index of a port. The ports of ChipSpec::ports come first.
 using Port = uint8_t;
 constexpr int kBits = 8;
 constexpr int kPorts = kChip.port_count + (kPins + kBits - 1) / kBits;
@@ -26,21 +26,21 @@ struct TimerPin {
 
 /// The place of a pin on the chip.
 struct Place {
-  bool digital = false;  ///< the board has it, and not as an analog input only, like A6 and A7 of a Nano
+  bool digital = false;  ///< the board has it as a digital pin (A6 and A7 of a Nano are only analog)
   Port port = 0;
   uint8_t mask = 0;
   TimerPin timer;
   int8_t external = -1;      ///< n of INTn; -1 = none
-  int8_t change_group = -1;  ///< of the pin change interrupts; -1 = none
-  uint8_t change_mask = 0;   ///< the bit of PCMSKn
-  int8_t counted_by = -1;    ///< the timer whose external clock it is; -1 = none
-  int8_t captured_by = -1;   ///< the timer that captures its edges; -1 = none
-  bool no_channel = false;   ///< an analog pin beyond the chip's channels from A0 on: the Blue
+  int8_t change_group = -1;  ///< group of pin change interrupts; -1 = none
+  uint8_t change_mask = 0;   ///< its bit in PCMSKn
+  int8_t counted_by = -1;    ///< timer that counts its edges as external clock; -1 = none
+  int8_t captured_by = -1;   ///< timer that captures its edges; -1 = none
+  bool no_channel = false;   ///< an analog pin after the chip's last channel: the Blue
                              ///< Pill's 11 and 12, a Mega's A8 to A15
-  Pin wired = 0;             ///< first_number() of it
-  uint16_t off_bits = 0;     ///< of inputs_off
+  Pin wired = 0;             ///< result of first_number() for the pin
+  uint16_t off_bits = 0;     ///< bits in inputs_off that switch its input off
 };
-constexpr int kNumbers = 256;  ///< the number of numbers that a sketch may use as a pin
+constexpr int kNumbers = 256;  ///< number of values that a sketch may pass as a pin
 extern Place places[kNumbers];
 
 inline Port port_of(Pin pin) { return places[pin].port; }
@@ -49,10 +49,10 @@ inline bool is_digital(Pin pin) { return places[pin].digital; }
 inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
 /// Returns the pin of INTn; kNoPin if the board has none.
 Pin pin_of_external(int number);
-/// Return the pin of ICP1, and those of AIN0 and AIN1.
+/// Return the pins of ICP1, and of AIN0 or AIN1.
 Pin pin_of_capture();
 Pin pin_of_comparator(int input);
-/// Fills in the mapping when the firmware begins.
+/// Fills in the mapping when the firmware starts.
 ROBOSIM_RARE void place_pins();
 
 struct PortRegisters {
@@ -61,40 +61,40 @@ struct PortRegisters {
 };
 extern PortRegisters ports[kPorts];
 
-/// Writes registers, and reports changes of pins to the board.
+/// Write a register, and report changes of its pins to the board.
 void set_direction(Port port, uint8_t value);
 void set_output(Port port, uint8_t value);
-/// Digital inputs that are switched off and read low: DIDR0, followed by DIDR1.
+/// The digital inputs that are switched off and read low: DIDR0, followed by DIDR1.
 extern uint16_t inputs_off;
 inline bool is_input_off(Pin pin) { return inputs_off && inputs_off & places[pin].off_bits; }
-/// Return the level that a pin reads, and PINx.
+/// Return the level that firmware reads on a pin, and the value of PINx.
 bool read_pin(Pin pin);
 uint8_t read_port(Port port);
 
 /// The drive of each pin as last reported to the board.
 extern PinDrive driven[kPins];
 inline bool is_output(Pin pin) { return driven[pin].mode == PinMode::output; }
-/// Returns whether a timer drives the pin if it is an output.
+/// Returns whether a timer drives the pin whenever the pin is an output.
 bool is_timed(Pin pin);
-/// Returns whether the chip toggles the pin by itself (waves.h).
+/// Returns whether the chip toggles the pin without firmware (waves.h).
 bool is_wave(Pin pin);
-/// Returns the level of an output.
+/// Returns the level of an output pin.
 bool output_level(Pin pin);
 
-/// Returns whether the board has PWM on a pin for which its substitute has no timer. Such a pin is driven
-/// without one.
+/// Returns whether a pin has PWM on the board, while the board's substitute has no timer for it. Such a pin
+/// is driven without a timer.
 inline bool has_pwm_without_timer(Pin pin) {
   return pin < kPins && places[pin].timer.timer < 0 && board_spec->pins[pin].pwm;
 }
-/// Gives such a pin PWM of `value` of 255; 0 = none.
+/// Drives such a pin with PWM of duty cycle `value` / 255; 0 = no PWM.
 void set_pwm(Pin pin, uint8_t value);
-/// Ends its PWM, and returns whether it had any.
+/// Ends the PWM of such a pin, and returns whether it had any.
 bool end_pwm(Pin pin);
 
-/// Reports to the board if the way `pin` is driven has changed.
+/// Reports the drive of `pin` to the board if it has changed.
 void refresh_pin(Pin pin);
 void refresh_timer_pins(int timer);
-/// Makes `pin` carry a square wave by tone(); 0 = none.
+/// Makes `pin` output a square wave for tone(); 0 = no wave.
 void set_tone(Pin pin, uint32_t hz);
 
 }  // namespace ROBOSIM_WITHIN

@@ -12,7 +12,7 @@ namespace host {
 
 namespace {
 
-// The pending write.
+// The write that has not taken effect yet.
 robosim_register written;
 int written_bytes;
 SimTime written_at;
@@ -46,12 +46,12 @@ void settle() {
 
 void will_write(robosim_register address, int bytes, const void* place) {
   begin_access(address, bytes, place);
-  settle_registers();  // ends a look that has begun in there (polling.h)
+  settle_registers();  // ends a look that began in begin_access() (polling.h)
   unsettled = settle;
   written = address;
   written_bytes = bytes;
   written_at = state.now;
-  deadline = state.now;  // the next basic block settles it
+  deadline = state.now;  // so that the next basic block applies the write
 }
 
 }  // namespace
@@ -59,14 +59,14 @@ void will_write(robosim_register address, int bytes, const void* place) {
 }  // namespace host
 }  // namespace robosim
 
-// Called by gcc's ThreadSanitizer. A register is one byte or two; anything larger is not a register.
+// Defines a function that gcc's ThreadSanitizer code calls. Only accesses to 1 or 2 bytes can be registers.
 #define ROBOSIM_WATCH(name, what, bytes)                                \
   void name(uintptr_t at) {                                             \
     robosim_register address;                                           \
     if (__builtin_expect(robosim::host::is_register(at, address), 0))   \
       robosim::host::what(address, bytes, __builtin_return_address(0)); \
   }
-// For 16 bits at an address that may be odd.
+// Defines the variant for 16 bits at an address that may be odd.
 #define ROBOSIM_WATCH_RANGE(name, what)                             \
   void name(uintptr_t at, uintptr_t bytes) {                        \
     robosim_register address;                                       \

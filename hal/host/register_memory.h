@@ -2,11 +2,11 @@
 // portOutputRegister(…)`.
 //
 // An image with such code is compiled with ROBOSIM_REGISTER_MEMORY (sim/build/target.cpp). A register is then
-// a byte of robosim_register_memory, at its address in the chip's data space. gcc calls us before each access
-// to memory other than a function's own (-fsanitize=thread, without its library).
+// a byte of robosim_register_memory, at its address in the chip's data space. gcc inserts calls of our
+// functions before accesses to non-local memory (-fsanitize=thread, without its library).
 //
-// Before a read the byte receives the register's value. A written value is known only after the access. It
-// takes effect before the next access, call or basic block, as of the moment of the write.
+// Before a read, the register's value is copied to the byte. A written value is known only after the access.
+// It takes effect before the next access, call or basic block, but with the time of the write.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -15,8 +15,8 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Applies the register that was written last; null if nothing is pending. It is a pointer, so that images
-/// without such registers do not contain this code.
+/// Applies the register that was written last; null if no write is pending. It is a pointer, so that images
+/// without such registers do not contain the code.
 extern void (*unsettled)();
 
 inline void settle_registers() {

@@ -80,7 +80,7 @@ uint8_t read_timer8(uint8_t address) {
   }
 }
 
-constexpr uint8_t kForce = 0xC0;  // FOCnA, FOCnB
+constexpr uint8_t kForce = 0xC0;  // bits FOCnA, FOCnB
 
 void write_timer8(uint8_t address, uint8_t value) {
   Timer& timer = address < reg::kTccr2a ? timer0 : timer2;
@@ -216,7 +216,7 @@ uint8_t read(uint8_t address) {
   }
 }
 
-constexpr uint8_t kNotAsynchronous = 0xC0;  // UMSEL0
+constexpr uint8_t kNotAsynchronous = 0xC0;  // bits UMSEL0
 
 void write(uint8_t address, uint8_t value) {
   if (address >= reg::kPinB && address <= reg::kLastPort) {
@@ -307,7 +307,7 @@ void write(uint8_t address, uint8_t value) {
 
 }  // namespace
 
-// Sets `place` first: due work may end the run.
+// Records the place early, since due work may end the run.
 void begin_access(robosim_register address, int bytes, const void* place) {
   settle_registers();
   if (address != reg::kSreg) note_call(name_of(address), kNoPin, -1);
@@ -351,7 +351,7 @@ void robosim_write8(robosim_register address, uint8_t value) {
   host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
-  // A timer's flag that init()'s PWM has raised long ago is served before the sketch's next statement.
+  // Serves a timer's flag that was raised by init()'s PWM, before the sketch's next statement.
   if (address >= host::reg::kTimsk0 && address <= host::reg::kTimsk2) host::spend(0);
 }
 
@@ -369,8 +369,8 @@ void robosim_enable_interrupts() {
   host::settle_registers();
   host::status_register |= 0x80;
   host::state.now += host::cycles(1);
-  host::refresh_deadline();  // pending interrupts are served after the next block, like after the chip's next
-                             // instruction
+  host::refresh_deadline();  // pending interrupts are served after the next block;
+                             // on the chip, after the next instruction
 }
 
 void robosim_disable_interrupts() {

@@ -1,6 +1,6 @@
 // The services that a sketch's view of the chip (hal/arduino) needs from the host implementation (hal/host):
-// registers, interrupts, sleep, EEPROM. Plain C, because a sketch's .c files see it, too; every name begins
-// with robosim_.
+// registers, interrupts, sleep, EEPROM. This header is plain C, because a sketch's .c files include it, too.
+// Every name begins with robosim_.
 //
 // A register is named by its address in the chip's data space (chip.h), so that avr-libc's list is the only
 // list of names.
@@ -22,20 +22,20 @@ void robosim_write8(robosim_register address, uint8_t value);
 uint16_t robosim_read16(robosim_register address);
 void robosim_write16(robosim_register address, uint16_t value);
 
-/// Size of the chip's data space, where registers are memory (register_memory.h).
+/// Size of the chip's data space, for registers in memory (register_memory.h).
 #define ROBOSIM_REGISTER_BYTES 256
 extern uint8_t robosim_register_memory[ROBOSIM_REGISTER_BYTES];
 
-/// Set and clear the I flag of SREG, as sei() and cli() do.
+/// Set and clear the I flag of SREG: sei() and cli().
 void robosim_enable_interrupts(void);
 void robosim_disable_interrupts(void);
 
 /// Spends `cycles` CPU cycles in a busy loop (_delay_us and similar). Interrupts are served meanwhile.
 void robosim_spend_cycles(uint64_t cycles);
-/// Sends bytes, the highest bit first, as pulses of a digital pin, like a loop in assembler. A bit takes
-/// `period` CPU cycles, and is high for `one` or `zero` of them. Interrupts should be off.
+/// Sends bytes as pulses on a digital pin like a loop in assembler, the highest bit first. Each bit lasts
+/// `period` CPU cycles, and is high for the first `one` or `zero` of them. Interrupts should be off.
 void robosim_send_pulses(uint8_t pin, const uint8_t* bytes, size_t count, int zero, int one, int period);
-/// Executes SLEEP: waits for an interrupt if SE is set in SMCR, else does nothing.
+/// Executes SLEEP: waits for an interrupt if SE is set in SMCR, else returns at once.
 void robosim_sleep(void);
 /// Executes WDR.
 void robosim_watchdog_reset(void);

@@ -1,4 +1,4 @@
-// The ways in which firmware ends: abort, exit, a failed assert.
+// Ends the firmware: abort(), exit(), a failed assert().
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@ __attribute__((noreturn)) void crash(const char* reason, const char* file, uint3
   __builtin_unreachable();
 }
 
-/// `name` is a function of one number, and was called with `status`.
+/// Stops firmware that called the function `name` with the argument `status`.
 __attribute__((noreturn)) void stop(const char* name, int status) {
   static char how[24];
   strcpy(how, name);

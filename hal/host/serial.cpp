@@ -1,4 +1,4 @@
-// HardwareSerial (HardwareSerial.cpp of the Arduino AVR core): buffers of 64 bytes, one of which stays empty.
+// Implements HardwareSerial (Arduino AVR core). Its buffers have 64 bytes, one of which stays empty.
 #include <Arduino.h>
 
 #include "hal/host/api.h"
@@ -28,14 +28,14 @@ struct Ring {
 
 constexpr int kRingBytes = SERIAL_TX_BUFFER_SIZE - 1;
 
-/// Returns the number of bytes in the transmit buffer: neither in the UART's data register nor in its shift
-/// register.
+/// Returns the number of bytes in the transmit buffer. Bytes in the UART's data register or shift register do
+/// not count.
 int64_t buffered() {
   const int64_t sending = host::uart.sending();
   return sending > 2 ? sending - 2 : 0;
 }
 
-/// Detects a number: the core formats it, at a cost per digit, and then passes on all its digits.
+/// Returns whether a text is a number. The core formats numbers at a cost per digit before sending them.
 bool is_number(const uint8_t* text, size_t size) {
   for (size_t i = 0; i < size; ++i)
     if (text[i] < '0' || text[i] > '9') return false;
@@ -44,7 +44,7 @@ bool is_number(const uint8_t* text, size_t size) {
 
 void transmit(uint8_t byte) {
   host::spend(cost::kSerialWrite);
-  if (host::uart.sending() > 1) {  // it passes through the buffer: its handler will run once more
+  if (host::uart.sending() > 1) {  // the byte passes through the buffer, so the handler runs once more
     if (buffered() >= kRingBytes) host::wait_until(host::uart.until_sending(kRingBytes + 1));
     host::spend(cost::kSerialTransmitHandler);
   }
@@ -86,7 +86,7 @@ void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   if (baud == 0) baud = 1;
   unsigned long divider = (kClock / 4 / baud - 1) / 2;
   host::uart.set_status(host::kU2x);
-  // The core does so at 16 MHz, for the boot loader of the Duemilanove.
+  // The core treats 57600 baud differently at 16 MHz, for the boot loader of the Duemilanove.
   if ((baud == 57600 && kClock == 16000000) || divider > 4095) {
     host::uart.set_status(0);
     divider = (kClock / 8 / baud - 1) / 2;

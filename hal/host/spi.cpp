@@ -31,7 +31,7 @@ void Spi::set_control(uint8_t value) {
 
 bool Spi::is_master() const { return (control_ & (kSpe | kMstr)) == (kSpe | kMstr); }
 
-// 19.3.2: SS, an input at low level, makes a slave of it.
+// Makes the chip a slave if SS is an input at low level (19.3.2).
 void Spi::look_at_select() {
   if (!is_master() || ports[kSelectPort].direction & kSelectMask) return;
   if (read_port(kSelectPort) & kSelectMask) return;

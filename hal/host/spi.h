@@ -1,6 +1,6 @@
 // The serial peripheral interface as master (datasheet, chapter 19). A byte takes 8 bits of 4, 16, 64 or 128
-// cycles, half of that with SPI2X. The received byte is the level of MISO at the end. Bits are not simulated,
-// and MOSI and SCK stay the port's. SS is read when SPCR or SPDR is written.
+// cycles, or half of that with SPI2X. Single bits are not simulated: the received byte is all ones or zeros,
+// MISO's level at the end. The port still drives MOSI and SCK. SS is read when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ class Spi {
  public:
   uint8_t control() const { return control_; }
   void set_control(uint8_t value);
-  /// Reads SPSR; the shown flags are cleared by the next access to the data.
+  /// Reads SPSR. The next access to the data register clears the flags that this read returned.
   uint8_t status();
   void set_status(uint8_t value) { status_ = static_cast<uint8_t>((status_ & ~1) | (value & 1)); }
   uint8_t take();

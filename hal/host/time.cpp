@@ -1,4 +1,4 @@
-// Time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
+// Implements time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
 #include <Arduino.h>
 
 #include "hal/board/board_spec.h"
@@ -16,10 +16,10 @@ namespace {
 
 constexpr unsigned long kCyclesPerMicro = host::kClockHz / 1000000;
 constexpr unsigned long kMicrosPerTick = 64 / kCyclesPerMicro;
-constexpr unsigned long kCyclesPerLoop = 16;  // of pulseIn, as the core assumes
+constexpr unsigned long kCyclesPerLoop = 16;  // cycles of pulseIn's loop, as assumed by the core
 // The shortest duration of a delayMicroseconds() call.
 constexpr unsigned int kShortestDelay_us = host::kClockHz < 16000000 ? 2 : 1;
-bool own_yield = true;  // until the core's empty yield() is detected
+bool own_yield = true;  // false once the core's empty yield() is detected
 
 unsigned long read_micros() {
   host::spend(cost::kMicros);
@@ -30,7 +30,7 @@ unsigned long read_micros() {
   return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
 }
 
-/// Returns whether micros() will advance for longer than a poll or two: with interrupts off it stops.
+/// Returns whether micros() continues to advance. It stops while interrupts are off.
 bool micros_goes_on() {
   return host::interrupts_enabled() && host::timer0.enabled() & host::Timer::overflow &&
          host::timer0.counts_bytes();
@@ -56,7 +56,7 @@ unsigned long micros() {
 
 void delay(unsigned long ms) {
   host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
-  ms = static_cast<uint32_t>(ms);  // as wide as a chip's: delay(-1) takes 49 days
+  ms = static_cast<uint32_t>(ms);  // as wide as on a chip: delay(-1) takes 49 days
   host::be_late_if_due();
   unsigned long start = read_micros() - static_cast<unsigned long>(host::sooner / robosim::kMicrosecond);
   host::sooner = 0;
@@ -86,7 +86,7 @@ void delay(unsigned long ms) {
 
 void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
-  // An AVR's core counts rounds of four cycles in 16 bits: at 16 MHz, more than 16383 us wraps.
+  // The AVR core counts loops of four cycles in 16 bits: at 16 MHz, more than 16383 us wraps.
   constexpr unsigned kTurns = kCyclesPerMicro / 4;
   if (strcmp(host::board_spec->chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
   host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);

@@ -1,5 +1,5 @@
-// Input capture (datasheet, 16.6). An edge of ICP1 copies TCNT1 to ICR1 and sets ICF1, 3 cycles after the
-// edge. The noise canceler adds 4, and ignores levels of less than 4 cycles.
+// Implements input capture (datasheet, 16.6). An edge of ICP1 copies TCNT1 to ICR1 and sets ICF1, 3 cycles
+// after the edge. The noise canceler adds 4 cycles, and ignores levels shorter than 4 cycles.
 #include "hal/host/external.h"
 #include "hal/host/ports.h"
 #include "hal/host/timers.h"
@@ -18,7 +18,7 @@ void Timer::listen_to_captures() {
   refresh_external();
 }
 
-// 16.6.1: a change of the source is an edge, if their levels differ.
+// Changes the source of edges. The change is an edge if the levels of the two sources differ (16.6.1).
 void Timer::capture_comparator(bool is, bool level) {
   if (is == of_comparator_) return;
   const bool pin = read_pin(pin_of_capture());

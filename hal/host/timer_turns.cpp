@@ -1,6 +1,6 @@
-// Deviations of a timer from its regular period (datasheet, 15.7, 16.9): PWM values that take effect later, a
-// count above TOP, and a change of TOP. A counter runs regularly until the next deviation, its turn. There it
-// restarts with the registers' values of that time. The table has the cause, how the count goes on, the turn:
+// Handles deviations of a timer from its regular period (datasheet, 15.7, 16.9): PWM values that take effect
+// later, a count above TOP, and a change of TOP. A counter runs regularly until the next deviation, its turn.
+// It then restarts with the present register values. Columns: the cause, the course of the count, the turn.
 //
 //   OCRnA is pending, and is TOP         unchanged                              when it takes effect
 //   above TOP, counting up               to MAX, then 0                         at 0
@@ -27,7 +27,7 @@ Timer::Phase Timer::leave_registers() {
   return {count(), counts_down(now), now < hidden_, prescaler_, prescaler_ == 0 ? state.now : time_of(now)};
 }
 
-/// Starts a regular run at `base_`. PWM keeps buffered values. `hidden`: TCNTn has been written (15.5.3).
+/// Starts a regular run at `base_`. PWM keeps its buffered values. `hidden`: TCNTn was just written (15.5.3).
 void Timer::begin(uint16_t count, bool down, bool hidden) {
   const bool pwm = counting_.kind == avr::Counting::Kind::pwm;
   dual_slope_ = counting_.dual_slope;
@@ -36,7 +36,7 @@ void Timer::begin(uint16_t count, bool down, bool hidden) {
     if (time >= 0) time = pwm ? base_ : -1;
   const uint16_t compare_a = replaced_at_[0] >= 0 ? held_[0] : compare_[0];
   const int64_t top = pin_top_ = avr::top_of(counting_, compare_a, capture_);
-  // A write to TCNTn hides a match with TOP or BOTTOM at that count. A count down from TOP never matches TOP.
+  // A write to TCNTn hides a match with TOP or BOTTOM at its value. Counting down from TOP never matches TOP.
   const bool passes_bottom = hidden && down && count == 0;
   if (count == 0 && top == 0 && down && !hidden) {
     strays_ = true;
@@ -72,7 +72,7 @@ void Timer::turn() {
   refresh_due(base_tick_);
 }
 
-/// Handles all turns up to now. Reports them, and values that have taken effect, to the pins.
+/// Handles all turns up to now. Reports turns, and values that have taken effect, to the pins.
 void Timer::take_turns() {
   sync_waves();
   while (state.now >= turns_at_) turn();
@@ -84,7 +84,7 @@ void Timer::take_turns() {
   refresh_waves();
 }
 
-// Finds the next turn, or the next time at which a pin must be reported: a value takes effect, or a match.
+// Finds the next turn, or an earlier time to report a pin: when a value takes effect, or at a match.
 void Timer::refresh_turn() {
   turns_at_ = turn_ == kNoTick || prescaler_ == 0 ? kNever : time_of(turn_);
   turn_due_ = pins_stale_ ? 0 : turns_at_;
@@ -103,8 +103,8 @@ void Timer::refresh_turn() {
   }
 }
 
-/// Returns whether the board gets each level of a pin, instead of PWM or a tone. It does if there is no PWM
-/// or no clock, and below audible frequencies.
+/// Returns whether the board is notified of each level of a pin, instead of PWM or a tone. That is the case
+/// without PWM, without a clock, and below audible frequencies.
 bool Timer::steps(int channel) const {
   constexpr int64_t kLowestTone_hz = 20;
   if (prescaler_ == 0) return true;
@@ -112,14 +112,14 @@ bool Timer::steps(int channel) const {
   return 2 * kLowestTone_hz * prescaler_ * avr::period_of(counting_, pin_top_) > kClockHz;
 }
 
-/// Stores a channel's level before a change that affects the times or levels of its matches.
+/// Stores a channel's level. Call it before a change that affects the times or levels of its matches.
 void Timer::keep_level(int channel, int64_t tick) {
   if (connection(channel) == 1 || counting_.kind != avr::Counting::Kind::pwm)
     toggled_[channel] = level_at(channel, tick);
   toggled_at_[channel] = tick;
 }
 
-/// Returns the tick at which the written value takes effect.
+/// Returns the tick at which the channel's last written value takes effect.
 int64_t Timer::held_until(int channel) const {
   if (replaced_at_[channel] < 0) return kLongAgo;
   const int64_t from = tick_at(replaced_at_[channel]) + 1;

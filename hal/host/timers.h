@@ -1,11 +1,11 @@
-// Timers 0, 1 and 2 (datasheet, chapters 15, 16 and 18): counters that are computed when they are read.
+// Timers 0, 1 and 2 (datasheet, chapters 15, 16 and 18). Counts are computed when they are read.
 //
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
 // A tick is `prescaler` CPU cycles. With PWM, a new compare value takes effect with the tick that leaves TOP
-// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter behaves
-// differently up to a turn: timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
+// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter runs differently
+// up to a turn: see timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
 #pragma once
 
 #include <stdint.h>
@@ -24,7 +24,7 @@ class Timer {
     compare_a = 2,
     compare_b = 4,
     captured = 0x20
-  };  ///< bits of TIFRn, TIMSKn
+  };  ///< bits of TIFRn and TIMSKn
 
   constexpr explicit Timer(uint8_t number)
       : number_(number),
@@ -34,7 +34,7 @@ class Timer {
         top_(counting_.fixed_top),
         period_(top_ + 1) {}
 
-  /// Returns whether it has 16 bits.
+  /// Returns whether the timer has 16 bits.
   bool is_wide() const { return max_ > 0xFF; }
   uint8_t control_a() const { return control_a_; }
   uint8_t control_b() const { return control_b_; }
@@ -47,72 +47,72 @@ class Timer {
 
   ROBOSIM_RARE void set_control_a(uint8_t value);
   ROBOSIM_RARE void set_control_b(uint8_t value);
-  /// Sets a compare value. The caller refreshes the pin, unless the value is the counter's TOP. The pin's
-  /// duty cycle is reported at once, even if the value takes effect later.
+  /// Sets a compare value, and reports the pin's duty cycle at once, even if the value takes effect later.
+  /// The caller refreshes the pin, unless the value is the counter's TOP.
   void set_compare(int channel, uint16_t value);
-  /// Like set_compare(), but reports the duty cycle when it takes effect.
+  /// Sets a compare value, and reports the duty cycle when the value takes effect.
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
   ROBOSIM_RARE void set_capture(uint16_t value);
   ROBOSIM_RARE void set_count(uint16_t value);
   ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
-  /// Simulates init(), which lets it count by 8 for a moment before PWM (CS11, then CS10, then WGM10). It
-  /// most likely reaches 1 there, which raises its matches, but no overflow before the next BOTTOM.
+  /// Simulates init(), which lets the timer count by 8 for a moment before PWM (CS11, then CS10, then WGM10).
+  /// The count most likely reaches 1. This raises the matches, but no overflow before the next BOTTOM.
   ROBOSIM_RARE void leave_bottom();
 
-  /// Raises the enabled flags that are due.
+  /// Raises the enabled flags that are due now.
   void sync() {
     if (state.now >= due_) raise_due();
   }
   /// Returns when the next enabled flag will be raised.
   SimTime due() const { return due_; }
-  /// For timer 0: returns that time without the overflow.
+  /// For timer 0: returns when the next enabled flag other than the overflow will be raised.
   SimTime due_to_match() const { return due_to_match_; }
-  /// Returns whether its overflow is due, and no match. take_overflows() then lets its handler start at once.
+  /// Returns whether only the overflow is due. take_overflows() then lets its handler start at once.
   bool overflows_next() const { return state.now >= due_of_[0] && state.now < due_to_match_; }
-  /// Returns flags that are raised and enabled.
+  /// Returns the flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
-  /// Clears `flag` as its handler starts.
+  /// Clears `flag` when its handler starts.
   void acknowledge(uint8_t flag) { flags_ &= static_cast<uint8_t>(~flag); }
 
-  /// Returns the COM bits of channel 0 (A) or 1 (B): 0 = the pin belongs to the port.
+  /// Returns the COM bits of channel 0 (A) or 1 (B). 0 = the pin belongs to the port.
   uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
-  /// Sets them; the caller refreshes the pin.
+  /// Sets the COM bits; the caller refreshes the pin.
   ROBOSIM_RARE void set_connection(int channel, uint8_t bits);
-  /// Returns whether a channel drives its pin, if that is an output.
+  /// Returns whether a channel drives its pin when the pin is an output.
   bool drives(int channel) const;
-  /// Returns how it drives the pin.
+  /// Returns how a channel drives its pin.
   PinDrive drive(int channel) const;
-  /// For a channel with PWM: return the level at a moment since the last write to the registers, and its next
-  /// change. kNever = there is none.
+  /// For a channel with PWM: return its level at a time since the last register write, and the time of its
+  /// next change; kNever if there is none.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
-  /// Returns until when that is valid: then the counter turns.
+  /// Returns the time of the next turn. Levels and edges are valid until then.
   SimTime turns_at() const { return turns_at_; }
   ROBOSIM_RARE void turn();
 
-  /// Returns whether it counts edges of a pin; count_edge() handles the pin's new level.
+  /// Returns whether the timer counts edges of a pin. count_edge() handles the pin's new level.
   bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
   ROBOSIM_RARE void count_edge(bool level);
 
-  /// Returns whether it captures edges of a pin; capture_edge() handles the pin's new level at that moment.
+  /// Returns whether the timer captures edges of a pin. capture_edge() handles the pin's new level at `at`.
   bool captures_edges() const { return listens_ && !of_comparator_ && captures(); }
   ROBOSIM_RARE void capture_edge(bool level, SimTime at);
-  /// Starts or stops capturing the comparator's edges (ACIC); comparator_changed() handles a change of that
-  /// output.
+  /// Starts or stops capturing edges of the comparator's output (ACIC). comparator_changed() handles a change
+  /// of that output.
   void capture_comparator(bool is, bool level);
   void comparator_changed(bool level);
 
-  /// Returns whether the counter runs like Timer 0 after init(): 0..255, one slope.
+  /// Returns whether the timer runs like Timer 0 after init(): from 0 to 255, with a single slope.
   bool counts_bytes() const { return !dual_slope_ && top_ == 255 && prescaler_ != 0 && turn_ == kNoTick; }
-  /// Returns the moment `ticks` timer ticks after the present count began.
+  /// Returns the time `ticks` timer ticks after the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
-  /// Counts overflows until now, without raising the flag for them.
+  /// Counts overflows until now without raising their flag.
   int64_t take_overflows();
 
  private:
-  /// The counter's position when a register changes that affects its counting.
+  /// The counter's position at the change of a register that affects counting.
   struct Phase {
     uint16_t count;
     bool down, hidden;
@@ -138,7 +138,7 @@ class Timer {
   }
   ROBOSIM_RARE void take_turns();
   ROBOSIM_RARE bool steps(int channel) const;
-  /// Returns whether any channel may.
+  /// Returns whether the board may be notified of each level of any channel.
   bool steps() const {
     return control_a_ & (counting_.kind == avr::Counting::Kind::pwm ? kToggles : kConnections);
   }
@@ -147,7 +147,7 @@ class Timer {
   int64_t tick_at(SimTime at) const;
   int64_t ticks() const { return tick_at(state.now); }
   uint16_t count_at(int64_t tick) const;
-  /// Includes BOTTOM if it has come from above.
+  /// Returns whether the counter counts down; at BOTTOM, whether it came from above.
   bool counts_down(int64_t tick) const {
     const int64_t at = tick % period_;
     return dual_slope_ && (strays_ || (top_ > 0 && (at > top_ || (at == 0 && tick > 0))));
@@ -169,23 +169,23 @@ class Timer {
     const bool clears = counting_.kind == avr::Counting::Kind::clear_on_match;
     return counting_.dual_slope || (strays_ ? clears : !clears || top_ == max_);
   }
-  /// Returns the position at which the overflow flag is raised. With two slopes it is a tick after BOTTOM, so
-  /// that a counter that begins there raises it at once.
+  /// Returns the position at which the overflow flag is raised. With dual slope this is one tick after
+  /// BOTTOM, so that a counter that starts at BOTTOM raises the flag at once.
   int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
   /// Returns the number of positions at which a match with `value` is detected, 0..2.
   ROBOSIM_RARE int matches(int64_t value, int64_t (&at)[2]) const;
-  /// Returns those at which the counter raises flag 0..3: overflow, match A, match B, and ICFn at TOP.
-  /// Matches use the last written value.
+  /// Returns the number of positions at which the counter raises flag 0..3: overflow, match A, match B, and
+  /// ICFn at TOP. Matches use the last written value.
   int raises(int flag, int64_t (&at)[2]) const;
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
-  /// Receives edges of ICPn from now on, since a sketch uses captures.
+  /// Requests edges of ICPn from now on, since the sketch uses captures.
   void listen_to_captures();
-  /// Starts the noise canceler at the pin's level.
+  /// Starts the noise canceler with the pin's level.
   void begin_canceler();
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return flag_count_ > 3; }
-  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< COM in TCCRnA; 1 or 3
-  /// ICNCn and ICESn in TCCRnB.
+  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< COM in TCCRnA: all bits; values 1, 3
+  /// Bits ICNCn and ICESn in TCCRnB.
   static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
 
   uint8_t number_;
@@ -194,36 +194,36 @@ class Timer {
   uint8_t control_a_ = 0, control_b_ = 0, enabled_ = 0, flags_ = 0;
   uint16_t compare_[2] = {0, 0};
   uint16_t capture_ = 0;
-  // The decoded registers:
+  // Decoded from the registers:
   avr::Counting counting_;
   int32_t prescaler_ = 0;  ///< 0 = stopped
-  // The counting until the next turn:
+  // How the counter runs until the next turn:
   static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
-  bool dual_slope_ = false, strays_ = false;  ///< it is beyond the TOP of its registers
+  bool dual_slope_ = false, strays_ = false;  ///< strays_: the count is beyond the registers' TOP
   int64_t top_, period_;
-  int64_t pin_top_ = 0xFF;                         ///< TOP of its registers, for duties
-  SimTime lasts_ = 0;                              ///< no period is longer
-  int64_t turn_ = kNoTick;                         ///< the tick at which it restarts
-  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< also when pins must be reported
+  int64_t pin_top_ = 0xFF;                         ///< TOP according to the registers, for duty cycles
+  SimTime lasts_ = 0;                              ///< upper limit of the duration of a period
+  int64_t turn_ = kNoTick;                         ///< tick at which the counter restarts
+  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< turn_due_: also when a pin must be reported
   int64_t hidden_ = kLongAgo;                      ///< a write to TCNTn hides a match at this tick
-  uint16_t set_to_ = 0;                            ///< the value of that write
+  uint16_t set_to_ = 0;                            ///< value of that write
   // The counter: tick `base_tick_` began at `base_`.
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
-  int64_t overflows_seen_ = 0;  ///< the tick up to which take_overflows() has counted
-  int64_t disabled_seen_ = 0;   ///< the tick up to which disabled flags are known: they are not scheduled
-  SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< of flags 0..3; kNever if not enabled
+  int64_t overflows_seen_ = 0;  ///< tick up to which take_overflows() has counted
+  int64_t disabled_seen_ = 0;   ///< tick up to which disabled flags are up to date: they are not scheduled
+  SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< due times of flags 0..3; kNever if not enabled
   SimTime due_ = kNever, due_to_match_ = kNever;
-  // Levels of its pins. Without PWM: the level after the last match, at a tick. With PWM: the replaced value,
-  // and its time.
+  // Levels of the pins. Without PWM: the level after the last match, at a tick. With PWM: the value that a
+  // write replaced, and the time of the write.
   bool toggled_[2] = {false, false};
   int64_t toggled_at_[2] = {0, 0};
   uint16_t held_[2] = {0, 0};
-  SimTime replaced_at_[2] = {-1, -1};  ///< since the last turn; else -1
-  uint8_t late_ = 0;                   ///< channels whose pins are reported when values take effect
+  SimTime replaced_at_[2] = {-1, -1};  ///< -1 = no write since the last turn
+  uint8_t late_ = 0;                   ///< bits of channels whose pins are reported when values take effect
   bool pins_stale_ = false;
-  // Captures: whether any are used, the level after the noise canceler, its input and the time of that. Also
-  // the previous state, in case the canceler takes the last edge back.
+  // Captures: whether any are used, the level after the noise canceler, and its input with the time of its
+  // last change. The previous state is saved, too, in case the canceler withdraws the last edge.
   bool listens_ = false, of_comparator_ = false, comparator_ = false;
   bool passed_ = false, level_ = false, may_take_back_ = false, had_flag_ = false;
   SimTime changed_at_ = 0;
@@ -233,13 +233,13 @@ class Timer {
 extern Timer timer0, timer1, timer2;
 inline Timer& timer(int number) { return number == 0 ? timer0 : number == 1 ? timer1 : timer2; }
 
-/// Does at once what Timer 0's overflow handler would have done since its last run. For firmware that waits.
+/// Does at once the work of Timer 0's overflow handler since its last run, for firmware that only waits.
 void timer0_catch_up();
 /// The counts of Timer 0's overflow handler.
 struct Timer0Count {
-  uint64_t millis;     ///< the result of millis()
-  uint64_t fraction;   ///< of the next one, in 125ths
-  uint64_t overflows;  ///< the count of micros()
+  uint64_t millis;     ///< result of millis()
+  uint64_t fraction;   ///< part of the next millisecond, in 125ths
+  uint64_t overflows;  ///< number of overflows, for micros()
 };
 extern Timer0Count timer0_count;
 constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);
@@ -247,5 +247,5 @@ constexpr SimTime kOverflowTakes = cycles(cost::kTimer0Overflow);
 }  // namespace ROBOSIM_WITHIN
 }  // namespace robosim
 
-/// Timer 0's overflow handler, which takes kOverflowTakes.
+/// Timer 0's overflow handler, which takes the time kOverflowTakes.
 extern "C" void __vector_16();

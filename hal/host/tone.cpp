@@ -17,7 +17,7 @@ using robosim::SimTime;
 namespace {
 
 Pin sounding = kNoPin;
-// From then on, at a known level, the pin toggles with this period in cycles.
+// The pin toggles with this period in cycles, from the time `began` and the level `level_then` on.
 int64_t half_period = 1;
 SimTime began = 0;
 bool level_then = false;
@@ -25,7 +25,7 @@ bool level_then = false;
 constexpr int64_t kPrescalers[7] = {1, 8, 32, 64, 128, 256, 1024};
 
 void stop() {
-  // Like disableTimer(2) of the core: 8-bit phase correct PWM again, as init() sets it.
+  // Restores 8-bit phase correct PWM, as set by init(). The core does so in disableTimer(2).
   host::timer2.set_control_a(1);
   host::timer2.set_control_b(4);
   host::timer2.set_compare(0, 0);
@@ -60,7 +60,7 @@ void tone(uint8_t pin, unsigned int frequency, unsigned long duration) {
   host::note_call("tone", pin, 2, pin, static_cast<int32_t>(frequency));
   host::spend(cost::kTone);
   if (!host::is_digital(pin) || frequency == 0) return;
-  if (sounding != kNoPin && sounding != pin) return;  // the core has one timer for tones
+  if (sounding != kNoPin && sounding != pin) return;  // the core plays one tone at a time
   int clock = 0;
   int64_t top = 0;
   for (;; ++clock) {

@@ -1,4 +1,4 @@
-// tone(): Timer 2 toggles one pin. As in the AVR core, this takes Timer 2 from analogWrite on pins 3 and 11.
+// tone(): Timer 2 toggles one pin. As in the AVR core, analogWrite() then has no Timer 2 (pins 3 and 11).
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -7,14 +7,14 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// The end of the current tone; kNever if there is none, or it is endless.
+/// The end of the current tone; kNever if no tone plays or the tone is endless.
 extern SimTime tone_end;
-/// Returns whether a tone sounds.
+/// Returns whether a tone plays.
 bool sounds();
-/// Return the level of its pin at a moment since its last change, and when it changes next.
+/// Return the level of the tone's pin at a time since the level's last change, and when it changes next.
 bool tone_level(SimTime at);
 SimTime next_tone_edge(SimTime after);
-/// Ends the tone if its time has come.
+/// Ends the tone. Call it when tone_end has passed.
 ROBOSIM_RARE void end_tone();
 inline void sync_tone() {
   if (state.now >= tone_end) end_tone();

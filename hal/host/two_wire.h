@@ -1,5 +1,5 @@
-// The two-wire interface as master. hal/board/avr_twi.h has its steps and their durations. SDA and SCL stay
-// the port's.
+// The two-wire interface as master. hal/board/avr_twi.h has its steps and their durations. The port still
+// drives SDA and SCL.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +14,7 @@ class TwoWire {
  public:
   uint8_t rate() const { return rate_; }
   void set_rate(uint8_t value) { rate_ = value; }
-  /// Reads TWSR.
+  /// Reads the register TWSR.
   uint8_t status() const { return static_cast<uint8_t>(master_.status() | prescaler_); }
   void set_status(uint8_t value) { prescaler_ = value & avr::kTwpsMask; }
   uint8_t address() const { return address_; }
@@ -24,7 +24,7 @@ class TwoWire {
   uint8_t control() const { return control_; }
   void set_control(uint8_t value);
 
-  /// Ends the step that is due.
+  /// Ends the current step if it is due.
   void sync();
   bool pending() const { return control_ & avr::kTwint && control_ & avr::kTwie; }
   bool may_interrupt() const { return control_ & avr::kTwie && (runs() || pending()); }

@@ -1,5 +1,5 @@
-// The UART (datasheet, chapter 19). The transmitter has a data register before its shift register. The
-// receiver buffers two bytes, and a third waits in the shift register; a fourth replaces that.
+// The UART (datasheet, chapter 19). The transmitter has a data register and a shift register. The receiver
+// buffers two bytes. A third byte waits in the shift register, where a fourth replaces it.
 #pragma once
 
 #include <stdint.h>
@@ -25,29 +25,29 @@ class Uart {
   uint16_t divider() const { return divider_; }
   void set_divider(uint16_t value);
 
-  /// Returns the duration of a byte on the line: start, data, parity and stop bits.
+  /// Returns the time of a byte on the line, including start, parity and stop bits.
   SimTime byte_time() const { return byte_time_; }
-  /// Returns the number of accepted bytes that have not left completely.
+  /// Returns the number of accepted bytes that have not been sent completely.
   int64_t sending() const;
-  /// Returns when at most `count` of them will be left.
+  /// Returns when at most `count` accepted bytes are still unsent.
   SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
-  /// Accepts a byte, regardless of the number of waiting ones: for the chip's limits, check sending() first.
+  /// Accepts a byte, however many are waiting. To observe the chip's limits, check sending() before.
   void send(uint8_t byte);
 
   /// Handles an incoming byte.
   void receive(uint8_t byte);
-  /// Takes the oldest byte from the receiver (UDR0); the last one again if there is none.
+  /// Removes and returns the receiver's oldest byte (UDR0). If there is none, returns the last one again.
   uint8_t take();
   bool has_byte() const { return waiting_ > 0; }
 
-  /// Returns vectors 18..20 that are raised and enabled, one bit each.
+  /// Returns the vectors 18..20 that are raised and enabled, one bit each.
   uint32_t pending() const {
     if (control_ & (kTxcie | kUdrie)) return pending_to_send();
     return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
   }
   bool sends_by_interrupt() const { return control_ & (kTxcie | kUdrie); }
   SimTime next() const { return control_ & (kTxcie | kUdrie) ? next_to_send() : kNever; }
-  /// Returns whether there may be one whose handler is not Serial's.
+  /// Returns whether an interrupt that Serial does not handle may occur.
   bool may_interrupt() const;
   void acknowledge_sent() { sent_seen_ = true; }
 
@@ -61,14 +61,14 @@ class Uart {
   bool sent_seen_ = true;  ///< TXC has been cleared since the last byte left
   uint16_t divider_ = 0;
   SimTime byte_time_ = 0;
-  SimTime sent_ = 0;  ///< end of the last byte
+  SimTime sent_ = 0;  ///< when the last byte ends
   uint8_t received_[3] = {0, 0, 0};
   uint8_t taken_ = 0;
   int waiting_ = 0;
 };
 
 extern Uart uart;
-/// Returns whether Serial receives the bytes that arrive, rather than an ISR of the sketch.
+/// Returns whether arriving bytes are received by Serial, not by an ISR of the sketch.
 bool serial_receives();
 /// Resets the UART, and empties the buffers of Serial.
 void reset_uart();

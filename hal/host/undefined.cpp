@@ -1,6 +1,6 @@
-// The handlers of gcc's UndefinedBehaviorSanitizer. Every image has those for a division by zero, and for
-// unreachable code. An image that was built with checks has all others, too (sim/build/target.cpp lists the
-// checks). Without checks a division by zero is only recorded: its result is the chip's
+// Handlers of gcc's UndefinedBehaviorSanitizer. Every image has handlers for a division by zero and for
+// unreachable code. An image built with checks has all the others, too (listed in
+// sim/build/target.cpp). Without checks, a division by zero is only recorded, and has the chip's result
 // (sim/build/division.h).
 #include "hal/host/clock.h"
 
@@ -14,7 +14,7 @@ __attribute__((noreturn)) void fail(const char* check, const void* data, uintptr
 
 }  // namespace
 
-// Not every check has two values; the receiver distinguishes them by the check's name.
+// Some checks have fewer than two values. The receiver distinguishes checks by their names.
 #define ROBOSIM_HANDLER(check)                                                                 \
   extern "C" void __ubsan_handle_##check(const void* data, uintptr_t value, uintptr_t other) { \
     fail(#check, data, value, other, __builtin_return_address(0));                             \

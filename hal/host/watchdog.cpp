@@ -9,12 +9,12 @@ Watchdog watchdog;
 
 namespace {
 
-// DS40002061B, 11.9.2.
+// Bits of WDTCSR (DS40002061B, 11.9.2).
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x07;
 constexpr SimTime kShortest = 16 * kMillisecond;
 constexpr int kLongestWdp = 9;
-// WDCE holds for 4 cycles; two consecutive statements on the host cannot be that close. This is enough for
-// the next one.
+// WDCE stays set for 4 cycles on the chip, but two consecutive statements on the host take longer. This value
+// is enough for the next statement.
 constexpr int kWindowCycles = 64;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The watchdog, with the modes of sim/avr/watchdog.h. A reset is as after an Uno's boot loader: the sketch
-// restarts, with MCUSR cleared and the watchdog off. Unlike on the chip, all variables are initialised again,
-// .noinit too.
+// The watchdog, with the modes of sim/avr/watchdog.h. After a reset, the sketch restarts with MCUSR cleared
+// and the watchdog off, as after an Uno's boot loader. Unlike on the chip, all variables are initialised
+// again, including those in .noinit.
 #pragma once
 
 #include <stdint.h>
@@ -13,21 +13,21 @@ namespace host ROBOSIM_WITHIN {
 
 class Watchdog {
  public:
-  /// Reads WDTCSR.
+  /// Reads the register WDTCSR.
   uint8_t control() const;
   void set_control(uint8_t value);
-  /// Executes the instruction WDR.
+  /// Executes WDR.
   void restart();
 
-  /// Brings it up to the present moment; does not return if it resets the chip.
+  /// Updates the watchdog to the present time. Does not return if it resets the chip.
   void sync() {
     if (due_ <= state.now) sync_due();
   }
   bool pending() const { return (control_ & kRaised) == kRaised; }
   void acknowledge();
-  /// Returns the end of its period; kNever if it is off.
+  /// Returns the end of the watchdog's period; kNever if it is off.
   SimTime due() const { return due_; }
-  /// Returns whether it may reset the chip if firmware does nothing any more.
+  /// Returns whether the watchdog may reset the chip even if firmware never acts again.
   bool may_bite() const;
   bool may_interrupt() const;
 
@@ -39,7 +39,7 @@ class Watchdog {
   ROBOSIM_RARE void sync_due();
 
   uint8_t control_ = 0;
-  SimTime origin_ = 0;  ///< when it began to count
+  SimTime origin_ = 0;  ///< when the watchdog began to count
   SimTime due_ = kNever, unlocked_until_ = -1;
 };
 

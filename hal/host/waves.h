@@ -1,6 +1,6 @@
-// Pins that the chip itself toggles: by PWM, by a timer's toggle mode, by tone(). The board receives a duty
-// cycle or frequency. Levels that the sketch reads there, and edges for its interrupts, are computed on
-// demand for that moment.
+// Pins that the chip toggles without firmware: by PWM, by a timer's toggle mode, or by tone(). The board
+// receives a duty cycle or frequency. The levels that the sketch reads there, and the edges for its
+// interrupts, are computed on demand.
 #pragma once
 
 #include "hal/board/board.h"
@@ -10,21 +10,21 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Return the level of such a pin, and how long it certainly stays; kNever if it does not change.
+/// Return the level of such a pin, and how long it certainly stays; kNever if it never changes.
 bool wave_level(Pin pin);
 SimTime wave_until(Pin pin);
 
-/// The time of the next edge that has a listener.
+/// The time of the next edge on a followed pin.
 extern SimTime wave_due;
-/// Reports all such edges until now. Call it before a change that moves them.
+/// Reports all edges of followed pins until now. Call it before a change that moves such edges.
 ROBOSIM_RARE void tell_waves();
 inline void sync_waves() {
   if (state.now >= wave_due) tell_waves();
 }
-/// Pins that have a listener.
+/// Toggling pins whose edges have a listener.
 extern PinSet followed;
 void follow_anew();
-/// Updates the waves after such a change, or after one pin has started or stopped toggling.
+/// Updates the waves. Call it after a change that moves edges, or after one pin starts or stops toggling.
 inline void refresh_waves() {
   if (followed.any()) follow_anew();
 }
