@@ -1,4 +1,4 @@
-// Finds the chip for which avr-gcc has built a program.
+// Finds the chip for which avr-gcc has compiled a program.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace robosim {
 
-/// Returns the name for -mmcu: "atmega328p". Empty if the file lacks it: only avr-libc 2 has a note in the
-/// start-up code of each chip.
+/// Returns the name for -mmcu: "atmega328p". Returns an empty string if the file lacks it: only avr-libc 2
+/// has a note in each chip's start-up code.
 std::string avr_device(const ElfFile& elf);
 
 }  // namespace robosim

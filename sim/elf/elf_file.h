@@ -1,5 +1,5 @@
-// Reads ELF files by libelf of elfutils: loaded segments, sections and symbols. Users' files may be damaged;
-// then they are refused with a sentence.
+// Reads loaded segments, sections and symbols of ELF files, by libelf of elfutils. Users' files may be
+// damaged; they are rejected with an error message.
 #pragma once
 
 #include <cstddef>
@@ -15,47 +15,48 @@ namespace robosim {
 
 /// A segment that is loaded into memory.
 struct ElfSegment {
-  std::uint64_t address = 0;  ///< physical: in flash
-  std::string_view bytes;     ///< its content in the file; valid as long as that
+  std::uint64_t address = 0;  ///< physical address: where it lies in flash
+  std::string_view bytes;     ///< content in the file; valid as long as the ElfFile
   bool code = false;
 };
 
 struct ElfSection {
   std::uint64_t address = 0;
   std::uint64_t size = 0;
-  bool loaded = false;  ///< it uses memory at run time
+  bool loaded = false;  ///< uses memory at run time
   bool writable = false;
-  bool has_content = false;  ///< in the file; else it is zero-initialised
+  bool has_content = false;  ///< the file has its content; otherwise it is zero-initialised
 };
 
 struct ElfSymbol {
   enum class Kind { function, object, file_or_section, other };
-  std::string_view name;  ///< valid as long as the file
+  std::string_view name;  ///< valid as long as the ElfFile
   std::uint64_t value = 0;
   std::uint64_t size = 0;
   Kind kind = Kind::other;
-  bool absolute = false;  ///< it has a value, but no address
+  bool absolute = false;  ///< has a value, but no address
 };
 
 class ElfFile {
  public:
-  /// Returns whether the content begins like an ELF file, and is as long as its header.
+  /// Returns whether the content begins like an ELF file, and is at least as long as an ELF header.
   static bool is_one(std::string_view content);
 
-  /// Opens a file. Throws InputError, which names `file`, unless is_one() holds and its tables lie within it.
-  /// The other functions throw it for damaged parts.
+  /// Opens a file. Throws InputError, which names `file`, unless is_one() returns true and all tables lie
+  /// within the file. The other functions throw InputError for damaged parts.
   ElfFile(std::string content, std::string file);
   ElfFile(const ElfFile&) = delete;
   ElfFile& operator=(const ElfFile&) = delete;
 
   const std::string& file() const { return file_; }
   bool is_for_avr() const { return is_for_avr_; }
-  /// Returns whether it is a finished program, not an object file or library.
+  /// Returns whether the file is a finished program, not an object file or library.
   bool is_program() const { return is_program_; }
 
   std::vector<ElfSegment> segments() const;
   std::vector<ElfSection> sections() const;
-  /// Returns the content of the section of this name; empty if there is none. Valid as long as the file.
+  /// Returns the content of the section of this name; empty if there is none. The content is valid as long as
+  /// this object.
   std::string_view content_of(std::string_view section) const;
   /// Returns the defined symbols, in the file's order.
   std::vector<ElfSymbol> symbols() const;

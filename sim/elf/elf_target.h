@@ -8,11 +8,11 @@
 
 namespace robosim {
 
-/// Returns "avr" or "stm32", by the file's header alone. Throws InputError, which names `file`, for any file
-/// that is not a program for such a chip.
+/// Returns "avr" or "stm32" according to the file's header. Throws InputError, which names `file`, if the
+/// file is not a program for such a chip.
 std::string target_of_elf(std::string_view content, const std::string& file);
 
-/// Returns the error for a file that is for the target `is`.
+/// Returns the error for a file that is for the target `is`, not `wanted`.
 InputError wrong_target(const std::string& file, std::string_view is, std::string_view wanted);
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
-// The interface that each target with an emulated chip implements. chip_executor.h has all that such targets
-// share. All times here are by the chip's own clock.
+// The interface that each target with an emulated chip implements. chip_executor.h has the common part of
+// such targets. All times here are those of the chip's own clock.
 #pragma once
 
 #include <any>
@@ -29,39 +29,38 @@ class RunningChip {
   virtual bool is_asleep() const = 0;
   /// Returns when the firmware last accessed I/O outside interrupt handlers.
   virtual SimTime last_io() const = 0;
-  /// Returns whether it will never access I/O again. Takes some milliseconds.
+  /// Returns whether the firmware will never access I/O again. Takes some milliseconds.
   virtual bool hangs() const = 0;
-  /// Returns the activity, except its last_call. Costly, as are the next two.
+  /// Returns the activity, except its last_call. Costly, as are where_now() and sketch_line().
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
-  /// Returns the line of the sketch that is running, or that led to the running instruction by calls.
+  /// Returns the line of the sketch that is running, or whose call led to the running instruction.
   virtual SourceLine sketch_line() const { return where_now(); }
-  /// Returns the line of the sketch that prints a byte, while it does; `before` is the line of the previous
-  /// byte.
+  /// Returns the line of the sketch that is printing a byte. `before` is the line of the previous byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;
-  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
+  /// Reports each byte that the firmware prints to `bytes`, which outlives this chip.
   virtual void trace_bytes(TxProvenance& bytes) = 0;
-  /// See Executor.
+  /// See Executor::driving().
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {
     static const SourceLine unknown;
     return static_cast<void>(pin), static_cast<void>(drive), unknown;
   }
-  /// Saves all state that changes during a run, except the board's. Throws InputError if it cannot be copied.
+  /// Saves all state that changes during a run, except the board's. Throws InputError if it cannot be saved.
   virtual std::any save() const = 0;
   /// Restores the state of a chip with the same firmware. The board is not changed.
   virtual void restore(const std::any& saved) = 0;
-  /// Returns the findings of its detectors, if there are any.
+  /// Returns the findings of the detectors.
   virtual std::vector<Detected> detected() const { return {}; }
-  /// Returns the content of the RAM, for a chip that retains it through a brown-out.
+  /// Returns the content of the RAM if the chip retains it through a brown-out.
   virtual std::vector<std::uint8_t> ram() const { return {}; }
-  /// Makes this start a reset by the brown-out detector, not by power-on: the RAM has this content. Call it
-  /// before the chip runs.
+  /// Makes this start a reset by the brown-out detector instead of a power-on, with this content of the RAM.
+  /// Call it before the chip runs.
   virtual void was_browned_out(const std::vector<std::uint8_t>& ram) { static_cast<void>(ram); }
-  /// Makes millis() begin with `start` when main() begins.
+  /// Makes millis() start at `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
 };
 
-/// Firmware for a chip, as read from its ELF file.
+/// The firmware for a chip, as read from its ELF file.
 class ChipFirmware {
  public:
   virtual ~ChipFirmware() = default;
@@ -69,35 +68,35 @@ class ChipFirmware {
   virtual const std::string& file() const = 0;
   /// Returns the width of int in bits.
   virtual int int_bits() const = 0;
-  /// Returns whether the real chip could hold it. Size and speed are meaningful only then.
+  /// Returns whether the firmware fits into the real chip. Size and speed are meaningful only then.
   virtual bool fits_chip() const = 0;
-  /// Returns whether its EEPROM is the board's.
+  /// Returns whether the firmware uses the board's EEPROM.
   virtual bool has_boards_eeprom() const = 0;
   /// Returns the initial content of the EEPROM; the remaining bytes are erased.
   virtual const std::vector<std::uint8_t>& eeprom() const {
     static const std::vector<std::uint8_t> kErased;
     return kErased;
   }
-  /// Returns why set_clock() would have no effect: "it never calls millis()". Empty if it would work.
+  /// Returns why set_clock() would have no effect: "it never calls millis()". Empty if it has an effect.
   virtual std::string why_clock_stays() const = 0;
 
-  /// Saves what the chip stores without power and changes by itself, except the board's EEPROM.
+  /// Saves the non-volatile state that the chip itself changes, except the board's EEPROM.
   virtual std::any save() const { return {}; }
   virtual void restore(const std::any&) {}
 
-  /// Lets a debugger halt the chip from the next power-on. Both outlive this.
+  /// Lets a debugger halt the chip from the next power-on on. Both arguments outlive this object.
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
-  /// Counts how often lines run, from the next power-on.
+  /// Counts how often each line runs, from the next power-on on.
   virtual void count_lines() = 0;
-  /// Records which lines drive pins from the next power-on, if this returns true.
+  /// Records which lines drive pins, from the next power-on on. Returns false if that is impossible.
   virtual bool trace_drives() { return false; }
-  /// Turns on the detectors from the next power-on; see Executor.
+  /// Turns on the detectors from the next power-on on; see Executor::detect().
   virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
-  /// See Executor. `board` outlives this.
+  /// See Executor::find_causes(). `board` outlives this object.
   virtual CauseFinder* find_causes(ClockedBoard& board) { return static_cast<void>(board), nullptr; }
-  /// Returns the text of LineCounts; empty if nothing is counted.
+  /// Returns LineCounts::text(); empty if lines are not counted.
   virtual std::string line_counts() const = 0;
-  /// Starts a chip, one at a time. It ends before `board` and this do.
+  /// Starts a chip. Only one may exist at a time, and it must end before `board` and this object.
   virtual std::unique_ptr<RunningChip> power_on(ClockedBoard& board, SimTime t) = 0;
 };
 

@@ -1,11 +1,9 @@
-// The executor for targets that run the flashed ELF file itself, in an emulated chip, in lockstep with the
-// world.
+// The executor for targets that run the flashed ELF file in an emulated chip, in lockstep with the world.
 //
 //   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
 //
-// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes that the robot
-// has scheduled reach the chip at their cycle. If an instruction is running then, they reach it at the end of
-// that instruction.
+// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes scheduled by the
+// robot reach the chip at the end of the instruction that runs at that time.
 #pragma once
 
 #include <memory>
@@ -60,18 +58,18 @@ class ChipExecutor : public Executor {
     std::optional<Crash> crash;
     std::optional<Resources> before;  ///< measured before the last power-on
     std::vector<Detected> detected;   ///< findings from before the last power-on
-    std::vector<std::uint8_t> ram;    ///< while the power is off: the last content
+    std::vector<std::uint8_t> ram;    ///< last content of the RAM while the power is off
     SimTime clock_start = 0;
-    SimTime reached = 0;  ///< time up to which firmware has run
+    SimTime reached = 0;  ///< time up to which the firmware has run
     HangProbeBackoff silence;
-    bool hangs = false;  ///< as far as checked
+    bool hangs = false;  ///< result of the last check
   };
   struct Saved {
     State own;
     BoardState::State board;
     ClockedBoard::State clocked;
     std::any chip;      ///< empty while the power is off
-    std::any firmware;  ///< state that it retains without power
+    std::any firmware;  ///< state that the firmware retains without power
     std::optional<TxProvenance::State> written;
   };
 

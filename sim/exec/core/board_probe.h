@@ -1,5 +1,5 @@
-// The simulation's access to the inside of the board, past firmware and robot. It serves memory faults, and
-// what verdicts report about pins.
+// The simulation's direct access to the board, which neither firmware nor robot have. It serves memory
+// faults, and the parts of verdicts that concern pins.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace robosim::exec {
 
-/// The ways in which firmware has used a pin since the run began, other than driving it.
+/// How firmware has used a pin since the run began, other than by driving it.
 struct PinUse {
-  bool read = false;       ///< as a digital input, even if only along with its port
-  bool looked_at = false;  ///< as a digital input by itself, not only along with its port
-  bool measured = false;   ///< by the ADC
-  bool pulled_up = false;  ///< its pull-up was on
-  bool awaited = false;    ///< something waited for its edges: an interrupt, or a counter
+  bool read = false;       ///< was read as a digital input, even if only along with its port
+  bool looked_at = false;  ///< was read as a digital input by itself
+  bool measured = false;   ///< was measured by the ADC
+  bool pulled_up = false;  ///< had its pull-up on
+  bool awaited = false;    ///< an interrupt or a counter waited for its edges
   bool was_low = false, was_high = false;
-  double lowest_volts = 0.0, highest_volts = 0.0;  ///< of the measurements
+  double lowest_volts = 0.0, highest_volts = 0.0;  ///< range of the measurements
   SimTime last_seen = -1;                          ///< time of the last read or measurement; -1 = never
 };
 
@@ -25,7 +25,7 @@ class BoardProbe {
  public:
   /// Returns the present content of the EEPROM, spec().eeprom_bytes long.
   virtual std::span<std::uint8_t> memory() = 0;
-  /// Returns the level that firmware would read; may consume a sample of noise.
+  /// Returns the level that firmware would read. This may use up a sample of noise.
   virtual bool level(Pin pin, SimTime t) = 0;
   virtual const PinUse& use(Pin pin) const = 0;
 

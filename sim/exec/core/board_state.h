@@ -1,5 +1,5 @@
-// The board that all executors share, and that both views show. It holds how pins are driven, who watches
-// them, and which inputs are on their way to the chip. All times are the world's.
+// The board that all executors share. It implements the views of firmware and robot. It stores how pins are
+// driven, their watchers, and the inputs that have not reached the chip yet. All times are the world's.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 
 namespace robosim::exec {
 
-/// An edge on a pin or a byte at the UART, on its way to the chip.
+/// An edge on a pin or a byte at the UART that has not reached the chip yet.
 struct BoardInput {
   enum class Kind : std::uint8_t { edge, byte };
   Kind kind = Kind::edge;
-  Pin pin = kNoPin;        ///< of an edge
+  Pin pin = kNoPin;        ///< pin of the edge
   std::uint8_t value = 0;  ///< level after the edge, or the byte
-  SimTime at = 0;          ///< when it reaches the chip
+  SimTime at = 0;          ///< when the input reaches the chip
 };
 
 class BoardState final : public FirmwarePort, public RobotPort, public BoardProbe {
@@ -67,30 +67,30 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   const PinUse& use(Pin pin) const override { return state_of(pin).use; }
 
   // --- for executors
-  /// Resets the board: all pins become inputs, no edges are wanted, the receiver is off, and pending inputs
-  /// are lost.
+  /// Resets the board: all pins become inputs, no edges are requested, the receiver is off, and pending
+  /// inputs are lost.
   void reset(SimTime t);
-  /// Starts or stops to report edges on `pin`, from `now` on, relative to its present level. On a start, the
-  /// firmware's side reads the pin for that; this is the level that it reads.
+  /// Starts or stops reporting edges on `pin` from `now` on. At a start, reads the pin on behalf of the
+  /// firmware and returns its level, to which the first edge is relative.
   bool set_wants_edges(Pin pin, bool wanted, SimTime now);
-  /// Drives a pin as set_drive(); if its edges are wanted, a change of level is an edge. Edges of PWM do not
-  /// count.
+  /// Drives a pin like set_drive(). A change of level is reported as an edge if the pin's edges are
+  /// requested. Edges of PWM do not count.
   void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t);
-  /// Turns on the receiver from `now` on, with `byte_time` for each byte; 0 turns it off. Bytes sent before
-  /// are lost.
+  /// Turns on the receiver from `now` on; each byte lasts `byte_time`. 0 turns it off. Bytes sent before are
+  /// lost.
   void listen(SimTime byte_time, SimTime now);
 
-  /// Returns when the next wanted edge or byte arrives; kNever if none is pending.
+  /// Returns when the next requested edge or byte arrives; kNever if none is pending.
   SimTime next_input() const { return state_.next_input; }
-  /// Returns until when (exclusive) reads of `pin` surely equal the read at `t`, and can be skipped without
-  /// any effect. Returns `t` if that is unknown.
+  /// Returns the time before which reads of `pin` surely equal the read at `t`, and can be skipped without
+  /// any effect. Returns `t` if that time is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Returns whether convert() differs from read_volts(): a source charges the converter slowly, or a watcher
-  /// exists.
+  /// Returns whether convert() may differ from read_volts(), because a source charges the converter slowly or
+  /// a watcher exists.
   bool converts_slowly() const { return converts_slowly_; }
-  /// Takes the next input if it arrives at or before `until`.
+  /// Moves the next input to `input` if it arrives at or before `until`; else returns false.
   bool take_input(SimTime until, BoardInput& input);
-  /// Drops edges before `t` that were not wanted.
+  /// Drops edges before `t` on pins whose edges are not requested.
   void forget_edges(SimTime t) {
     if (!state_.edges.empty()) forget_all_edges(t);
   }
@@ -100,7 +100,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     PinDrive drive;
     PinUse use;
     bool wants_edges = false;
-    bool last_level = false;  ///< while edges are wanted: the level after the last known edge
+    bool last_level = false;  ///< level after the last known edge, while edges are requested
   };
   struct Byte {
     std::uint8_t value;
@@ -108,18 +108,18 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   };
   /// All state that changes during a run.
   struct State {
-    std::vector<PinState> pins;  ///< the last one stands for invalid pin numbers, and is never driven
-    int wanted_pins = 0;         ///< number of pins whose edges are wanted
+    std::vector<PinState> pins;  ///< the last one represents all invalid pin numbers, and is never driven
+    int wanted_pins = 0;         ///< number of pins whose edges are requested
     std::vector<std::uint8_t> eeprom;
-    std::vector<BoardInput> edges;  ///< by time; equal times in the order of scheduling
-    std::vector<Byte> bytes;        ///< by time
+    std::vector<BoardInput> edges;  ///< sorted by time; equal times in the order of scheduling
+    std::vector<Byte> bytes;        ///< sorted by time
     SimTime byte_time = 0;          ///< 0 = the receiver is off
     SimTime last_arrival = 0;
     SimTime next_input = kNever;
-    std::size_t spoken_to = kNobody;  ///< the addressed device of the two-wire bus
+    std::size_t spoken_to = kNobody;  ///< addressed device of the two-wire bus
   };
   const State& save() const { return state_; }
-  /// Restores a state without a report to watchers.
+  /// Restores a saved state without notifying watchers.
   void restore(const State& saved) { state_ = saved; }
 
  private:
@@ -127,7 +127,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// The connections of a pin.
   struct Wire {
     PinSource* source = nullptr;
-    double ohms = 0.0;  ///< of the source
+    double ohms = 0.0;  ///< resistance of the source
     std::vector<PinWatcher*> watchers;
   };
 
@@ -146,10 +146,10 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   InputWatcher* input_watcher_ = nullptr;
   AdcWatcher* adc_watcher_ = nullptr;
   std::vector<EepromWatcher*> eeprom_watchers_;
-  std::vector<Wire> wires_;  ///< by pin
+  std::vector<Wire> wires_;  ///< indexed by pin
   std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;
-  const double* supply_share_ = nullptr;  ///< null: 1
+  const double* supply_share_ = nullptr;  ///< null = full supply (1)
   bool converts_slowly_ = false;
   State state_;
 };

@@ -1,5 +1,5 @@
-// The board as the firmware's side sees it, by the firmware's own clock. This is the only place that converts
-// between the firmware's times and the world's. Executors and their parts know no other clock.
+// The board as the firmware's side sees it, by the firmware's own clock. Only this class converts between the
+// firmware's times and the world's. Executors and their parts use the firmware's clock only.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@ class ClockedBoard final : public FirmwarePort {
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
   // --- for executors; all times except the world's are the firmware's
-  /// Lets the firmware run to `end`, a time of the world. Returns that time by the firmware's clock. If an
-  /// instruction begins before `end` and ends after it, the world sees its effects at `end`.
+  /// Begins a tick that ends at `end`, a time of the world. Returns `end` by the firmware's clock. If an
+  /// instruction begins before `end` and ends after it, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {
     state_.limit = end;
     return state_.clock.to_firmware(end);
   }
   SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
   SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
-  /// Sets how much too fast the clock runs from `world` on, in parts per million.
+  /// Sets by how many parts per million the clock is too fast from `world` on.
   void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }

@@ -1,4 +1,4 @@
-// The firmware's clock against the world's. They are equal until drift() is called; from then on
+// Converts between the firmware's clock and the world's. Both are equal until drift() is called; from then on
 //   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
 //   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
 // in whole nanoseconds, so that world(f) >= w exactly if f >= firmware(w).
@@ -10,8 +10,8 @@ namespace robosim::exec {
 
 class FirmwareClock {
  public:
-  /// Makes the firmware's clock too fast by this number of parts per million, from `world` on; it does not
-  /// jump.
+  /// Makes the firmware's clock too fast by this number of parts per million from `world` on. The clock does
+  /// not jump.
   void drift(int ppm, SimTime world) {
     firmware_0_ = to_firmware(world);
     world_0_ = world;
@@ -24,7 +24,7 @@ class FirmwareClock {
     const SimTime d = world - world_0_;
     return firmware_0_ + d / kMillion * rate_ + (d % kMillion * rate_ + kMillion - 1) / kMillion;
   }
-  /// Converts to the world's time. Called several times in each tick, and therefore inline.
+  /// Converts to the world's time. Inline, since it is called several times in each tick.
   [[gnu::always_inline]] SimTime to_world(SimTime firmware) const {
     if (rate_ == kMillion) return shifted(firmware, world_0_ - firmware_0_);
     if (firmware == kNever) return kNever;
@@ -36,7 +36,7 @@ class FirmwareClock {
   static constexpr SimTime kMillion = 1'000'000;
   static SimTime shifted(SimTime t, SimTime by) { return t == kNever ? kNever : t + by; }
 
-  SimTime rate_ = kMillion;  // firmware's nanoseconds in a world's millisecond
+  SimTime rate_ = kMillion;  // nanoseconds of the firmware's clock per millisecond of the world
   SimTime world_0_ = 0;
   SimTime firmware_0_ = 0;
 };

@@ -1,4 +1,4 @@
-// Decides when to check whether silent firmware will ever call anything again. Such a check is costly.
+// Decides when to check whether silent firmware will ever make a call again. Such a check is costly.
 #pragma once
 
 #include "hal/board/sim_time.h"

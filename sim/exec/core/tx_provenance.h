@@ -1,5 +1,5 @@
-// Finds the line of the sketch that printed a byte which leaves the chip. Between HardwareSerial::write() and
-// the UART is a buffer that preserves the order of bytes.
+// Finds the line of the sketch that printed a byte when the byte leaves the chip. A buffer between
+// HardwareSerial::write() and the UART preserves the order of bytes.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,24 @@ namespace robosim::exec {
 
 class TxProvenance {
  public:
-  /// The function through which all bytes pass, as the linker calls it: HardwareSerial::write(uint8_t).
+  /// The linker's name of the function through which all bytes pass: HardwareSerial::write(uint8_t).
   static constexpr const char* kFunction = "_ZN14HardwareSerial5writeEh";
 
   TxProvenance(SimTime from, SimTime to) : from_(from - kLongestWait), to_(to) {}
 
-  /// Starts at power-on. `printing` returns the line of the sketch that is printing; it may get the line of
-  /// the previous byte.
+  /// Starts at power-on. `printing` returns the line of the sketch that is printing. Its argument is the line
+  /// of the previous byte.
   void begin(std::function<SourceLine(const SourceLine&)> printing) {
     state_ = {};
     printing_ = std::move(printing);
   }
-  /// Notes that the firmware has called kFunction at `t`.
+  /// Records that the firmware called kFunction at `t`.
   void wrote(std::uint8_t byte, SimTime t) {
     if (t >= from_ && t < to_) state_.last = printing_(state_.last);
     state_.waiting.emplace_back(byte, state_.last);
   }
-  /// Returns the line of a byte that leaves. Earlier bytes that never left (the port was closed) are dropped.
+  /// Returns the line of a byte that leaves the chip. Drops earlier bytes, which never left because the port
+  /// was closed.
   SourceLine take(std::uint8_t byte) {
     while (!state_.waiting.empty()) {
       auto [written, line] = std::move(state_.waiting.front());
@@ -48,7 +49,7 @@ class TxProvenance {
   void restore(const State& saved) { state_ = saved; }
 
  private:
-  static constexpr SimTime kLongestWait = kSecond;  // 64 bytes at 600 baud
+  static constexpr SimTime kLongestWait = kSecond;  // 64 bytes take that long at 600 baud
 
   const SimTime from_, to_;
   std::function<SourceLine(const SourceLine&)> printing_;

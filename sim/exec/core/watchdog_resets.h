@@ -1,4 +1,4 @@
-// Counts resets by the watchdog. An occasional reset is the watchdog's purpose; firmware that makes no
+// Counts resets by the watchdog. An occasional reset is the watchdog's purpose. Firmware that makes no
 // progress between resets has crashed.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace robosim::exec {
 class WatchdogResets {
  public:
   static constexpr int kTooMany = 3;
-  static constexpr SimTime kRow = 10 * kSecond;  ///< a row continues if the next reset comes within
+  static constexpr SimTime kRow = 10 * kSecond;  ///< longest time between two resets of a row
 
-  /// Counts one reset; returns true if there are too many in a row.
+  /// Counts a reset; returns true if there are too many in a row.
   bool add(SimTime now) {
     in_row_ = in_row_ > 0 && now - last_ < kRow ? in_row_ + 1 : 1;
     last_ = now;

@@ -16,7 +16,7 @@
 namespace robosim::exec {
 namespace {
 
-// No program that a compiler has made comes near these: nesting, rows of lines, names, links of a type.
+// No compiled program comes near these limits of nesting, rows of line tables, names, and links of a type.
 constexpr int kDeepest = 256, kMostLinks = 64;
 constexpr std::size_t kMostRows = 300'000, kLongestName = 1000;
 
@@ -48,7 +48,7 @@ bool is_code(Dwarf_Die& die) {
   return tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine;
 }
 
-/// Collects the scopes from the unit down to the innermost function that holds `pc`.
+/// Collects the scopes that contain `pc`, from the outermost to the innermost function.
 void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes, int depth = 0) {
   Dwarf_Die child;
   if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
@@ -90,7 +90,7 @@ void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf&
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns where a function was inlined: file and line of the call.
+/// Returns file and line of the call that was inlined.
 SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   SourceLine place;
   Dwarf_Attribute attribute;
@@ -105,7 +105,7 @@ SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   return place;
 }
 
-/// Adds the statements of the line table.
+/// Adds the statements of a unit's line table.
 void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   Dwarf_Lines* rows = nullptr;
   std::size_t count = 0;
@@ -117,7 +117,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
     bool ends = false, begins = false;
     dwarf_lineaddr(row, &address);
     dwarf_lineendsequence(row, &ends);
-    // Code that the linker has dropped lies at 0.
+    // Code that the linker has dropped is at address 0.
     if (std::exchange(first, ends)) left_out = address == 0;
     if (ends || left_out || dwarf_linebeginstatement(row, &begins) != 0 || !begins) continue;
     DebugInfo::CodeLine line{static_cast<std::uint32_t>(address), tidy(dwarf_linesrc(row, nullptr, nullptr))};
@@ -126,7 +126,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   }
 }
 
-/// Adds lines of which only a call remains, whose function was inlined.
+/// Adds lines that have no code except calls of inlined functions.
 void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines, int depth = 0) {
   Dwarf_Die child;
   if (depth > kDeepest || lines.size() >= kMostRows || dwarf_child(&parent, &child) != 0) return;
@@ -142,7 +142,7 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Looks through const, volatile and typedefs; false if the type is unknown.
+/// Returns whether a variable is a number, enumerator or pointer. Ignores const, volatile and typedefs.
 bool is_number(Dwarf_Die variable) {
   Dwarf_Attribute attribute;
   Dwarf_Die type = variable;
@@ -172,8 +172,8 @@ void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses, int d
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns whether a part of the debug information is in other files. libdw would open any name that the
-/// program has for them (DW_AT_dwo_name, .gnu_debugaltlink), even of a pipe or another user's file.
+/// Returns whether a part of the debug information is in other files. libdw would open any file that the
+/// program names (DW_AT_dwo_name, .gnu_debugaltlink), even a pipe or another user's file.
 bool names_other_files(Elf* elf, Dwarf* dwarf) {
   std::size_t names = 0;
   if (::elf_getshdrstrndx(elf, &names) != 0) return true;
@@ -195,7 +195,7 @@ bool names_other_files(Elf* elf, Dwarf* dwarf) {
 bool is_core_file(const std::string& file) {
   return file.empty() || file[0] == '?' || file[0] == '<' || file.starts_with("arduino/") ||
          file.starts_with("robosim/") || file.find("/arduino/") != std::string::npos ||
-         file.starts_with("/usr/") || file.starts_with("../");  // of newlib and libgcc
+         file.starts_with("/usr/") || file.starts_with("../");  // files of newlib and libgcc
 }
 
 DebugInfo::DebugInfo(const std::filesystem::path& file) : content_(read_file(file)) {

@@ -1,5 +1,5 @@
-// Counts how often the lines of a sketch ran on a chip. The image has the addresses where lines begin, and
-// the emulator counts their instructions. docs/howto/coverage.md explains the numbers.
+// Counts how often the lines of a sketch run on a chip. The image's debug information has the addresses where
+// lines begin, and the emulator counts the instructions there. docs/howto/coverage.md explains the numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@ namespace robosim::exec {
 
 class LineCounts {
  public:
-  /// Reads where lines begin; an image without debug information has none.
+  /// Reads the addresses where lines begin. An image without debug information has none.
   explicit LineCounts(const DebugInfo& debug);
 
   struct Begin {
     std::uint32_t address = 0;
     std::uint64_t count = 0;
   };
-  /// Returns the addresses where lines begin, in rising order, and how often the instruction there has run.
+  /// Returns the addresses where lines begin in ascending order, each with the number of runs of its
+  /// instruction.
   const std::vector<Begin>& begins() const { return begins_; }
 
   /// Adds `times` runs of the instruction at `address`, where a line begins.
   void ran(std::uint32_t address, std::uint64_t times = 1);
 
-  /// Returns lines "LINE COUNT FILE". The count of a line is that of its most frequent instruction.
+  /// Returns lines "LINE COUNT FILE". A line's count is that of its most frequent instruction.
   std::string text() const;
 
  private:

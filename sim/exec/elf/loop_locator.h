@@ -1,4 +1,4 @@
-// Finds where a round of loop() begins, for any chip.
+// Finds the instructions where a round of loop() begins, for any chip.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace robosim::exec {
 
-/// The view of a chip's instructions that this needs.
+/// The chip-specific part: decodes the instructions of functions.
 class ChipCode {
  public:
   virtual ~ChipCode() = default;
-  /// Returns the calls of a function, and jumps to it from elsewhere.
+  /// Returns the addresses of calls of a function, and of jumps to it from other functions.
   virtual std::vector<std::uint32_t> calls_of(const Symbol& function) const = 0;
   virtual Steps steps_of(const Symbol& function) const = 0;
 };
 
-/// Returns the rounds of loop(): its calls, or if it is inlined, the result of loop_marks_of(). For a program
-/// without setup() and loop(), those of the for (;;) in main().
+/// Returns the beginnings of loop()'s rounds: its calls, or the result of loop_marks_of() if it is inlined.
+/// For a program without setup() and loop(), returns those of the for (;;) in main().
 LoopMarks locate_loop(const ChipCode& code, const Symbols& symbols, const DebugInfo& debug);
 
 }  // namespace robosim::exec

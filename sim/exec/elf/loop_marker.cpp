@@ -28,20 +28,20 @@ Addresses reachable(const Steps& function, std::uint32_t from) {
   return found;
 }
 
-/// Returns the cycles among `nodes`: sets whose members can each reach all others. Tarjan's algorithm with an
-/// explicit stack, since functions are long.
+/// Returns the cycles among `nodes`: sets in which each member can reach all others. Uses Tarjan's algorithm
+/// with an explicit stack, since functions may be long.
 std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   struct Node {
     std::uint32_t address;
     const std::vector<std::uint32_t>* next;
-    std::size_t index = 0, low = 0;  // from 1; 0 = not visited
+    std::size_t index = 0, low = 0;  // numbered from 1; 0 = not visited
     bool on_path = false;
   };
   struct Visit {
     std::size_t node;
     std::size_t child = 0;
   };
-  std::vector<Node> all;  // by address
+  std::vector<Node> all;  // sorted by address
   all.reserve(nodes.size());
   for (const std::uint32_t address : nodes) all.push_back({address, &at(function, address).next});
   const auto place_of = [&](std::uint32_t address) {
@@ -101,13 +101,13 @@ std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   return found;
 }
 
-/// Returns whether a cycle has no effect at all.
+/// Returns whether a cycle has no effect.
 bool is_idle(const Steps& function, const Addresses& cycle) {
   return std::all_of(cycle.begin(), cycle.end(),
                      [&](std::uint32_t address) { return at(function, address).kind == Step::Kind::jump; });
 }
 
-/// Returns whether a cycle can be left, or has no effect.
+/// Returns whether a cycle has an exit, or has no effect.
 bool is_left(const Steps& function, const Addresses& cycle) {
   return is_idle(function, cycle) || std::any_of(cycle.begin(), cycle.end(), [&](std::uint32_t address) {
            const auto& next = at(function, address).next;
@@ -116,7 +116,7 @@ bool is_left(const Steps& function, const Addresses& cycle) {
          });
 }
 
-/// Returns where a cycle is entered.
+/// Returns the instructions at which a cycle is entered.
 Addresses heads_of(const Steps& function, const Addresses& reached, std::uint32_t entry,
                    const Addresses& cycle) {
   Addresses heads;
@@ -185,11 +185,11 @@ std::optional<std::uint32_t> mark_by_shape(const Steps& function, const Addresse
 
 struct Loop {
   Addresses cycle;
-  Addresses outside;  ///< its calls and branches outside loop()
+  Addresses outside;  ///< calls and branches of the cycle that are outside loop()
 };
 
-/// For an inlined loop(): drops loops within it that never return to main(), such as the `for (;;) {}` at the
-/// end of many sketches. Returns false if they cannot be distinguished.
+/// Drops loops within an inlined loop() that never return to main(). Many sketches end with such a `for (;;)
+/// {}`. Returns false if these loops cannot be distinguished.
 bool keep_those_of_main(const Steps& function, std::vector<Loop>& loops) {
   const auto erase_if_others = [&](const auto& is) {
     if (!std::all_of(loops.begin(), loops.end(), is)) std::erase_if(loops, is);

@@ -1,9 +1,9 @@
-// Finds where to count the rounds of a program's endless loop: those of loop(), or of the for (;;) of a
-// main() in the sketch.
+// Finds the instructions at which to count rounds of a program's endless loop. That is loop(), or the for
+// (;;) in a sketch's own main().
 //
 // A round is a path through the loop's code and back. Inner loops share that code, and often even its first
-// instruction: `for (;;) { while (!ready) {} work(); }` jumps to the same place from two. So this looks for
-// an instruction that runs exactly once in each round:
+// instruction: `for (;;) { while (!ready) {} work(); }` jumps to the same place from two loops. Therefore an
+// instruction is chosen that runs exactly once in each round:
 //
 //   if loop() is inlined   one on each path over main()'s own code, and on no path that stays inside loop().
 //                          That code is identified by its calls and branches: the compiler may attribute to
@@ -12,8 +12,8 @@
 //   otherwise              the head of the loop, if one jump leads back there, and if by the lines of the
 //                          source no inner loop is as long as the whole
 //
-// If there is none, nothing is counted: `if (a) { …; continue; }` and `while (a) { … }` may be the same
-// machine code, and only debug information distinguishes them.
+// If there is no such instruction, nothing is counted: `if (a) { …; continue; }` and `while (a) { … }` may be
+// the same machine code, and only debug information distinguishes them.
 #pragma once
 
 #include <cstdint>
@@ -25,25 +25,25 @@ namespace robosim::exec {
 
 /// An instruction, reduced to its effect on the order of execution.
 struct Step {
-  std::vector<std::uint32_t> next;  ///< the possible next ones within the function; calls return
+  std::vector<std::uint32_t> next;  ///< possible next instructions in the function; calls return
   enum class Kind { other, jump, call_or_branch };
-  Kind kind = Kind::other;  ///< jump: no other effect
+  Kind kind = Kind::other;  ///< jump: has no other effect
 };
-using Steps = std::map<std::uint32_t, Step>;  ///< by address
+using Steps = std::map<std::uint32_t, Step>;  ///< indexed by address
 
-/// Addresses of instructions.
+/// Addresses of instructions that mark rounds of a loop.
 struct LoopMarks {
-  std::vector<std::uint32_t> first;  ///< the first round begins with one of these
-  std::vector<std::uint32_t> each;   ///< one of these runs in each round; empty = unknown
+  std::vector<std::uint32_t> first;  ///< the first round begins with one of them
+  std::vector<std::uint32_t> each;   ///< one of them runs in each round; empty = unknown
 };
 
-/// Returns whether an instruction is a part of loop().
+/// Returns whether an instruction belongs to loop().
 using Inside = std::function<bool(std::uint32_t)>;
-/// Returns the line in the function itself, which may have called an inlined one there; 0 = unknown.
+/// Returns the line of an instruction in the function itself, not in an inlined one; 0 = unknown.
 using LineOf = std::function<int(std::uint32_t)>;
 
-/// Returns the endless loops of a function that begins at `entry`: those that run instructions `inside`
-/// loop(), or without `inside` all that never end.
+/// Returns the marks of the endless loops of a function that begins at `entry`. With `inside`, these are
+/// loops that run instructions of loop(). Without, they are all loops that never end.
 LoopMarks loop_marks_of(const Steps& function, std::uint32_t entry, const Inside& inside, const LineOf& line);
 
 }  // namespace robosim::exec

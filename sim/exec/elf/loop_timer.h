@@ -1,4 +1,4 @@
-// Counts the rounds of loop(), and measures the longest.
+// Counts the rounds of loop(), and measures the longest one.
 #pragma once
 
 #include <algorithm>
@@ -6,37 +6,37 @@
 
 namespace robosim::exec {
 
-/// `Time`: an integer, in the unit of the chip's clock.
+/// `Time` is an integer in the unit of the chip's clock.
 template <typename Time>
 class LoopTimer {
  public:
-  /// Makes the next round the first: there was none before it.
+  /// Makes the next round the first one, with no round before it.
   void await() { running_ = false; }
   bool is_running() const { return running_; }
-  /// Begins a round, which ends the previous one.
+  /// Begins a round, and ends the previous one.
   void began(Time at) {
     if (running_) add(at - began_, 1);
     running_ = true;
     began_ = at;
   }
-  /// Adds `rounds` that began at `first` and then every `period`.
+  /// Adds `rounds` rounds, the first of which began at `first`, and each other one `period` later.
   void began(Time first, Time period, std::uint64_t rounds) {
     began(first);
     if (rounds == 1) return;
     add(period, rounds - 1);
     began_ += static_cast<Time>(rounds - 1) * period;
   }
-  /// Adds rounds that were not longer than the earlier ones; the last one began at `at`.
+  /// Adds rounds that were not longer than earlier ones. The last of them began at `at`.
   void went_on(Time at, std::uint64_t rounds) {
     count_ += rounds;
     total_ += at - began_;
     began_ = at;
   }
 
-  /// Returns the number of rounds, each from one beginning to the next.
+  /// Returns the number of completed rounds.
   std::uint64_t count() const { return count_; }
   Time total() const { return total_; }
-  /// Returns the longest round, including the one that runs at `now`.
+  /// Returns the duration of the longest round, including the one that is running at `now`.
   Time longest(Time now) const { return std::max(longest_, running_ ? now - began_ : Time{0}); }
 
  private:

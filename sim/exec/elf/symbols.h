@@ -1,4 +1,4 @@
-// Names and addresses of a chip's program.
+// Names and addresses of the functions and variables of a chip's program.
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,24 @@ struct Symbol {
 
 class Symbols {
  public:
-  /// Adds a symbol, except a local label of the assembler: avr-as of binutils 2.43 leaves some in the image,
-  /// within functions. They begin with ".L" or hold control-A or control-B (manual of as, "Symbol Names").
+  /// Adds a symbol, unless it is a local label of the assembler. avr-as of binutils 2.43 leaves some of those
+  /// in the image, within functions. They begin with ".L", or contain control-A or control-B (manual of as,
+  /// "Symbol Names").
   void add(Symbol symbol) {
     const bool label = symbol.name.starts_with(".L") || symbol.name.find_first_of("\1\2") != symbol.name.npos;
     if (!label) all_.push_back(std::move(symbol));
   }
-  /// Sorts by address. Call it after the last add().
+  /// Sorts the symbols by address. Call it after the last add().
   void sort();
 
   const Symbol* find(const std::string& name) const;
-  /// Returns the function that holds an address; null if none does.
+  /// Returns the function that contains an address; null if there is none.
   const Symbol* function_at(std::uint32_t address) const;
-  /// Returns the variable that holds an address; null if none does.
+  /// Returns the variable that contains an address; null if there is none.
   const Symbol* variable_at(std::uint32_t address) const;
 
  private:
-  std::vector<Symbol> all_;  ///< by address
+  std::vector<Symbol> all_;  ///< sorted by address
 };
 
 }  // namespace robosim::exec

@@ -1,4 +1,4 @@
-// Implements DebugInfo::variable_at(), from the locations of variables in DWARF and the offsets of members.
+// Implements DebugInfo::variable_at() by the locations of variables and the offsets of members in DWARF.
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 
@@ -10,7 +10,7 @@
 namespace robosim::exec {
 namespace {
 
-// No compiler comes near these: nesting, and types that stand for types.
+// No compiled program comes near these limits of nesting, and of typedefs in a row.
 constexpr int kMostNested = 256, kMostNames = 64;
 
 std::optional<Dwarf_Die> type_of(Dwarf_Die die) {
@@ -52,8 +52,8 @@ bool has_constructor(Dwarf_Die type) {
   return false;
 }
 
-/// Returns ".left.pwm" for the member at that offset; empty if there is none. `where`: its declaration, if no
-/// class that holds it has a constructor.
+/// Returns the path of the member at this offset, such as ".left.pwm"; empty if there is none. `where`
+/// receives the member's declaration, unless a class that contains it has a constructor.
 std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
                       int depth = 0) {
   if (depth > kMostNames) return "";
@@ -99,7 +99,7 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, i
       const auto type = type_of(child);
       const Dwarf_Word offset = address - operations[0].number;
       if (type && offset < size_of(*type)) {
-        // Its declaration may be in another entry, as for a static member.
+        // A declaration may have an entry of its own, as for a static member.
         const char* const name =
             dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
         found = {name ? name : "", declaration_of(child), {}};

@@ -18,7 +18,7 @@ namespace robosim::exec::gdb {
 namespace {
 
 constexpr char kInterrupt = '\x03';
-constexpr int kSlice_ms = 200;  // a signal that arrives just before poll() does not wake it
+constexpr int kSlice_ms = 200;  // limit, since a signal just before poll() does not end poll()
 constexpr std::size_t kLongestPacket = 1 << 16;
 
 int checksum(std::string_view body) {
@@ -104,7 +104,7 @@ void Connection::send(std::string_view body) {
 
 std::optional<std::string> Connection::take_packet() {
   for (;;) {
-    // Text before a packet is '+', '-', or a Ctrl-C that came too late.
+    // The text before a packet is '+', '-', or a late Ctrl-C.
     received_.erase(0, std::min(received_.find('$'), received_.size()));
     const std::size_t end = received_.find('#');
     if (end == std::string::npos || end + 2 >= received_.size()) return std::nullopt;

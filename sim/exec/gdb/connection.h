@@ -1,6 +1,6 @@
-// One debugger at a TCP port of this machine, and its packets: "$BODY#SUM". Each packet is answered by '+',
-// until the debugger turns that off, since TCP is reliable ("Debugging with GDB", appendix E, Remote
-// Protocol).
+// The connection to one debugger at a TCP port of this machine. It exchanges packets of the form "$BODY#SUM".
+// Each packet is answered by '+', until the debugger turns that off, since TCP is reliable ("Debugging with
+// GDB", appendix E, Remote Protocol).
 #pragma once
 
 #include <atomic>
@@ -15,24 +15,26 @@ namespace robosim::exec::gdb {
 
 class Connection {
  public:
-  /// Listens at 127.0.0.1. Throws InputError if the port is taken or not allowed for this user. `interrupted`
-  /// ends all waiting; a signal handler sets it.
+  /// Listens at 127.0.0.1. Throws InputError if the port is in use or not allowed for this user.
+  /// `interrupted` ends all waiting. A signal handler sets it.
   Connection(std::uint16_t port, const std::atomic<bool>& interrupted);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Waits for a debugger; afterwards no other can connect. Returns false if interrupted.
+  /// Waits for a debugger. Afterwards no other debugger can connect. Returns false if interrupted.
   bool accept();
   bool open() const { return peer_.is_open(); }
   void close() { peer_.close(); }
 
-  /// Waits for the next packet. Returns nothing, and is closed, if the debugger has gone or on interruption.
+  /// Waits for the next packet. If the debugger has disconnected, or on interruption, closes the connection
+  /// and returns nothing.
   std::optional<std::string> receive();
   void send(std::string_view body);
-  /// Stops requiring '+' for answers.
+  /// Turns off the answer '+' to packets.
   void trust() { trusted_ = true; }
 
-  /// Returns whether the debugger has pressed Ctrl-C, or has gone (closed then); does not wait.
+  /// Returns whether the debugger has pressed Ctrl-C, or has disconnected, which closes the connection. Does
+  /// not wait.
   bool asks_to_halt();
 
  private:

@@ -101,7 +101,7 @@ const DebugPort::Watch* DebugPort::changed_watch() {
 
 // --- reverse execution
 
-/// Returns the search; null if nothing is run again.
+/// Returns the search; null if the run is not being repeated.
 Search* DebugPort::search() const {
   History* const history = server_.history();
   return history && history->search.goal != Search::Goal::none ? &history->search : nullptr;
@@ -146,7 +146,7 @@ void DebugPort::look(Search& search, bool at_breakpoint) {
   }
   here_ = {time(), {}, at_breakpoint, pc()};
   if (fault() != Signal::none) {
-    // gdb's displayed place is that of the instruction which has failed.
+    // gdb displays the place of the failed instruction.
     const auto& found = search.found;
     if (search.steps && found && found->pc == here_.pc && !found->stop.access) search.found = search.before;
     throw LeftRun();

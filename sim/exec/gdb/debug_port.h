@@ -1,15 +1,16 @@
-// The debug port of any chip: it halts, steps, and holds breakpoints and watchpoints while a debugger is
-// attached. Each chip derives its own, which describes its registers and memories.
+// The debug port of any chip. It halts and steps the chip, and stores breakpoints and watchpoints, while a
+// debugger is attached. Each chip derives a class that describes its registers and memories.
 //
 //   machine ── begin_tick(), ran() ──► DebugPort ── stand_still() ──► Server ◄──► gdb
 //   chip    ◄── its state ──────────── (derived) ◄── Processor ───────
 //
-// With a watchpoint, every instruction runs alone, and the watched bytes are compared after each. One step is
-// one instruction of the sketch: a handler that interrupts it runs to its end, unless it has a breakpoint. In
-// all these cases the firmware does the same at every cycle as without a debugger.
+// If there is a watchpoint, instructions run one by one, and the watched bytes are compared after each of
+// them. One step is one instruction of the sketch. A handler that interrupts the step runs to its end, unless
+// it has a breakpoint. In all these cases the firmware's behaviour is the same at every cycle as without a
+// debugger.
 //
-// The debugger's settings (breakpoints, watchpoints, how to continue) are not part of a run: they stay when a
-// reversible run (history.h) is restored.
+// The debugger's settings (breakpoints, watchpoints, how to continue) are not part of a run: restoring a
+// reversible run (history.h) does not change them.
 #pragma once
 
 #include <set>
@@ -23,40 +24,40 @@ namespace robosim::exec::gdb {
 
 class DebugPort : protected Processor {
  public:
-  /// Runs before the instructions of a tick. Does not return while the chip is halted.
+  /// Must be called before the instructions of a tick. Does not return while the chip is halted.
   void begin_tick();
-  /// Runs after some instructions. Does not return while the chip is halted.
+  /// Must be called after some instructions have run. Does not return while the chip is halted.
   void ran(bool at_breakpoint);
   /// Returns whether instructions run one by one.
   bool steps_singly() const;
-  /// Notes that the chip has the state of another time.
+  /// Records that the state of another time has been restored to the chip.
   void restored();
 
  protected:
   explicit DebugPort(Server& server) : server_(server) {}
   ~DebugPort() = default;
 
-  /// Handles power-on: the chip gets the breakpoints that are set. It halts before its first instruction if
-  /// no debugger has been attached yet.
+  /// Handles power-on: sets all breakpoints in the chip. The chip halts before its first instruction if no
+  /// debugger has been attached yet.
   void power_on();
 
   // --- implemented for each chip
-  /// Returns the signal for what ended the firmware; none while it can run.
+  /// Returns the signal for the reason why the firmware ended; none while it can run.
   virtual Signal fault() const = 0;
   virtual bool is_asleep() const = 0;
-  /// Returns the number of handlers that have begun and not returned.
+  /// Returns the number of handlers that have begun but not returned.
   virtual std::size_t open_handlers() const = 0;
   virtual std::uint32_t pc() const = 0;
   virtual std::uint64_t cycle() const = 0;
   virtual SimTime time() const = 0;
-  /// Returns whether there is code; addresses are gdb's.
+  /// Returns whether there is code at an address, in gdb's numbering.
   virtual bool has_code(std::uint32_t address) const = 0;
   virtual bool has_ram(std::uint32_t address, std::size_t size) const = 0;
   virtual void poke(std::uint32_t address, std::uint8_t value) = 0;
   virtual void trap(std::uint32_t address, bool set) = 0;
-  /// Runs before the chip continues after a halt.
+  /// Is called before the chip continues after a halt.
   virtual void resume() = 0;
-  /// Runs before the chip continues into a tick that is run again.
+  /// Is called before the chip continues into a tick that is being repeated.
   virtual void resume_again() = 0;
 
   static std::string little_endian(std::uint32_t value, int size);
@@ -70,8 +71,8 @@ class DebugPort : protected Processor {
     std::string value;
   };
 
-  /// Writes to RAM only. Flash cannot change, as the tested image is the flashed one; EEPROM is the
-  /// firmware's to write.
+  /// Writes to RAM only. Flash must not change, since the tested image is the flashed one. Only the firmware
+  /// writes EEPROM.
   bool write_memory(std::uint32_t address, std::string_view bytes) final;
   bool set_breakpoint(std::uint32_t address, bool set) final;
   bool set_watchpoint(std::uint32_t address, std::uint32_t size, Access access, bool set) final;
@@ -94,8 +95,8 @@ class DebugPort : protected Processor {
   bool begun_ = false;
   bool crashed_ = false;
   bool stepping_ = false;
-  bool restored_ = false;  ///< and has not run since then
-  Place here_;             ///< while searching: the place before the last instruction
+  bool restored_ = false;  ///< the chip was restored and has not run since then
+  Place here_;             ///< during a search: the place before the last instruction
   std::uint64_t step_began_ = 0;
   std::size_t step_depth_ = 0;
 };

@@ -11,7 +11,7 @@
 namespace robosim::exec::gdb {
 namespace {
 
-constexpr std::uint32_t kMostBytes = 0x1000;  // in one packet
+constexpr std::uint32_t kMostBytes = 0x1000;  // per packet
 constexpr const char* kDone = "OK";
 constexpr const char* kRefused = "E01";
 constexpr const char* kUnknown = "";
@@ -22,7 +22,7 @@ std::string to_hex(std::string_view bytes) {
   return text;
 }
 
-/// Reads the fields of a packet's text from its front. If it is malformed, all results are 0 or empty.
+/// Reads the fields of a packet from its front. If the packet is malformed, all results are 0 or empty.
 class Fields {
  public:
   explicit Fields(std::string_view text) : text_(text) {}
@@ -121,7 +121,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
     const char* const back = history_ ? ";ReverseStep+;ReverseContinue+" : "";
     return fmt::format("PacketSize={:x};QStartNoAckMode+{}{}", 2 * kMostBytes, features, back);
   }
-  if (begins(packet, "qAttached")) return "1";  // so that gdb detaches when it is left, and does not kill
+  if (begins(packet, "qAttached")) return "1";  // so that gdb detaches when it quits, instead of killing
   if (begins(packet, "qRcmd,")) {
     Fields fields(std::string_view(packet).substr(6));
     return to_hex(processor.monitor(fields.bytes()));
@@ -140,7 +140,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
-/// Writes, unless the run has gone back: its earlier reports cannot be withdrawn, so no other run may follow.
+/// Executes a write, unless the run has gone back: a different run must not follow reports already made.
 std::string Server::write(Processor& processor, const std::string& packet) {
   if (history_ && !history_->is_at_front()) return kRefused;
   const std::string said = write_to(processor, packet);
