@@ -34,10 +34,10 @@ ShadowMemory::~ShadowMemory() { allow(memory_); }
 namespace {
 
 constexpr std::uintptr_t kShadowGrain = 8;
-// A function marks its frame before it uses it, even if the stack is about to overflow.
+// A function marks its frame before it uses the frame, even if the stack is about to overflow.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// Returns the number of holders of each page: neighbours in memory share pages of the shadow.
+/// Returns the number of holders of each shadow page. Neighbours in memory share pages of the shadow.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;
@@ -75,7 +75,7 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
-    // A page that a neighbour shares may have marks from an earlier holder.
+    // Clears the marks of an earlier holder, since a neighbour may share the page.
     const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kShadowGrain + offset;
     std::memset(reinterpret_cast<void*>(first), 0,
                 static_cast<std::size_t>(range.end - range.begin) / kShadowGrain);

@@ -13,12 +13,12 @@ struct MemoryRange {
   const std::byte* end;
 };
 
-/// Initially all zero: everything may be accessed. If Robosim itself runs under AddressSanitizer, the shadow
-/// exists already, and is restored at the end.
+/// Initially all zero: all memory may be accessed. If Robosim itself runs under AddressSanitizer, the shadow
+/// exists already. It is then restored at the end.
 class ShadowMemory {
  public:
-  /// `offset` as in host::Image::shadow; 0 = there is none. Throws std::runtime_error if its address range is
-  /// taken.
+  /// `offset` is host::Image::shadow; 0 = no shadow. Throws std::runtime_error if the shadow's address range
+  /// is in use.
   ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory);
   ~ShadowMemory();
   ShadowMemory(const ShadowMemory&) = delete;

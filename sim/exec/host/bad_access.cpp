@@ -24,7 +24,7 @@ std::uintptr_t distance(const Object& object, std::uintptr_t address) {
   return address < object.begin + object.bytes ? 0 : address - (object.begin + object.bytes);
 }
 
-/// Reads the firmware's memory, even where a sanitizer forbids it.
+/// Reads a word of the firmware's memory, even where a sanitizer forbids access.
 template <typename Word>
 __attribute__((no_sanitize("address"))) Word word_at(std::uintptr_t address) {
   return *reinterpret_cast<const volatile Word*>(address);
@@ -43,8 +43,8 @@ std::optional<Object> global_near(std::uintptr_t address, const std::vector<host
   return nearest;
 }
 
-/// Parses gcc's text on a frame: the number of variables, then for each its offset, size, length of name, and
-/// "name:line".
+/// Parses gcc's text about a frame: the number of variables, then for each variable its offset, its size, the
+/// length of its name, and "name:line".
 std::vector<Object> variables(std::uintptr_t frame, const char* text) {
   std::vector<Object> found;
   std::istringstream in(text);
@@ -64,7 +64,7 @@ std::vector<Object> variables(std::uintptr_t frame, const char* text) {
 }
 
 std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std::uintptr_t shadow) {
-  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame with notes
+  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame that has a text by gcc
   constexpr std::uintptr_t kGrain = 8;
   const auto bottom = reinterpret_cast<std::uintptr_t>(stack.begin);
   std::uintptr_t at = address / kGrain * kGrain;
@@ -80,7 +80,7 @@ std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std:
   return nearest;
 }
 
-/// Returns which part of the object, or how far outside it.
+/// Returns which part of the object was accessed, or the distance from the object.
 std::string relation(const host::BadAccess& access, const Object& object) {
   const std::uintptr_t end = object.begin + object.bytes;
   if (access.address < object.begin) return count(object.begin - access.address) + " before";

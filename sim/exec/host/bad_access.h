@@ -1,5 +1,5 @@
-// Explains an access that an address check has stopped. Finds the variable that was probably meant, and how
-// far outside it the access was.
+// Explains an access that an address check has rejected. Finds the variable that was probably meant, and how
+// far outside the variable the access was.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace robosim::exec {
 
-/// Returns a clause, as in Crash. `stack` is the firmware's: gcc's notes on local variables are in their
-/// functions' frames. `shadow` as in host::Image.
+/// Returns a clause, as in Crash. `stack` is the firmware's stack. Its frames contain gcc's texts about local
+/// variables. `shadow` is host::Image::shadow.
 std::string explain(const host::BadAccess& access, const std::vector<host::GlobalRecord>& globals,
                     MemoryRange stack, std::uintptr_t shadow);
 

@@ -30,25 +30,25 @@
 namespace robosim::exec {
 namespace {
 
-// Placeholders, in the filter that is made once, for numbers that differ between processes.
+// Placeholders in the common filter for numbers that differ between processes.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
-/// Size of a signal set in bytes, in the kernel's format.
+/// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
-/// Address space in addition to kConfinedMemory: pages that are only read, whose tables take memory, too.
+/// Limit of the address space, with room for pages that are only read. Their page tables take memory, too.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (512 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
-/// Memory in bytes: addresses, and what RLIMIT_DATA counts.
+/// Memory in bytes: the address space, and the memory that RLIMIT_DATA counts.
 struct MemoryInUse {
   rlim_t addresses = 0, data = 0;
 };
 MemoryInUse memory_when_prepared;
 
-/// Calls that reach only memory of the same process, and never wait.
+/// System calls that affect only memory of the same process, and never wait.
 constexpr const char* kHarmless[] = {
     "brk",          "cacheflush",  "clock_getres", "clock_gettime",   "clock_gettime64", "getcpu",
     "getpid",       "getrandom",   "gettid",       "gettimeofday",    "mremap",          "munmap",
@@ -59,11 +59,11 @@ class Filter {
  public:
   Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
     if (!filter_) throw std::runtime_error("no filter of system calls");
-    // Uses a tree: when a process installs a filter, the kernel walks through it for each existing call.
+    // Uses a tree, since the kernel evaluates a new filter for each existing system call.
     ::seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);
   }
 
-  /// Adds a rule. Calls that this machine does not know are skipped.
+  /// Adds a rule. Skips system calls that do not exist on this machine.
   void add(std::uint32_t action, const char* name, const std::vector<scmp_arg_cmp>& arguments = {}) {
     const int number = ::seccomp_syscall_resolve_name(name);
     if (number == __NR_SCMP_ERROR || number < 0) return;
@@ -92,7 +92,7 @@ class Filter {
   std::unique_ptr<void, End> filter_;
 };
 
-/// Tests that argument `number`, an int, is `value`: the upper half of its register may be anything.
+/// Tests that argument `number`, an int, equals `value`. The upper half of its register may have any value.
 scmp_arg_cmp is(unsigned number, std::uint32_t value) {
   return {number, SCMP_CMP_MASKED_EQ, 0xFFFFFFFF, value};
 }
@@ -100,8 +100,8 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
-/// Allows memory calls. RLIMIT_DATA counts only private memory, and not what grows downwards. The image is
-/// mapped from its sealed file: pages that were written cannot be executed.
+/// Allows memory calls. RLIMIT_DATA counts only private memory, and no memory that grows downwards. The image
+/// is mapped from its sealed file. Pages that were written cannot be executed.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
       ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
@@ -111,9 +111,9 @@ void add_memory(Filter& filter) {
       filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
-  // Names for memory: RE2's library sets some (Debian 13), and tolerates kernels without them.
+  // Rejects names for memory. RE2's library (Debian 13) sets some, and tolerates kernels without them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Others reach beyond this process: root can take pages away from the whole machine.
+  // Other advice affects other processes: root can take pages away from the whole machine.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
@@ -125,11 +125,11 @@ void add_descriptors(Filter& filter) {
     filter.allow("read", {is(0, static_cast<std::uint32_t>(fd)), is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const std::uint32_t fd : {0u, 1u, 2u}) {
     for (const char* name : {"read", "write", "writev", "lseek", "_llseek"}) filter.allow(name, {is(0, fd)});
-    // Calls that stdio makes before it prints.
+    // Rejects calls that stdio makes before it prints.
     for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
       filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
   }
-  // The image, for the loader.
+  // Allows the loader to read the image.
   for (const char* name : {"read", "pread64", "lseek", "_llseek"}) filter.allow(name, {is(0, kImageFd)});
   filter.allow("fstat", {is(0, kImageFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("newfstatat", {is(0, kImageFd), is(4, kKeyHere), is(5, kOtherKeyHere)});
@@ -140,14 +140,14 @@ void add_descriptors(Filter& filter) {
   filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
-/// Lets the process send itself signals and end only with the key. So those of a sketch are recognised,
-/// reported, and never stop the process.
+/// Allows the process to send itself signals, and to end, only with the key. A sketch that tries either is
+/// detected and reported, and does not stop the process.
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
     filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // a query
-  // SIG_BLOCK is answered by serve_call().
+  // serve_call() handles SIG_BLOCK.
   filter.allow("rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_BLOCK, 0}});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
     filter.allow("rt_sigaction", {is(0, static_cast<std::uint32_t>(fault))});
@@ -165,7 +165,7 @@ Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY 
 
 /// Reads the memory use of the process that has opened `statm`.
 MemoryInUse memory_in_use(const Descriptor& statm) {
-  // Does not use a stream, whose first use in a process takes longer than everything else here.
+  // Does not use a stream: the first stream of a process takes longer than everything else here.
   char text[256];
   const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
   if (bytes <= 0) return {};
@@ -180,14 +180,14 @@ MemoryInUse memory_in_use(const Descriptor& statm) {
   return in_use;
 }
 
-/// Hides from a sketch whose machine this is, and the content of its environment.
+/// Erases the environment, so that a sketch learns neither its content nor the user's identity.
 void forget_environment() {
   for (char** variable = environ; variable && *variable; ++variable)
     ::explicit_bzero(*variable, std::strlen(*variable));
   ::clearenv();
 }
 
-/// Makes the filter once, as that takes a millisecond; each process then inserts its own numbers.
+/// Returns the common filter, which takes a millisecond to make. Each process then inserts its own numbers.
 const std::vector<sock_filter>& filter_for_all() {
   static const std::vector<sock_filter> steps = [] {
     Filter filter;
@@ -234,7 +234,7 @@ struct Subject {
   std::vector<std::string_view> beginnings;
 };
 
-/// Returns the subject of a call, by the prefix of its name; the first match.
+/// Returns the subject of a call: that of the first prefix that matches the call's name.
 std::string_view subject_of(std::string_view call) {
   static const std::vector<Subject> subjects = {
       {"programs", {"exec"}},
@@ -267,7 +267,7 @@ std::string_view subject_of(std::string_view call) {
 
 std::string what_kernel_lacks() {
   if (!kKnownMachine) return "Robosim does not support it on this kind of processor yet";
-  // If filters are supported, the kernel reads the filter at this invalid address.
+  // A kernel that supports filters tries to read the filter at this invalid address.
   static const bool has_filter =
       ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
   return has_filter ? "" : "the kernel has no filter of system calls (seccomp)";
@@ -302,7 +302,7 @@ void confine(const CallKey& key, bool has_grown) {
   key_of_process = key;
   confined = true;
   const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
-  // This process holds no secrets: it needs no slower branches, which a filter enables by default.
+  // Turns off the slower branches that a filter enables by default: this process has no secrets.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
       ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
     throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));
@@ -312,8 +312,8 @@ void prepare_to_confine() {
   ensure_signal_stack();
   static const Descriptor statm = open_statm();
   memory_when_prepared = memory_in_use(statm);
-  // Binds symbols once that libfmt binds at first use, such as memchr() for texts of 32 bytes and more.
-  // Otherwise each process would look them up again, in all libraries.
+  // Makes libfmt bind symbols that it binds at first use, such as memchr() for texts of 32 bytes and more.
+  // Otherwise each process would look them up again in all libraries.
   static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);
   if (why_not_confined().empty()) filter_for_all();
 }
@@ -357,12 +357,12 @@ bool serve_call(const siginfo_t& info, ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   static std::uint64_t opened = 0;
-  // The loader identifies files by this number; no memory file's own number is as high.
+  // The loader identifies files by their inode number. Memory files have smaller numbers than these.
   constexpr std::uint64_t kFirstNumber = std::uint64_t{1} << 30;
   if (info.si_syscall == SYS_rt_sigprocmask) {
-    // Answers SIG_BLOCK, and blocks nothing. With SIGSYS blocked the kernel would end the process at the next
-    // refused call, and no handler could report that call. glibc 2.41 blocks all signals in fork() and
-    // abort().
+    // Reports success for SIG_BLOCK, but blocks nothing. If SIGSYS were blocked, the kernel would end the
+    // process at the next refused call, and no handler could report the call. glibc 2.41 blocks all signals
+    // in fork() and abort().
     if (asked.arguments[3] != kSignalSet) return false;
     if (auto* const before = reinterpret_cast<void*>(asked.arguments[2]))
       std::memcpy(before, &context.uc_sigmask, kSignalSet);

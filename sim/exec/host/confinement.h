@@ -1,5 +1,5 @@
-// Confines a process that runs firmware for the host: a filter of system calls (seccomp, by libseccomp), and
-// limits. docs/explanation/security.md lists what that prevents, and what it does not.
+// Confines a process that runs firmware for the host, by limits and a filter of system calls (seccomp, using
+// libseccomp). docs/explanation/security.md lists what this prevents and what it does not.
 #pragma once
 
 #include <signal.h>
@@ -13,64 +13,67 @@ namespace robosim::exec {
 
 /// The descriptors of a confined process, in addition to 0, 1 and 2, which are /dev/null.
 enum ConfinedDescriptor : int {
-  kTellFd = 3,      ///< written to
-  kAnswersFd = 4,   ///< read from
-  kLinesFd = 5,     ///< read from
-  kImageFd = 6,     ///< of the image while it is being loaded
-  kFirstSealed = 8  ///< from here on images that this process loads; their content and places are fixed
+  kTellFd = 3,      ///< written by the process
+  kAnswersFd = 4,   ///< read by the process
+  kLinesFd = 5,     ///< read by the process
+  kImageFd = 6,     ///< the image while it is being loaded
+  kFirstSealed = 8  ///< this and higher ones: images for this process, with fixed content and places
 };
 
-/// A key for some calls, in registers that they do not use. Without it, calls on the first three descriptors,
-/// another file at kImageFd, and the end of the process are refused.
+/// A key that some system calls have in registers that they do not use. Without it, the kernel refuses reads
+/// and writes of the first three descriptors above. It also refuses to put another file at kImageFd, and to
+/// end the process.
 using CallKey = std::array<std::uint32_t, 2>;
 
-/// Returns an empty text if this kernel can confine; else a clause: "the kernel has no filter of system calls
-/// (seccomp)".
+/// Returns why this kernel cannot confine processes, as a clause: "the kernel has no filter of system calls
+/// (seccomp)". Empty if it can.
 std::string what_kernel_lacks();
-/// Returns an empty text if runs are confined; else a clause: what the kernel lacks, or the user's choice.
+/// Returns why runs are not confined, as a clause: a feature that the kernel lacks, or the user's choice.
+/// Empty if they are confined.
 std::string why_not_confined();
 
-/// Confines this process for ever. It gets no new file, socket or process, no signal, no program, and no code
-/// except that of images. It has at most kConfinedMemory and an empty environment. Any other system call
-/// raises SIGSYS. Throws std::runtime_error if that is impossible. `has_grown`: whether the process may have
-/// taken much memory since prepare_to_confine(). In a new process that query takes as long as the rest of
-/// this function.
-/// process that is new as long as it takes all the rest of this.
+/// Confines this process for ever. It can no longer obtain files, sockets, processes, signals or programs, or
+/// code other than that of images. Its memory is limited to kConfinedMemory, and its environment is empty.
+/// System calls that are not allowed raise SIGSYS. Throws std::runtime_error if confinement is impossible.
+///
+/// `has_grown`: the process may have allocated much memory since prepare_to_confine(). Pass false for a new
+/// process, since finding out takes as long as the rest of this function.
 void confine(const CallKey& key, bool has_grown);
-/// Does the common part of all confinements before processes are forked, which saves each a millisecond.
+/// Does the common part of all confinements. Call it before processes are forked, which saves each of them a
+/// millisecond.
 void prepare_to_confine();
-constexpr std::uint64_t kConfinedMemory = 192
-                                          << 20;  ///< more bytes of variables, heap and stacks than it has
+constexpr std::uint64_t kConfinedMemory = 192 << 20;  ///< bytes of memory in addition to that in use
 
-/// Call read() and write(), in a confined process with the key.
+/// Call read() and write(); in a confined process, with the key.
 long keyed_read(int fd, void* data, std::size_t bytes);
 long keyed_write(int fd, const void* data, std::size_t bytes);
 
-/// Puts a sealed image at `as`; returns false if `fd` is not open.
+/// Duplicates the sealed image `fd` to the descriptor `as`. Returns false if `fd` is not open.
 bool keyed_dup(int fd, int as);
 [[noreturn]] void keyed_exit(int status);
 
-/// `check` of a crash by a refused call.
+/// The value of Crash::check for a crash by a refused call.
 constexpr const char* kSandboxCheck = "sandbox";
-/// Exit status of a process that made a refused call outside of the firmware's own time.
+/// Exit status of a process that made a refused call while no firmware was running.
 constexpr int kRefusedStatus = 98;
-/// Exit status of a process that has used up its memory.
+/// Exit status of a process that has run out of memory.
 constexpr int kNoMemoryStatus = 97;
-/// Plus a signal's number: exit status of a process that sent itself that signal outside of the firmware's
-/// own time.
+/// Exit status, plus the signal's number, of a process that sent itself a signal while no firmware was
+/// running.
 constexpr int kSignalStatus = 128;
 
 /// Returns whether confine() was called.
 bool is_confined();
-/// Prefix of the names that the loader opens in a confined process: it gets kImageFd.
+/// Prefix of the file names that the loader opens in a confined process. It gets kImageFd instead.
 constexpr const char* kImageName = "/robosim/firmware";
-/// In a handler of SIGSYS: emulates the loader's calls on kImageFd, and calls that the C library wraps around
-/// others. Returns false for any other call: that is refused.
+/// Emulates the loader's calls on kImageFd, and calls that the C library makes along with others. Returns
+/// false for any other call, which is refused. Call it in a handler of SIGSYS.
 bool serve_call(const siginfo_t& info, ucontext_t& context);
 
-/// In a handler: returns the signal that the process has sent to itself, even if it was refused; 0 = none.
+/// Returns the signal that the process sent to itself, even if the call was refused; 0 = none. Call it in a
+/// signal handler.
 int own_signal(const siginfo_t& info, ucontext_t& context);
-/// Ends a confined process so that its runner reports the signal.
+/// Ends a confined process in such a way that its runner reports the signal.
 [[noreturn]] void end_by_signal(int signal);
 
 /// Returns the message for a refused call: "the sandbox refuses its system call openat (files)".

@@ -1,4 +1,4 @@
-// The files for gcov that an image with line counts provides.
+// Collects the files for gcov from an image with line counts.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Records where firmware divided by zero: the first of such lines, by time.
+// Records the first lines, by time, where firmware divided by zero.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace robosim::exec {
 
 class Divisions {
  public:
-  /// Forgets code addresses, because the image will be loaded elsewhere.
+  /// Drops the code addresses, because the image will be loaded at another address.
   void forget_addresses() { at_.clear(); }
-  /// Counts one more at this code address; returns false if it is not known yet.
+  /// Counts a division at a known code address; returns false if the address is not known yet.
   bool count(const void* address);
-  /// Adds the first one at this address, a line of the firmware; `t` is now.
+  /// Adds the first division at this address, on a line of the firmware. `t` is the present time.
   void add(const void* address, const SourceLine& place, SimTime t);
   const std::vector<DivisionByZero>& lines() const { return lines_; }
 
  private:
   std::vector<DivisionByZero> lines_;
-  std::map<const void*, std::size_t> at_;  ///< indices of lines_; past its end: there was no room
+  std::map<const void*, std::size_t> at_;  ///< indices into lines_; past its end if there was no room
 };
 
 }  // namespace robosim::exec

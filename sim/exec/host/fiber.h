@@ -1,14 +1,14 @@
 // A second stack for firmware, and the switch between it and the simulation.
 //
 // Uses Boost.Context's fcontext instead of its fiber class. That class unwinds an abandoned stack by an
-// exception, which must not reach firmware (compiled without exceptions, possibly crashed).
+// exception. Exceptions must not reach firmware, which is compiled without them and may have crashed.
 #pragma once
 
 #include <cstddef>
 
 namespace robosim::exec {
 
-/// Memory between two guard pages. Throws std::bad_alloc if there is none.
+/// Memory between two guard pages. Throws std::bad_alloc if allocation fails.
 class GuardedMemory {
  public:
   explicit GuardedMemory(std::size_t bytes);
@@ -29,16 +29,16 @@ class GuardedMemory {
   std::byte* begin_;
 };
 
-/// Runs `body` on `stack`. It may be abandoned at any moment: its destructor unwinds nothing.
+/// Runs `body` on `stack`. A fiber may be abandoned at any time: its destructor unwinds nothing.
 class Fiber {
  public:
   using Body = void (*)(void* argument);
 
-  /// `body` must not return. It starts with the first resume().
+  /// Prepares the fiber. The first resume() starts `body`, which must not return.
   Fiber(const GuardedMemory& stack, Body body, void* argument);
-  /// Continues the fiber until it suspends. Called from outside.
+  /// Continues the fiber until it suspends. Call it outside the fiber.
   void resume();
-  /// Returns to the caller of resume(). Called on the fiber.
+  /// Returns to the caller of resume(). Call it on the fiber.
   void suspend();
 
  private:

@@ -9,7 +9,7 @@ namespace robosim::exec {
 namespace {
 
 #ifdef ROBOSIM_ASAN
-// Compares even where a sanitizer forbids access: stacks and heaps have gaps with restricted access.
+// Compares memory even where a sanitizer forbids access: stacks and heaps have forbidden gaps.
 __attribute__((no_sanitize("address"))) bool is_like_copy(FirmwareSnapshot::Memory memory,
                                                           const std::vector<std::byte>& copy) {
   if (memory.size() != copy.size()) return false;
@@ -39,7 +39,8 @@ FirmwareSnapshot::Memory memory_of(const char* begin, const char* end) {
   return {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)};
 }
 
-// Returns malloc's allocations, in whole pages: a sketch may write a little past the end of its own.
+// Returns the part of the heap that malloc() has used, in whole pages: a sketch may write a little past its
+// end.
 FirmwareSnapshot::Memory used_heap(const host::FirmwareState& state) {
   constexpr std::size_t kPage = 4096;
   const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;

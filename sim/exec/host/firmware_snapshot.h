@@ -1,5 +1,5 @@
-// A snapshot of all state of firmware: its variables, heap and stack. Registers that outlive a call lie on
-// the stack (hal/host/clock.cpp). Free-running clocks are not included (host::Image::clockwork_begin).
+// A snapshot of all state of firmware: its variables, heap and stack. Registers that calls preserve are saved
+// on the stack (hal/host/clock.cpp). Free-running clocks are not included (host::Image::clockwork_begin).
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ class FirmwareSnapshot {
   explicit FirmwareSnapshot(const LoadedImage& image);
 
   void take(Memory heap, Memory stack);
-  /// Returns whether all state is equal to the snapshot.
+  /// Returns whether all state equals that of the snapshot.
   bool is_like(Memory heap, Memory stack) const;
 
-  // Variants with malloc's allocations as the heap. Settings, as image.h defines them, are compared only if
-  // they may have changed since the last call that returned true. So an image can have only one such
-  // snapshot.
+  // Variants for the part of the heap that malloc() has used. They compare settings (image.h) only if the
+  // settings may have changed since the last call that returned true. An image can therefore have only one
+  // such snapshot.
   void take(host::FirmwareState& state, Memory stack);
   bool is_like(host::FirmwareState& state, Memory stack) const;
 
@@ -33,7 +33,7 @@ class FirmwareSnapshot {
     Memory memory;
     std::vector<std::byte> copy = {};
   };
-  std::vector<Part> variables_;  ///< except the settings
+  std::vector<Part> variables_;  ///< without the settings
   Part settings_;
   std::vector<std::byte> heap_, stack_;
 };

@@ -66,7 +66,7 @@ class HostExecutor::Instance final : public host::Host {
     if (image_.entry().counters) image_.entry().counters(sink);
   }
 
-  /// Sets whether the next tick checks if firmware loops for ever.
+  /// Starts or stops checking whether firmware loops for ever.
   void watch(bool wanted) {
     const bool watched = wanted && !image_.entry().may_interrupt(false);
     if (watched && !state_.watched) {
@@ -74,16 +74,16 @@ class HostExecutor::Instance final : public host::Host {
       cycle_detector_.begin();
     }
     state_.watched = watched;
-    // If an image counts how often blocks run, its state never repeats.
+    // Uses the interrupts alone if the image counts how often blocks run: its state never repeats.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
-  /// Returns when its firmware called last; while it waits for the time, that is `reached`.
+  /// Returns when the firmware last made a call. While it waits for a time, this is `reached`.
   [[gnu::always_inline]] SimTime last_call(SimTime reached) const {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and no result yet
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and there is no result yet
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
@@ -98,7 +98,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// Runs firmware to the limit as if it had not slept: if it only waits, it may be asleep since before.
+  /// Runs firmware that only waits to the limit, since it may have been asleep for some time.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -106,7 +106,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.called_up = false;
   }
 
-  /// Returns whether the watchdog has reset it; it does not run any further then.
+  /// Returns whether the watchdog has reset the chip. This instance does not run any further then.
   bool bitten() const { return bitten_; }
 
   SourceLine place() const {
@@ -115,7 +115,7 @@ class HostExecutor::Instance final : public host::Host {
     return image_.locate(addresses);
   }
 
-  /// Returns the place of the current call; called from within it.
+  /// Returns the place of the current call. Call it during that call.
   SourceLine source() {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
     calls_.add_callers(addresses);
@@ -126,11 +126,11 @@ class HostExecutor::Instance final : public host::Host {
     return known->second;
   }
 
-  // host::Host, called on the fiber.
+  // Functions of host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks again: watch() may have met a handler, or the I flag clear for a moment to read a shared
-    // variable.
+    // Checks interrupts again. At watch(), a handler may have been running, or the I flag may have been clear
+    // for a moment to read a shared variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
@@ -220,7 +220,7 @@ class HostExecutor::Instance final : public host::Host {
     return {{begin, end}, {heap_.begin(), heap_.end()}, {stack_.begin(), stack_.end()}};
   }
 
-  /// Reports a fault that the firmware has detected itself, on the fiber.
+  /// Reports a fault that the firmware's own checks have detected. Called on the fiber.
   void report(const Undefined& fault, const void* where) {
     owner_.crash_ = Crash{fault.reason, place_of(fault, where)};
     owner_.crash_->check = fault.check;
@@ -295,7 +295,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
-    // Faults in our code count, too, if it was called on the firmware's stack: its arguments were bad.
+    // Includes faults in our code that was called on the firmware's stack: its arguments were bad.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
@@ -308,7 +308,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
     if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
     keyed_exit(kRefusedStatus);
   }
-  // Not the firmware's: the instruction runs again and reaches the previous handler.
+  // The fault is not the firmware's: the instruction runs again, and the previous handler is called.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }

@@ -1,8 +1,9 @@
-// The executor for the host: firmware as a shared object, on its own fiber, in virtual time (hal/host).
+// The executor for the host. Firmware is a shared object that runs on its own fiber, in virtual time
+// (hal/host).
 //
-// A fault of the firmware (a signal on its fiber) abandons the fiber and becomes a Crash. For that, power-on
-// installs handlers of SIGSEGV, SIGBUS, SIGILL and SIGFPE. A signal that is not the firmware's is passed to
-// the previous handler.
+// After a fault of the firmware (a signal on its fiber), the fiber is abandoned and a Crash is reported.
+// Power-on installs handlers of SIGSEGV, SIGBUS, SIGILL and SIGFPE for this purpose. Signals that firmware
+// did not cause are passed to the previous handler.
 #pragma once
 
 #include <filesystem>
@@ -23,16 +24,16 @@ namespace robosim::exec {
 
 class HostExecutor final : public Executor {
  public:
-  /// `image` as robosim_sketch builds it; it is read at every power_on().
+  /// `image` is a file built by robosim_sketch. It is read at every power_on().
   HostExecutor(const BoardSpec& spec, std::filesystem::path image);
   ~HostExecutor() override;
 
   RobotPort& board() override { return board_; }
   BoardProbe& probe() override { return board_; }
-  /// Throws InputError if the image cannot be loaded.
+  /// Starts the firmware. Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
-  /// Does now what needs files, and by `lines` what needs programs. Call it before the process is confined
-  /// (confinement.h). `image`: the content of the image's file, if known.
+  /// Prepares for confinement (confinement.h): opens files now, and runs programs only by `lines` later.
+  /// `image` is the content of the image's file, if known. Call it before the process is confined.
   void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
@@ -49,7 +50,7 @@ class HostExecutor final : public Executor {
   std::vector<ArchivedFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
   /// Sets whether firmware that only waits is left asleep, from the next power_on() on. This changes only the
-  /// time that the simulation takes (hal/host/polling.h).
+  /// duration of the simulation (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_lateness(const std::vector<Lateness>& lateness) override { injected_delays_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
@@ -70,8 +71,8 @@ class HostExecutor final : public Executor {
   WatchdogResets watchdog_resets_;
   Divisions divisions_;
   UnsupportedFeatures unsupported_features_;
-  std::vector<ArchivedFile> counters_;  ///< of the earlier power cycles
-  SimTime reached_ = 0;                 ///< time up to which firmware has run
+  std::vector<ArchivedFile> counters_;  ///< counters of earlier power cycles
+  SimTime reached_ = 0;                 ///< time up to which the firmware has run
   HangProbeBackoff hang_probe_backoff_;
   SimTime watch_until_ = 0;
 };

@@ -1,4 +1,4 @@
-// A signal by which the processor refuses to continue, as its handler receives it.
+// Describes a signal that a processor raises when it cannot continue, as received by the signal handler.
 #pragma once
 
 #include <signal.h>
@@ -17,27 +17,27 @@ struct HostFault {
   const std::byte* address = nullptr;
   const std::byte* pc = nullptr;
   const std::byte* stack_pointer = nullptr;
-  const void* link = nullptr;  // the innermost call's return address, if that is in a register
+  const void* link = nullptr;  // return address of the innermost call, if it is in a register
   bool known_write = false;
   bool known_read = false;
-  int call = -1;       // SIGSYS: the system call that was refused
-  int own_signal = 0;  // the signal that the firmware sent itself; 0 = none
+  int call = -1;       // for SIGSYS: the refused system call
+  int own_signal = 0;  // signal that the firmware sent itself; 0 = none
 
   const char* access() const { return known_write ? "write" : known_read ? "read" : "access"; }
 };
 
 HostFault describe(int signal, const siginfo_t& info, ucontext_t& context);
 
-/// Returns "it sends itself signal 2 (Interrupt)".
+/// Returns a clause: "it sends itself signal 2 (Interrupt)".
 std::string signal_text(int signal);
 
-/// Returns the reason for the user, whose firmware has this heap and this stack.
+/// Returns the reason for a crash, for the user. `heap` and `stack` are the firmware's.
 std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const GuardedMemory& stack);
 
-/// Returns whether both addresses are in one executable or shared object.
+/// Returns whether both addresses are in the same executable or shared object.
 bool in_same_object(const void* a, const void* b);
 
-/// Gives the thread a stack for signal handlers, unless it has one: the firmware's own may have overflowed.
+/// Gives the thread a stack for signal handlers, unless it has one. The firmware's stack may have overflowed.
 void ensure_signal_stack();
 
 }  // namespace robosim::exec

@@ -24,7 +24,7 @@
 namespace robosim::exec {
 namespace {
 
-/// Converts "f(int) const" to "f"; names without parameters stay.
+/// Converts "f(int) const" to "f". Names without parameters stay unchanged.
 std::string without_parameters(const std::string& name) {
   const std::size_t close = name.rfind(')');
   if (close == std::string::npos) return name;
@@ -38,7 +38,7 @@ std::string without_parameters(const std::string& name) {
 
 struct Segments {
   std::uintptr_t base;
-  std::uintptr_t begin = UINTPTR_MAX;  ///< of the code
+  std::uintptr_t begin = UINTPTR_MAX;  ///< bounds of the code
   std::uintptr_t end = 0;
   std::vector<MemoryRange> variables = {};
   std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< protected from writes by the loader
@@ -62,7 +62,7 @@ int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
   return 1;
 }
 
-/// Clears the lowest bit on 32-bit ARM: in a code address it selects the instruction set.
+/// Clears the lowest bit of a code address on 32-bit ARM, where it selects the instruction set.
 std::uintptr_t without_mode(const void* pc) {
   const auto address = reinterpret_cast<std::uintptr_t>(pc);
 #if defined(__arm__)
@@ -72,7 +72,7 @@ std::uintptr_t without_mode(const void* pc) {
 #endif
 }
 
-// Returns the handles of loaded images.
+// Returns the handles of all loaded images.
 std::vector<void*>& handles() {
   static std::vector<void*> all;
   return all;
@@ -80,13 +80,13 @@ std::vector<void*>& handles() {
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Reads or writes parts of images, none of which stays in memory.
+/// A buffer for parts of images. It is erased after use, so that no part stays in memory.
 struct Part {
   static constexpr std::size_t kBytes = 16 * 1024;
   char bytes[kBytes];
   ~Part() { explicit_bzero(bytes, kBytes); }
 
-  /// Reads from that offset on; returns the number of bytes, 0 at the end.
+  /// Reads from the offset `at` on. Returns the number of bytes; 0 at the end.
   std::size_t read(const Descriptor& file, std::size_t at) {
     for (;;) {
       const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
@@ -96,7 +96,7 @@ struct Part {
   }
 };
 
-/// Returns a memory file with the same content, and its size in bytes.
+/// Returns a memory file with the content of `file`, and its size in bytes.
 std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   Descriptor copy(memfd_create("robosim-firmware", MFD_CLOEXEC | MFD_ALLOW_SEALING));
   if (!copy.is_open()) fail("memfd_create");
@@ -110,9 +110,9 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   return {std::move(copy), bytes};
 }
 
-// In a confined process the loader opens nothing, but gets kImageFd, and closes it. serve_call() shows it
-// another file each time. So processes that load the same image in turn need one copy of it, and share the
-// memory of its code.
+// Loads an image in a confined process. The loader cannot open a file: it gets kImageFd, and closes it.
+// serve_call() makes the loader believe that each image is another file. Processes that load the same image
+// several times therefore need one copy of it, and share the memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
@@ -127,7 +127,7 @@ bool is_own_file(const std::string& file) {
          file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
 }
 
-/// Limit of addr2line's output, since a sketch chooses the length of its functions' and files' names.
+/// Limit of addr2line's output: a sketch may have long names of functions and files.
 constexpr std::size_t kMostLines_bytes = std::size_t{1} << 20;
 
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets) {
@@ -164,9 +164,8 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // A copy without a name: the loader identifies files by their identity, and returns an already loaded one
-    // again. The descriptor stays open while the image is loaded, because the loader also identifies it by
-    // this name.
+    // Uses a copy without a name, because the loader would return an already loaded file again. It identifies
+    // files by identity and by this name, so the descriptor stays open while the image is loaded.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
                 .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -232,12 +231,12 @@ std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>
 SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const {
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
-    // A call may be the last instruction of all: its return address is then after the end of the code.
+    // A call may be the last instruction of the code: its return address is then after the end of the code.
     const std::uintptr_t pc = without_mode(address.pc) - (address.is_return ? 1 : 0);
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // An instruction without a line has no folder either, so its owner is unknown.
+  // Skips instructions without a line: they have no folder either, so their owner is unknown.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

@@ -1,6 +1,6 @@
-// Loads a firmware image into memory. Each instance loads it again, and so has its own variables. In a
-// confined process (confinement.h) all instances of one image share the memory of its code, which keeps that
-// in caches.
+// Loads a firmware image into memory. Each instance loads the image again, and therefore has its own
+// variables. In a confined process (confinement.h), all instances of an image share the memory of its code,
+// so that the code stays in caches.
 #pragma once
 
 #include <cstdint>
@@ -19,25 +19,25 @@ namespace robosim::exec {
 
 struct CodeAddress {
   const void* pc = nullptr;
-  bool is_return = false;  ///< a return address: its instruction ends just before it
+  bool is_return = false;  ///< return address: the call ends just before it
 };
 
 /// Returns the output of `addr2line -f -C -i` for these offsets in the image.
 using AddressLines = std::function<std::string(const std::filesystem::path& image,
                                                const std::vector<std::uintptr_t>& offsets)>;
-/// Runs that program, of binutils; returns an empty text without it.
+/// Runs addr2line (binutils); returns an empty text if it is not installed.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
-/// The content of an image's file, in a memory file that cannot be changed. None of it is in the memory of
-/// the process itself, where the firmware of a later run would find it.
+/// The content of an image's file, in a sealed memory file. The content is not in the memory of the process
+/// itself, where the firmware of a later run would find it.
 class ImageContent {
  public:
-  /// Reads the file. Throws InputError if that fails, and std::system_error.
+  /// Reads the file. Throws InputError or std::system_error if that fails.
   explicit ImageContent(const std::filesystem::path& file);
 
-  /// Returns whether that file still has the same content.
+  /// Returns whether `file` still has this content.
   bool is_like(const std::filesystem::path& file) const;
-  /// Returns the descriptor, at least kFirstSealed, by which confined processes load it.
+  /// Returns the descriptor by which confined processes load the image. It is at least kFirstSealed.
   const Descriptor& sealed() const { return sealed_; }
 
  private:
@@ -53,27 +53,27 @@ struct ImageFile {
 
 class LoadedImage {
  public:
-  /// Loads an image. Throws InputError if `file` is not an image, or is one for another version of Robosim.
-  /// In a confined process no file is opened.
+  /// Loads an image. Throws InputError if `file` is not an image, or was built for another version of
+  /// Robosim. Opens no file in a confined process.
   explicit LoadedImage(const ImageFile& file);
   ~LoadedImage();
   LoadedImage(const LoadedImage&) = delete;
   LoadedImage& operator=(const LoadedImage&) = delete;
 
   const host::Image& entry() const { return *entry_; }
-  /// Returns the ranges of its variables.
+  /// Returns the ranges of the image's variables.
   const std::vector<MemoryRange>& variables() const { return variables_; }
   /// Returns whether `address` lies in the image's code.
   bool has_code(const void* address) const;
-  /// Returns the place of the first of `addresses` in the user's code. That is the sketch or one of its
-  /// libraries, not the core or hal. Empty without addr2line, or if there is no such address.
+  /// Returns the place of the first of `addresses` that is in the user's code: the sketch or one of its
+  /// libraries, not the core or hal. Empty if there is no such address, or without addr2line.
   SourceLine locate(const std::vector<CodeAddress>& addresses) const;
 
  private:
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   const ImageFile& file_;
-  Descriptor copy_;  ///< in memory, without a name; a confined process has no copy
+  Descriptor copy_;  ///< nameless copy in memory; none in a confined process
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;
@@ -81,7 +81,7 @@ class LoadedImage {
   std::vector<MemoryRange> variables_;
 };
 
-/// Returns whether this file, named by debug information, is not the user's.
+/// Returns whether a file named by debug information does not belong to the user.
 bool is_own_file(const std::string& file);
 
 }  // namespace robosim::exec

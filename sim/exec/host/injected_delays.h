@@ -1,4 +1,4 @@
-// The times at which a sketch is delayed, as if its code took longer, in the form that its image reads.
+// The times at which a sketch is delayed as if its code took longer, in the format for the sketch's image.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,14 @@ namespace robosim::exec {
 
 class InjectedDelays {
  public:
-  /// Sets the times, in rising order.
+  /// Sets the times, in ascending order.
   void set(const std::vector<wire::Lateness>& late) {
     times_.clear();
     for (const wire::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
-  /// Passes the times from `t` on to the sketch that begins there. They must not change while it runs.
+  /// Passes the times from `t` on to the sketch that begins then. The times must not change while the sketch
+  /// runs.
   void begin(host::FirmwareState& state, SimTime t) const {
     state.lateness = times_.data();
     while (state.lateness->from < t) ++state.lateness;

@@ -5,9 +5,9 @@
 namespace robosim::exec {
 namespace {
 
-constexpr std::size_t kMostAddresses = 40;  // that are looked up for a place
+constexpr std::size_t kMostAddresses = 40;  // number of addresses that are looked up for a place
 
-// Returns the word on the stack there, even where a sanitizer forbids access.
+// Returns the word on the stack at `address`, even where a sanitizer forbids access.
 __attribute__((no_sanitize("address"))) const void* word_at(const std::byte* address) {
   const void* word = nullptr;
   __builtin_memcpy(&word, address, sizeof word);

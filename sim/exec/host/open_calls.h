@@ -1,4 +1,4 @@
-// Lists the open calls of firmware, the innermost first.
+// Lists the functions of firmware that are being called, innermost first.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@ namespace robosim::exec {
 
 class OpenCalls {
  public:
-  /// Both outlive this.
+  /// Both arguments outlive this object.
   OpenCalls(const LoadedImage& image, const GuardedMemory& stack) : image_(image), stack_(stack) {}
 
-  /// Adds the callers. Called on the fiber, from within one of them. Uses the unwind tables; where they lead
-  /// no further, also words on the stack that look like calls.
+  /// Adds the callers of the running function. Call it on the fiber. Uses the unwind tables and, where these
+  /// end, words on the stack that look like return addresses.
   void add_callers(std::vector<CodeAddress>& addresses) const;
-  /// Adds return addresses on the stack from `from` on. Old ones in unused slots may be among them.
+  /// Adds return addresses on the stack from `from` on. Some may be outdated ones in unused slots.
   void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const;
 
  private:

@@ -1,6 +1,5 @@
-// Detects firmware that loops for ever, as far as its own state goes. A basic block then meets the stack,
-// variables and heap that it has met before. Registers that outlive a call lie on the stack
-// (hal/host/clock.cpp).
+// Detects firmware whose own state shows that it loops for ever: a basic block begins with the same stack,
+// variables and heap as before. Registers that calls preserve are saved on the stack (hal/host/clock.cpp).
 #pragma once
 
 #include "sim/exec/host/firmware_snapshot.h"
@@ -11,12 +10,12 @@ class StateCycleDetector {
  public:
   using Memory = FirmwareSnapshot::Memory;
 
-  /// Variables and `heap` are the firmware's state, except its stack.
+  /// The firmware's state consists of the image's variables, `heap` and the stack.
   StateCycleDetector(const LoadedImage& image, Memory heap) : state_(image), heap_(heap) {}
 
-  /// Forgets the recorded state: code other than firmware has run.
+  /// Drops the recorded state. Call it after code other than firmware has run.
   void begin();
-  /// Returns whether this state was seen before; `place` identifies the block.
+  /// Returns whether this state was recorded before. `place` identifies the block.
   bool sees(const void* place, Memory stack);
 
  private:

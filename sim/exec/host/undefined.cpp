@@ -16,7 +16,7 @@ struct Mismatch {
   Location at;
   const Type* type;
   std::uint8_t log_alignment;
-  std::uint8_t use;  ///< of the pointer: kUses
+  std::uint8_t use;  ///< use of the pointer: index into kUses
 };
 
 struct Argument {
@@ -58,7 +58,7 @@ struct Whole {
   bool is_signed;
 };
 
-/// Values wider than a register are passed by address.
+/// Returns a value of `bits` bits. Values wider than a register are passed by address.
 template <typename T>
 T stored(std::uintptr_t handle, int bits) {
   T result = 0;
@@ -102,7 +102,7 @@ std::string number(const Type& type, std::uintptr_t handle) {
   return "number";
 }
 
-// sim/build/target.cpp fills local variables with bytes FE.
+// Returns a remark if all bytes are FE, with which sim/build/target.cpp fills local variables.
 std::string if_never_set(const Type& type, std::uintptr_t handle) {
   constexpr std::uintptr_t kFilling = 0xFE;
   const int width = std::min(bits(type), 64);

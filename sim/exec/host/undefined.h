@@ -1,5 +1,5 @@
-// Explains findings of gcc's UndefinedBehaviorSanitizer. gcc passes a name and the data of its handlers,
-// which are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h).
+// Explains findings of gcc's UndefinedBehaviorSanitizer. gcc passes the name and the data of a handler. Both
+// are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace robosim::exec {
 
-/// The data of gcc's handlers, as far as they are common to all.
+/// The common part of the data of all gcc handlers.
 namespace ubsan {
 
 struct Location {
@@ -22,7 +22,7 @@ struct Location {
 struct Type {
   enum Kind : std::uint16_t { integer = 0, floating = 1 };
   std::uint16_t kind;
-  std::uint16_t info;  ///< integer: 2 * log2(bits), + 1 if signed; floating: bits
+  std::uint16_t info;  ///< integer: 2 * log2(bits), + 1 if signed; floating: number of bits
   char name[1];        ///< "'int'"
 };
 
@@ -40,17 +40,17 @@ struct TwoTypes {
 }  // namespace ubsan
 
 struct Undefined {
-  std::string check;   ///< its name
+  std::string check;   ///< name of the check
   std::string reason;  ///< a clause, as in Crash
-  std::string file;    ///< as debug information names it; empty if gcc does not pass it
+  std::string file;    ///< as named by debug information; empty if gcc does not pass it
   int line = 0;
 };
 
-/// `check` is the handler's name without "__ubsan_handle_"; `data` and the values are the handler's
-/// arguments.
+/// Explains a failed check. `check` is the handler's name without "__ubsan_handle_"; `data`, `value` and
+/// `other` are the handler's arguments.
 Undefined explain_undefined(std::string_view check, const void* data, std::uintptr_t value,
                             std::uintptr_t other);
-/// Takes file and line of the fault, if it has them and they are the sketch's.
+/// Copies file and line of the fault to `place`, if they are known and belong to the sketch.
 void take_place(const Undefined& fault, SourceLine& place);
 
 }  // namespace robosim::exec

@@ -1,4 +1,4 @@
-// The features of the chip that firmware has used and that its image lacks: each once, by time.
+// Records the chip features that firmware has used and its image lacks: each one once, by time.
 #pragma once
 
 #include <algorithm>
