@@ -84,7 +84,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMiss
   executor_.detect(counted);
 }
 
-// A manual move by a competition's rules may put it anywhere.
+// Excludes competitions: a manual move according to their rules may put the robot anywhere.
 bool Agent::may_take_turns() const {
   return !progress_.contest() && !state_.listener->minds_turns() && sight() < kFarthestSight;
 }
@@ -170,7 +170,7 @@ void Agent::tell_events(SimTime t, SimTime tick, int step) {
 }
 
 void Agent::look_to_the_side() {
-  constexpr double kAside = 0.002, kShare = 0.1;  // m; weight of each look in the mean
+  constexpr double kAside = 0.002, kShare = 0.1;  // m; weight of each check in the mean
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
   state_.line_side = side;
@@ -178,7 +178,7 @@ void Agent::look_to_the_side() {
   state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
 }
 
-// Reads the sensors that are due; does nothing if called early.
+// Reads the sensors that are due. Does nothing if called too early.
 void Agent::sample_sensors(SimTime end) {
   const DueChecks& due = checks_at(end);
   if (due.at_sensors) state_.sees_line = robot_.sees_line();
@@ -247,7 +247,7 @@ void Agent::feed_board(SimTime t) {
 void Agent::act_in_full(SimTime t) {
   if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
-  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes, before their effects in this tick
+  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes before their effects in this tick
   if (board_detectors_) board_detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }
@@ -282,7 +282,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
-// Separate, as most ticks need no stack frame for it.
+// A function of its own, since most ticks need no stack frame for it.
 bool Agent::pass_places(SimTime end) { return undisturbed_tick(end, true); }
 
 bool Agent::evaluate_in_full(SimTime end) {
@@ -310,7 +310,7 @@ bool Agent::evaluate_in_full(SimTime end) {
   return verdict.has_value();
 }
 
-// Returns when it must look closely next, in any case.
+// Returns the latest end of the next tick that must be evaluated in full.
 inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_text_outputs() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
@@ -329,7 +329,7 @@ std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdi
   return verdict;
 }
 
-// Puts it down by a manual move of the goal's rules.
+// Puts the robot down by a manual move according to the goal's rules.
 void Agent::put(const Pose& where) {
   body_.place(where);
   state_.sees_line = true;

@@ -36,17 +36,18 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     PreparedMap& prepared_map;
   };
 
-  /// `number` counts from 0: the order in which agents act, and part of the address of their noise. Throws
-  /// InputError if the set-up is invalid.
+  /// Throws InputError if the set-up is invalid. `number` counts from 0. It is the agent's place in the order
+  /// in which agents act, and part of the address of its noise.
   Agent(const AgentSetup& own, const Stage& stage, int number);
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
 
-  /// Reports the resolved settings to its listener, and starts the firmware.
+  /// Reports the resolved settings to the listener, and starts the firmware.
   void begin();
 
-  // The steps of a tick, as simulation.h numbers them. All agents take a step before any takes the next.
-  /// 1: runs the script at `t`; the parts schedule their edges.
+  // The steps of a tick, numbered as in simulation.h. All agents perform a step before the first one begins
+  // the next step.
+  /// Step 1: runs the script at `t`; the parts schedule their edges.
   void act(SimTime t) {
     if (robot_.has_battery() || board_detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
         [[unlikely]]
@@ -54,56 +55,56 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     else
       robot_.begin_tick(t);
   }
-  /// 2 and 3: runs the firmware to `end`, and gives motors their commands. Returns whether anything has
-  /// happened since world or judge could last notice.
+  /// Steps 2 and 3: runs the firmware to `end`, and sets the motors' commands. Returns whether anything has
+  /// happened since world or judge could last observe the robot.
   bool run_firmware(SimTime end);
-  /// 1 to 3, for the tick at `t`. Returns the time until which they have no work again. `wakes` is that time
-  /// from the previous tick; 0 = unknown.
+  /// Steps 1 to 3 for the tick at `t`. Returns the time until which these steps have no work. `wakes` is the
+  /// result for the previous tick; 0 = unknown.
   SimTime step_or_sleep(SimTime t, SimTime wakes);
-  /// 4: goal and judge examine the world at `end`. Returns whether that gave a verdict: the agent is then
+  /// Step 4: goal and judge examine the world at `end`. Returns whether there is a verdict: the agent is then
   /// finished.
   bool evaluate(SimTime end);
 
-  // --- turns of several ticks, while it is apart from others ---
-  /// A report that waits until all agents have reached its time.
+  // --- turns of several ticks, while the agent is apart from all others ---
+  /// A report that is delayed until all agents have reached its time.
   struct Untold {
-    SimTime tick;  ///< the beginning of its tick
-    int step;      ///< of the tick, as above
+    SimTime tick;  ///< beginning of the report's tick
+    int step;      ///< step of the tick, as above
     int agent;
     Listener* listener;
     std::variant<wire::RunEvent, Sample> what;
   };
-  /// Returns whether it may ever take turns.
+  /// Returns whether the agent may ever take turns.
   bool may_take_turns() const;
   double sight() const { return robot_.sight(); }
-  /// Returns when its script acts next; kNever if it has its verdict.
+  /// Returns when the agent's script acts next; kNever if the agent has its verdict.
   SimTime acts_at(SimTime t) const { return finished() ? kNever : player_.next_act(t); }
-  /// Collects its events and samples in `untold` from now on, instead of reporting them; null: reports them.
+  /// Collects events and samples in `untold` from now on, instead of reporting them. Null: reports them.
   void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
-  /// Returns until when the agent rests. In ticks that begin between `end` and that time, act(), except its
-  /// parts, and evaluate() would have the same results. That holds while the world is still and nothing
-  /// happens. Call it directly after evaluate() at `end`. Returns `end` if it does not rest.
+  /// Returns the time until which the agent rests; `end` if it does not rest. In ticks that begin before that
+  /// time, act(), except its parts, and evaluate() would repeat their results. This is true as long as the
+  /// world is still and nothing happens. Call it directly after evaluate() at `end`.
   SimTime rests_until(SimTime end) const;
-  /// 1, in such a tick.
+  /// Step 1 in a tick of rest.
   void begin_rest(SimTime t) {
     if (board_detectors_) board_detectors_->booted(player_.boots());
     robot_.begin_tick(t);
   }
   bool has_crashed() const { return crash_.has_value(); }
-  /// 4, at the end of one.
+  /// Step 4 at the end of a tick of rest.
   void rest(SimTime end);
-  /// Updates the state after such ticks, before anything else happens at `t`: as if it had looked all the
-  /// time.
+  /// Updates the state after ticks of rest, as if all of them had been evaluated. Call it before anything
+  /// else happens at `t`.
   void catch_up(SimTime t);
 
-  /// Ends its run with this verdict.
+  /// Ends the agent's run with this verdict.
   void finish(judge::Verdict verdict, SimTime t);
-  /// Ends its run because the time is up: reached if there was no goal.
+  /// Ends the agent's run because the time is up. The verdict is "reached" if there was no goal.
   void time_out(SimTime limit);
   bool finished() const { return state_.outcome.has_value(); }
-  /// Leaves a finished agent on the floor while others continue: the firmware is off, and nothing is reported
+  /// Leaves a finished agent on the floor while others continue. Its firmware is off, and it reports nothing
   /// any more.
   void detach(SimTime t);
   const judge::Outcome* outcome() const { return finished() ? &*state_.outcome : nullptr; }
@@ -111,12 +112,13 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- driven step by step (step_controller.h) ---
   void begin_leg(const Leg& leg, SimTime t);
-  /// Returns whether the leg ends at the end of a tick. met() then returns the stop that did it, or -1.
+  /// Returns whether the leg ends at `t`, the end of a tick. met() then returns the stop that ended it, or
+  /// -1.
   bool leg_ends(SimTime t) { return stops_.look(t); }
   int met() const { return stops_.met(); }
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
-  /// Returns its state when the run pauses at `t`; stop_met: of all agents.
+  /// Prepares state() and sample() for a pause at `t`. `stop_met` is the stop that was met, for all agents.
   void publish_pause_state(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }
@@ -126,30 +128,30 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   struct State {
     Listener* listener;                                               ///< null once the agent has left
     std::string exceeded;                                             ///< the exceeded budget, as a sentence
-    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< of the sensors, at the last look
-    double cross_track = 0.0;                                         ///< there
-    world::NearStripe line;                                           ///< the stripe near it
+    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< sensors' midpoint, last measured
+    double cross_track = 0.0;                                         ///< at the midpoint
+    world::NearStripe line;                                           ///< stripe near the midpoint
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;
     std::int64_t off_line_ticks = 0;
     bool sees_line = true;
-    double line_side = 0.0;  ///< Robot::line_side() when last on a side
-    double steered = 0.0;    ///< running mean of its steering then, -2..2; above 0: towards the line
+    double line_side = 0.0;  ///< last value of Robot::line_side() that was not small
+    double steered = 0.0;    ///< running mean of the steering then, -2..2; above 0: towards the line
     int collisions_told = 0;
-    SimTime senses_at = 0;   ///< no sensor is examined before
-    SimTime reports_at = 0;  ///< no periodic work before: see is_undisturbed()
+    SimTime senses_at = 0;   ///< no sensor is examined before this time
+    SimTime reports_at = 0;  ///< no periodic work before this time: see is_undisturbed()
     bool stirred = false;    ///< a pin has changed since the tick began
-    judge::Events happened;  ///< in this tick
+    judge::Events happened;  ///< events in this tick
     std::deque<wire::RunEvent> events;
-    SimTime sent_at = -1;  ///< time of its last byte
+    SimTime sent_at = -1;  ///< time of the last byte sent
     std::string told;      ///< reports of parts, one per line
     run::State shown;
     Sample sample;
     std::vector<bool> went_high, was_output, was_pulled_up;
     std::optional<judge::Outcome> outcome;
   };
-  /// All state that changes during a run, except its body's.
+  /// All state that changes during a run, except the body's.
   struct Saved {
     State own;
     AppendOnlyText::Copy serial;
@@ -195,9 +197,9 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
-  /// Reports the events of a step of the tick that begins at `tick`.
+  /// Reports the events of one step of the tick that begins at `tick`.
   void tell_events(SimTime t, SimTime tick, int step);
-  /// Valid until the next call.
+  /// Returns a sample that is valid until the next call.
   const Sample& sample_at(SimTime t);
   judge::Metrics metrics() const;
   judge::Evidence evidence(judge::Verdict verdict, SimTime t);
@@ -206,7 +208,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   const Setup& setup_;
   const int number_;
   exec::Executor& executor_;
-  const std::optional<exec::Crash>& crash_;  ///< found by the executor
+  const std::optional<exec::Crash>& crash_;  ///< the executor's crash
   const grid::Start start_;
   const grid::Network network_;
   const judge::Goal goal_;
@@ -225,7 +227,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   State state_;
   AppendOnlyText serial_;
   Sample sample_;                         ///< reused for every sample
-  std::vector<robot::Reading> readings_;  ///< for it
+  std::vector<robot::Reading> readings_;  ///< for sample_
   StopConditions stops_;
   std::vector<Untold>* untold_ = nullptr;
 };
@@ -257,7 +259,7 @@ inline SimTime Agent::step_or_sleep(SimTime t, SimTime wakes) {
   return wakes_at(t + kTick);
 }
 
-// Measures the distance from the line.
+// Updates the distance from the line.
 inline void Agent::measure(SimTime end) {
   const Vec2 midpoint = body_.pose().to_world(sensor_midpoint_);
   if (midpoint.x != state_.midpoint.x || midpoint.y != state_.midpoint.y) {
@@ -271,14 +273,14 @@ inline void Agent::measure(SimTime end) {
   }
 }
 
-// Returns whether the tick that ends at `end` only moved the body, and no periodic work of evaluate_in_full()
-// is due.
+// Returns whether only the body moved in the tick that ends at `end`, and evaluate_in_full() has no periodic
+// work to do.
 inline bool Agent::is_undisturbed(SimTime end) const {
   return end < state_.reports_at && !crash_ && state_.happened.empty() && !body_.in_hand() &&
          body_.collisions() == state_.collisions_told;
 }
 
-// Most ticks are undisturbed. Hanging firmware is detected in the others.
+// Most ticks are undisturbed. Firmware that hangs is detected in the others.
 [[gnu::always_inline]] inline bool Agent::evaluate(SimTime end) {
   if (!is_undisturbed(end)) return evaluate_in_full(end);
   const bool checks_progress = !progress_.passes_by(body_);
@@ -287,7 +289,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
   return checks_progress ? pass_places(end) : undisturbed_tick(end, false);
 }
 
-// Does the part of evaluate_in_full() that an undisturbed tick needs.
+// Does the part of evaluate_in_full() that is necessary in an undisturbed tick.
 [[gnu::always_inline]] inline bool Agent::undisturbed_tick(SimTime end, bool checks_progress) {
   hash_.pose(body_.pose());
   if (checks_progress) progress_.look(body_, end, state_.happened);

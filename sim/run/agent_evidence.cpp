@@ -1,4 +1,4 @@
-// The evidence that a verdict's sentence may use.
+// Collects the evidence for the sentence that explains a verdict.
 #include "sim/run/agent.h"
 
 namespace robosim::run {

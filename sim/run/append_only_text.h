@@ -1,4 +1,4 @@
-// A text that only grows, up to a mebibyte. Its snapshots share their common part. So hundreds of them take
+// A text that only grows, up to a mebibyte. Its snapshots share their common part: hundreds of them take
 // little more memory than one.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace robosim::run {
 class AppendOnlyText {
  public:
   struct Copy {
-    std::vector<std::shared_ptr<const std::string>> pieces;  ///< of kPiece bytes
+    std::vector<std::shared_ptr<const std::string>> pieces;  ///< kPiece bytes each
     std::string rest;
   };
 
@@ -38,7 +38,7 @@ class AppendOnlyText {
   static constexpr std::size_t kPiece = 4096;
 
   std::string text_;
-  mutable std::vector<std::shared_ptr<const std::string>> pieces_;  ///< the part that has been saved
+  mutable std::vector<std::shared_ptr<const std::string>> pieces_;  ///< part of the text that has been saved
 };
 
 }  // namespace robosim::run

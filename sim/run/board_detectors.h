@@ -1,4 +1,4 @@
-// The detectors that examine what firmware does to its board, for every target.
+// The detectors that examine what firmware does to its board. They work for every target.
 #pragma once
 
 #include <vector>
@@ -15,14 +15,14 @@ namespace robosim::run {
 
 class BoardDetectors final : PinWatcher, EepromWatcher, AdcWatcher {
  public:
-  /// `executor` outlives this, which outlives its use.
+  /// `executor` must outlive this object, which must exist as long as the firmware runs.
   BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring);
   BoardDetectors(const BoardDetectors&) = delete;
   BoardDetectors& operator=(const BoardDetectors&) = delete;
 
   /// Records how often the firmware has started.
   void booted(std::uint64_t times);
-  /// Returns the findings at the end of the run, `now`.
+  /// Returns the findings at the end of the run. `now` is the present time.
   std::vector<exec::Detected> found(SimTime now) const;
 
   /// The state that changes during a run.

@@ -1,4 +1,4 @@
-// Checks of an agent that need not run in each tick.
+// Schedules checks of an agent that need not run in each tick.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace robosim::run {
 
-constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< in it an agent runs each of its checks
+constexpr SimTime kRestSpan = 20 * kMillisecond;  ///< period in which an agent runs each of its checks
 constexpr int kSensorCheckEvery = 4;              ///< ticks between two checks of all sensors
 constexpr int kSideCheckEvery = 10;               ///< ticks between two checks of the line's side
 
-/// A check at the end of a tick.
+/// The checks that are due at the end of a tick.
 struct DueChecks {
   bool at_sensors, aside;
   int next;  ///< number of ticks until the next one
 };
 
-/// The checks by the tick's number in kRestSpan. It is a table, because it is read in every third tick, and
-/// several remainders would take longer than the checks.
+/// The checks by the tick's number in kRestSpan. This is a table, because it is read in every third tick.
+/// Calculating several remainders would take longer than the checks.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};
   static_assert(looks.size() % kSensorCheckEvery == 0 && looks.size() % kSideCheckEvery == 0);

@@ -1,4 +1,4 @@
-// Turns of several ticks, for robots that are apart from all others (simulation.h).
+// Runs robots that are apart from all others in turns of several ticks (simulation.h).
 #include <algorithm>
 #include <tuple>
 
@@ -7,12 +7,12 @@
 namespace robosim::run {
 namespace {
 
-constexpr SimTime kTurn = 5 * kRestSpan;  // an upper limit: so that robots need not be far apart
+constexpr SimTime kTurn = 5 * kRestSpan;  // an upper limit, so that robots need not be far apart
 
 }  // namespace
 
-// Returns until when robots that are apart may run independently from `t`. Before that no script acts, and no
-// observer needs all of them at one time. Returns `t` if they may not.
+// Returns the time until which robots that are apart may run independently, starting at `t`; `t` if they may
+// not. Until then no script acts, and no observer needs all robots at the same time.
 SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   if (wants_to_stop()) return t;
   SimTime until = std::min(end, t - t % kTurn + kTurn);
@@ -20,9 +20,9 @@ SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   return until;
 }
 
-// Runs the ticks from `t` up to `end`, or fewer. Robots that are apart from all others run one by one, then
-// the others in lockstep. So a robot's state and its copy of the firmware are reused while they are in
-// caches. Returns false, without effect, if no robots are apart.
+// Runs the ticks from `t` to `end`, or fewer. Robots that are apart from all others run one after the other.
+// Then the others run in lockstep. This way a robot's state and copy of the firmware are reused while they
+// are in caches. If no robot is apart, returns false and changes nothing.
 bool Simulation::Impl::take_turns(SimTime t, SimTime end) {
   if (end < t + 2 * kTick) return false;
   const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));
@@ -60,7 +60,7 @@ void Simulation::Impl::take_turn(std::size_t number, SimTime t, SimTime end) {
     if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
     wakes = agent.step_or_sleep(t, wakes);
     world.step_alone(number);
-    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // or it is the last
+    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // false: it finished last
   }
   agent.tell_later(nullptr);
 }

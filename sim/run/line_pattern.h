@@ -12,10 +12,11 @@ namespace robosim::run {
 
 class LinePattern {
  public:
-  /// Throws InputError for an invalid regular expression, or one that needs more than linear time.
+  /// Compiles a regular expression. Throws InputError if it is invalid, or needs more than linear time.
   explicit LinePattern(const std::string& text);
 
-  /// Returns whether a part of the line matches. Firmware sends bytes in any encoding.
+  /// Returns whether any part of the line matches. The line may have any encoding, as firmware sends any
+  /// bytes.
   bool is_in(const std::string& line) const;
 
  private:

@@ -1,5 +1,5 @@
-// The initial state of simulations on a map, whatever their seed. A process whose forks each make one run
-// builds it before it forks, so that all of them share it.
+// The initial state of simulations on a map, which does not depend on their seed. A process whose forks
+// perform one run each builds it before it forks, so that all forks share it.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@
 
 namespace robosim::run {
 
-/// Where a robot starts, and its goal. Empty: the map's.
+/// A robot's start and goal. If empty, those of the map are used.
 struct Mission {
   std::optional<grid::Start> start;
   std::optional<judge::Goal> goal;
   bool operator==(const Mission&) const = default;
 };
 
-/// A mission resolved on a map.
+/// A mission that has been resolved on a map.
 struct ResolvedMission {
-  /// The map must outlive it. Throws InputError if the mission makes no sense there.
+  /// Resolves a mission on a map, which must outlive this object. Throws InputError if that is impossible.
   ResolvedMission(const Mission& mission, const grid::Map& map, const grid::Stripes& stripes);
   grid::Start start;
   grid::Network network;
@@ -33,27 +33,28 @@ struct ResolvedMission {
 
 class PreparedMap {
  public:
-  /// The map must outlive it. Throws InputError if it has too much line (grid::Stripes).
+  /// Prepares a map, which must outlive this object. Throws InputError if it has too much line
+  /// (grid::Stripes).
   explicit PreparedMap(const grid::Map& map);
 
-  /// Resolves beforehand the mission that resolve() will need for that agent.
+  /// Resolves an agent's mission in advance, for a later call of resolve().
   void prepare(std::size_t number, const Mission& mission);
-  /// Throws InputError if the mission makes no sense on the map.
+  /// Returns an agent's resolved mission. Throws InputError if the mission is impossible on the map.
   ResolvedMission resolve(std::size_t number, const Mission& mission) const;
 
   const grid::Stripes& stripes() const { return stripes_; }
-  /// Returns the world as on the map, until a simulation drives on it.
+  /// Returns the world. It is in the map's initial state until a simulation uses it.
   world::World& world() { return world_; }
 
  private:
   struct Prepared {
     Mission mission;
-    std::optional<ResolvedMission> resolved_mission;  ///< none: the mission is invalid
+    std::optional<ResolvedMission> resolved_mission;  ///< empty if the mission is invalid
   };
   const grid::Map& map_;
   const grid::Stripes stripes_;
   world::World world_;
-  std::vector<Prepared> prepared_;  ///< by agent number
+  std::vector<Prepared> prepared_;  ///< indexed by agent number
 };
 
 }  // namespace robosim::run

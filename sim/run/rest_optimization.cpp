@@ -1,7 +1,7 @@
-// Makes a robot at rest almost free, on a floor on which nothing moves. In its ticks only firmware and parts
-// run, detectors observe, poses are hashed and ticks are counted. The repeated results of act() and
-// evaluate() are skipped. They run in full once each kRestSpan, and whenever firmware does something. A
-// sequence of equal looks has the same effect as its last one, which catch_up() applies before anything
+// Makes simulating a robot at rest almost free, on a floor on which nothing moves. In its ticks only firmware
+// and parts run, detectors observe, poses are hashed and ticks are counted. act() and evaluate() would repeat
+// their results and are skipped. They run in full once per kRestSpan, and whenever firmware does something.
+// Repeated equal checks have the same effect as the last of them, which catch_up() performs before anything
 // changes.
 #include <algorithm>
 

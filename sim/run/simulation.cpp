@@ -66,7 +66,7 @@ void Simulation::Impl::check(const Leg& leg) const {
   for (const auto& agent : agents) agent->check(leg);
 }
 
-// Runs the controller. Returns false if the run should end here.
+// Calls the controller. Returns false if the run must end here.
 bool Simulation::Impl::stand_still(SimTime t) {
   int met = -1;
   for (const auto& agent : agents)
@@ -84,7 +84,7 @@ inline bool Simulation::Impl::leg_ends(SimTime t) {
   return ends;
 }
 
-// Returns whether an agent left while others continue.
+// Runs a tick. Returns whether an agent left while others continue.
 inline bool Simulation::Impl::tick(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
@@ -98,8 +98,8 @@ inline bool Simulation::Impl::tick(SimTime t) {
   return left;
 }
 
-// Runs ticks of a single robot without controller, from clock.t up to the next check for rest, or fewer.
-// clock.t is then the last of them.
+// Runs ticks of a single robot without a controller, from clock.t to the next check for rest, or fewer.
+// Afterwards clock.t is the last of these ticks.
 void Simulation::Impl::go_alone(SimTime end) {
   Agent& agent = *agents.front();
   SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);
@@ -165,7 +165,7 @@ void Simulation::Impl::interrupt(SimTime t) {
     if (!agent->finished()) agent->finish(judge::Verdict::interrupted, t);
 }
 
-// Runs the ticks after a tick of rest, while they are of rest, too.
+// Runs ticks after a tick of rest, as long as they are ticks of rest, too.
 void Simulation::Impl::rest_on(SimTime end) {
   const SimTime until = std::min(rests_until, end - kTick);
   Agent* const lone = agents.size() == 1 ? agents.front().get() : nullptr;
@@ -192,7 +192,7 @@ void Simulation::Impl::run_until(SimTime end) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (setup.controller && over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    // The last one is complete, so that a later reader of the state finds all of it.
+    // Runs the last tick in full, so that all of the state can be read afterwards.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
     if (takes_turns && clock.t >= std::max(rests_until, turns_from)) {
       if (take_turns(clock.t, turns_end(clock.t, end))) continue;

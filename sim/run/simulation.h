@@ -1,17 +1,17 @@
-// A simulation is a clock, a world and agents: robots, each with its own firmware, script, goal and verdict.
-// This class alone keeps firmware and world in lockstep.
+// A simulation consists of a clock, a world and agents: robots, each with its own firmware, script, goal and
+// verdict. Only this class keeps firmware and world in lockstep.
 //
 // A tick is [t, t+1 ms):
 //   1. The scenario acts at t, and parts schedule their pin edges from the state at t.
 //   2. Firmware runs to t+1 ms; its reads inside the tick are extrapolated from the state at t.
 //   3. Each motor's command becomes the time average of its pins over the tick.
 //   4. The world integrates to t+1 ms; then goal and judge examine it.
-// All agents take each step, in the order of their numbers, before the next one begins. So an effect of one
-// on another in a tick is visible in the next.
+// All agents perform a step, in the order of their numbers, before the next step begins. An effect of one
+// agent on another in a tick is therefore visible in the next tick.
 //
-// Robots that are so far from all others that no effect can reach another take turns of several ticks. That
-// gives the same result and uses the processor's caches better. The order is the same for every executor.
-// Nothing here depends on wall time, threads or listeners.
+// Robots too far from all others to affect any of them take turns of several ticks. The result is the same,
+// and the processor's caches are used better. The order is the same for every executor, and does not depend
+// on wall time, threads or listeners.
 #pragma once
 
 #include <array>
@@ -40,12 +40,12 @@ struct Beginning {
   grid::Start start;
   judge::Goal goal;
   std::vector<grid::Station> stations;
-  std::vector<std::string> readings;  ///< names, in the order of Sample::readings
-  int width = 0, height = 0;          ///< of the map, in cells
+  std::vector<std::string> readings;  ///< names of parts, in the order of Sample::readings
+  int width = 0, height = 0;          ///< size of the map, in cells
   double cell_m = 0.0;                ///< side of a cell
 };
 
-/// The state at a moment, for display.
+/// The state at a time, for display.
 struct Sample {
   SimTime t = 0;
   Pose pose;
@@ -54,11 +54,11 @@ struct Sample {
   double left = 0.0;         ///< motor command, -1..1
   double right = 0.0;
   std::vector<double> readings;
-  std::string at_station;          ///< station whose centre the body covers; for controllers only, "" = none
-  std::array<double, 2> wheels{};  ///< m/s, left and right: of the tread, also during slip
+  std::string at_station;          ///< station whose centre the body covers, or ""; for controllers only
+  std::array<double, 2> wheels{};  ///< m/s, left and right: speed of the tread, also during slip
 };
 
-/// Receives events of one agent. A listener never changes what happens.
+/// Receives events of one agent. A listener never affects the run.
 class Listener {
  public:
   virtual ~Listener() = default;
@@ -66,94 +66,97 @@ class Listener {
   virtual void sampled(const Sample&) {}
   virtual void pin_changed(Pin, const PinDrive&, SimTime) {}
   virtual void byte_sent(std::uint8_t, SimTime) {}
-  /// Returns whether it needs the three functions below; asked once.
+  /// Returns whether the listener needs the three functions below. Called once.
   virtual bool wants_inputs() const { return false; }
-  /// Reports a level that the firmware read on a pin, or an edge that reached an interrupt. See InputWatcher
-  /// for the order.
+  /// Reports a level that the firmware read on a pin, or an edge that reached an interrupt. InputWatcher
+  /// describes the order.
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
   virtual void happened(const wire::RunEvent&) {}
-  /// Returns whether the order of independent robots matters. If not, up to 100 ms of one robot's pins and
-  /// bytes may be reported before another's. Samples and events are sorted by time in any case. Asked once.
+  /// Returns whether the order of reports of independent robots matters. If not, up to 100 ms of one robot's
+  /// pins and bytes may be reported before another robot's. Samples and events are always sorted by time.
+  /// Called once.
   virtual bool minds_turns() const { return true; }
 };
 
 /// One robot: its firmware, its start, its goal, and its script.
 struct AgentSetup {
   const robot::Description* robot = nullptr;
-  exec::Executor* executor = nullptr;  ///< its own, for this run only
-  std::optional<grid::Start> start;    ///< else the map's
-  std::optional<judge::Goal> goal;     ///< else the map's
+  exec::Executor* executor = nullptr;  ///< not shared with any other run or agent
+  std::optional<grid::Start> start;    ///< if empty, the map's
+  std::optional<judge::Goal> goal;     ///< if empty, the map's
   std::vector<scenario::Step> scenario;
   Listener* listener = nullptr;  ///< may be null
 };
 
 class PreparedMap;
 
-/// The value of Setup::reached while firmware is loaded and begins.
+/// The value of Setup::reached while firmware is loaded and starts.
 constexpr SimTime kLoading = -1;
 
 struct Setup {
   const grid::Map* map = nullptr;
-  /// The prepared map. The first simulation takes it, and the next ones make their own. May be null.
+  /// The prepared map, or null. The first simulation takes it; later ones make their own.
   std::unique_ptr<PreparedMap>* prepared_map = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one
-  SimTime limit = kDefaultLimit;   ///< simulated
+  SimTime limit = kDefaultLimit;   ///< simulated time
   std::uint64_t seed = 1;
   robot::Profile profile = robot::Profile::typical;
   SimTime samples_every = 0;    ///< a multiple of the tick; 0 = no samples
   bool detect = false;          ///< turns on detectors
-  bool leaves_rest_out = true;  ///< for robots at rest, with equal results (rest_optimization.cpp); tests
-                                ///< turn it off
-  bool takes_turns = true;      ///< for robots that are apart, with equal results; tests turn it off
+  bool leaves_rest_out = true;  ///< skips repeated work for robots at rest, with equal results
+                                ///< (rest_optimization.cpp); tests turn it off
+  bool takes_turns = true;      ///< allows turns of several ticks, with equal results; tests turn it off
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
-  /// Receives how far the run has come, for watchdogs: kLoading before any firmware is loaded. May be null.
+  /// Receives the time that the run has reached, for watchdogs; kLoading before any firmware is loaded. May
+  /// be null.
   std::atomic<SimTime>* reached = nullptr;
   std::atomic<int>* acting = nullptr;  ///< receives the number of the running firmware; may be null
 };
 
-/// The set-up of one agent is invalid.
+/// Reports an invalid set-up of one agent.
 class BadAgent : public InputError {
  public:
   BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
-  int agent;       ///< its number
-  int other = -1;  ///< the one that it starts on; -1 = the error involves one agent
+  int agent;       ///< number of the agent
+  int other = -1;  ///< the agent it starts on top of; -1 = no other agent is involved
 };
 
 /// A run that can pause between two ticks, be saved there, and continue from there any number of times.
 class Simulation {
  public:
-  /// A moment of a simulation: a value, valid as long as the simulation that made it.
+  /// The saved state of a simulation at a time. It is a value, valid as long as the simulation that saved it.
   class Snapshot;
 
-  /// Switches the firmware on. The set-up must outlive this. Throws InputError if it is invalid (start off
-  /// the line or on top of another, unknown parts …). For several agents it is a BadAgent.
+  /// Switches the firmware on. The set-up must outlive this object. Throws InputError if the set-up is
+  /// invalid (start off the line or on top of another robot, unknown parts …). With several agents, the error
+  /// is a BadAgent.
   explicit Simulation(const Setup& setup);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Returns how far it has come: a whole number of ticks.
+  /// Returns the time that the run has reached: a whole number of ticks.
   SimTime now() const;
-  /// Returns whether each agent has its verdict, or the set-up's time is up.
+  /// Returns whether each agent has its verdict, or the set-up's time limit is reached.
   bool is_over() const;
-  /// Continues until now() is `t` or later, or the run is over.
+  /// Continues until now() is at least `t`, or the run is over.
   void run_until(SimTime t);
-  /// Adds steps to the end of the first robot's script, between two ticks. Throws InputError as a script
-  /// does.
+  /// Adds steps to the end of the first robot's script, between two ticks. Throws InputError for the same
+  /// errors as a script.
   void add(std::vector<scenario::Step> steps);
-  /// Ends the run here: agents without a verdict have used up the time. Returns the outcomes of all agents,
-  /// in their order.
+  /// Ends the run. Agents without a verdict have used up the time. Returns the outcomes of all agents, in the
+  /// order of their numbers.
   std::vector<judge::Outcome> end();
 
-  /// Saves all changing state: the chips with their boards, robots, world, scripts, goals, judges and trace
-  /// hashes. Throws InputError if an executor cannot be saved: on the target host. A debugger and its
+  /// Saves all changing state: chips with their boards, robots, world, scripts, goals, judges and trace
+  /// hashes. Throws InputError if an executor cannot be saved, as on the target host. A debugger and its
   /// settings are not included.
   Snapshot save() const;
-  /// Continues from there as after save(), also after end() or an exception from run_until(). Reports to
-  /// listeners since then are not withdrawn: they are repeated.
+  /// Restores a snapshot, even after end() or an exception from run_until(). Reports that listeners have
+  /// received since the snapshot are repeated.
   void restore(const Snapshot& snapshot);
 
  private:
@@ -161,9 +164,9 @@ class Simulation {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Runs until each agent has its verdict; returns them in the order of the agents. A finished agent stays
-/// where it is, its firmware off, while others continue. Throws InputError if the set-up is invalid (start
-/// off the line, unknown parts …).
+/// Runs until each agent has its verdict. Returns the outcomes in the order of the agents. A finished agent
+/// stays where it is, with its firmware off, while others continue. Throws InputError if the set-up is
+/// invalid (start off the line, unknown parts …).
 std::vector<judge::Outcome> simulate(const Setup& setup);
 
 class Simulation::Snapshot {

@@ -1,5 +1,5 @@
-// The implementation of a simulation: its agents, and the ways in which they advance by ticks
-// (simulation.cpp; independent_agents.cpp).
+// The implementation of a simulation: its agents, and how they advance by ticks (simulation.cpp,
+// independent_agents.cpp).
 #pragma once
 
 #include <cstddef>
@@ -70,11 +70,11 @@ struct Simulation::Impl final : Standstill {
   world::World& world;
   std::vector<std::unique_ptr<Agent>> agents;
   Clock clock;
-  SimTime rests_until = 0;  // in ticks that begin before, only firmware acts
-  bool rested = false;      // the last tick was one of rest, without any event
+  SimTime rests_until = 0;  // in ticks that begin before this time, only firmware acts
+  bool rested = false;      // the last tick was a tick of rest, without any event
   bool takes_turns;
-  SimTime turns_from = 0;      // turns are not tried before
-  std::vector<double> sights;  // ranges of sight of the agents
+  SimTime turns_from = 0;      // no turns are tried before this time
+  std::vector<double> sights;  // ranges of the agents' sight
   std::vector<std::size_t> together;
   std::vector<Agent::Untold> untold;
 };
@@ -86,7 +86,7 @@ inline bool Simulation::Impl::look(SimTime end) {
   return left;
 }
 
-// Returns whether it has its verdict now, while others continue.
+// Evaluates an agent. Returns whether it leaves with its verdict now, while others continue.
 inline bool Simulation::Impl::look_of(Agent& agent, SimTime end) {
   if (agent.finished() || !agent.evaluate(end) || over()) return false;
   agent.detach(end);

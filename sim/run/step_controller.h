@@ -1,6 +1,6 @@
-// Drives a run step by step, for tests and other clients that react to its state. The run pauses at the
-// beginning of a tick, its controller examines it and acts, and then continues it until something happens. A
-// script with the same lines at the same times gives the same trace.
+// Drives a run step by step, for tests and other clients that react to the run's state. The run pauses at the
+// beginning of a tick. Its controller then examines the run, acts, and continues it until something happens.
+// A script with the same lines at the same times produces the same trace.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ struct Sample;
 
 using wire::Stop;
 
-/// The controller's next request: continue until the first of these, or to the end at once (`interrupted`).
+/// The controller's next request: to continue until the first stop is met, or to end the run at once
+/// (`interrupted`).
 struct Leg {
   SimTime until = kNever;
   std::vector<Stop> stops;
@@ -30,16 +31,16 @@ struct Leg {
 /// An agent's state at the beginning of a tick.
 struct State {
   SimTime t = 0;
-  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, its time is up
-  /// For the leg: when and where the cross-track error was the largest. Every tick counts.
+  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, as its time is up
+  /// Maximum of the cross-track error in the leg, over all ticks, with its time and place.
   double worst_cross_track = 0.0;  ///< m
   SimTime worst_t = 0;
-  Vec2 worst_at;  ///< the axle's centre, m
+  Vec2 worst_at;  ///< centre of the axle, m
   bool powered = true;
   bool driven = false;           ///< a motor is commanded
-  std::size_t serial_bytes = 0;  ///< sent by the firmware so far
+  std::size_t serial_bytes = 0;  ///< number of bytes sent by the firmware so far
   judge::Metrics metrics;
-  std::optional<exec::Resources> resources;  ///< of a chip
+  std::optional<exec::Resources> resources;  ///< on an emulated chip only
 };
 
 /// A paused run.
@@ -48,14 +49,14 @@ class Standstill {
   virtual int agent_count() const = 0;
   virtual const State& state(int agent = 0) const = 0;
   virtual const Sample& sample(int agent = 0) const = 0;
-  /// Returns the outcome of an agent that has its verdict while others continue; else null.
+  /// Returns the outcome of an agent that has its verdict while others continue; null for other agents.
   virtual const judge::Outcome* outcome(int agent = 0) const = 0;
-  /// Returns the whole non-volatile memory of the firmware.
+  /// Returns the entire EEPROM of the board.
   virtual std::vector<std::uint8_t> eeprom(int agent = 0) const = 0;
-  /// Adds steps to an agent's script; steps that are due now run as soon as the run continues. Throws
-  /// InputError, and adds none, for unknown names.
+  /// Adds steps to an agent's script. Steps that are due run as soon as the run continues. If a name is
+  /// unknown, throws InputError and adds no steps.
   virtual void add(std::vector<scenario::Step> steps, int agent = 0) = 0;
-  /// Throws InputError if a stop is invalid here.
+  /// Throws InputError if a stop of the leg is invalid in this run.
   virtual void check(const Leg& leg) const = 0;
 
  protected:
@@ -65,7 +66,8 @@ class Standstill {
 class StepController {
  public:
   virtual ~StepController() = default;
-  /// Called at t = 0 and whenever a leg has ended, also by the verdict of one robot while others continue.
+  /// Returns the next leg. Called at t = 0 and after each leg, also if a leg ends by the verdict of one robot
+  /// while others continue.
   virtual Leg next(Standstill& standstill) = 0;
 };
 

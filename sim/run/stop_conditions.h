@@ -16,36 +16,36 @@ namespace robosim::run {
 
 class StopConditions {
  public:
-  /// The state that stops examine; all of it outlives this.
+  /// The state that stop conditions examine. All of it outlives this object.
   struct Scene {
     const std::string& serial;
     const judge::Progress& progress;
     const world::Body& body;
     const robot::Robot& robot;
     const RobotPort& board;
-    int agent;  ///< stops about other agents are checked by theirs
+    int agent;  ///< number of this agent; stops about other agents are checked by those
   };
 
   explicit StopConditions(const Scene& scene) : scene_(scene) {}
 
-  /// Throws InputError for a stop with an unknown name.
+  /// Throws InputError if a stop has an unknown name.
   void check(const Leg& leg) const;
-  /// Begins a checked leg at `t`.
+  /// Begins a leg at `t`. check() must have accepted it.
   void begin(const Leg& leg, SimTime t);
   void pin_changed(Pin pin, const PinDrive& drive);
   void happened(const wire::RunEvent& event);
-  /// Returns whether the leg ends here. Called with the time at the end of a tick.
+  /// Returns whether the leg ends at `t`. Call it at the end of each tick.
   bool look(SimTime t);
-  /// Returns the number of the first stop that ended the leg, or -1.
+  /// Returns the number of the first stop that ended the leg; -1 if there is none.
   int met() const { return state_.met; }
 
   struct Watch {
     Stop stop;
-    int number = 0;           ///< in the leg
+    int number = 0;           ///< number of the stop in the leg
     std::size_t station = 0;  ///< index into Progress::stations()
     Pin pin = kNoPin;
     std::optional<LinePattern> line;
-    std::size_t searched = 0;  ///< bytes of the serial text that are searched already
+    std::size_t searched = 0;  ///< bytes of the serial text that have been searched already
     SimTime rest_since = 0;
     bool met = false;
   };

@@ -42,7 +42,8 @@ void confine(const CallKey& key, bool has_grown);
 /// Does the common part of all confinements. Call it before processes are forked, which saves each of them a
 /// millisecond.
 void prepare_to_confine();
-constexpr std::uint64_t kConfinedMemory = 192 << 20;  ///< bytes of memory in addition to that in use
+constexpr std::uint64_t kConfinedMemory = 192
+                                          << 20;  ///< bytes of variables, heap and stacks beyond those in use
 
 /// Call read() and write(); in a confined process, with the key.
 long keyed_read(int fd, void* data, std::size_t bytes);

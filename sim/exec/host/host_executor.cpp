@@ -129,7 +129,7 @@ class HostExecutor::Instance final : public host::Host {
   // Functions of host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks interrupts again. At watch(), a handler may have been running, or the I flag may have been clear
+    // Checks interrupts again. At watch(), a handler may have been running. Or the I flag may have been clear
     // for a moment to read a shared variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
