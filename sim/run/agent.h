@@ -65,7 +65,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// finished.
   bool evaluate(SimTime end);
 
-  // --- turns of several ticks, while the agent is apart from all others ---
+  // --- turns of several ticks, apart from all others ---
   /// A report that is delayed until all agents have reached its time.
   struct Untold {
     SimTime tick;  ///< beginning of the report's tick

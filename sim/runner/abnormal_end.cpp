@@ -23,7 +23,7 @@
 namespace robosim::runner {
 namespace {
 
-/// Returns the outcome of a robot whose run has ended because another's firmware took the process down.
+/// Returns the outcome of a robot whose run ended because the sketch of `other` ended the process.
 judge::Outcome ended_by(const wire::AgentRequest& other) {
   judge::Outcome outcome;
   outcome.verdict = judge::Verdict::interrupted;
@@ -38,7 +38,7 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
   if (request.agents.empty()) return 0;
   const auto found = std::find(suspects.begin(), suspects.end(), static_cast<std::size_t>(acting));
   if (found != suspects.end()) return *found;
-  if (acting < 0 || acting > static_cast<int>(request.agents.size())) {  // overwritten by a sketch
+  if (acting < 0 || acting > static_cast<int>(request.agents.size())) {  // a sketch has overwritten it
     if (suspects.size() == 1) return suspects[0];
     throw InputError(
         "one of the sketches on the host has ended the process that they share, and hidden its identity: run "

@@ -1,4 +1,4 @@
-// Results of runs whose process ended without a result, or was killed.
+// Reports results of runs whose process was killed or ended without a result.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,20 @@ constexpr int kWatchdogStatus = 99;
 constexpr const char* kLoops = "it loops without end inside a library function";
 constexpr const char* kNeverLoads = "it loops without end while it is loaded";
 
-/// Returns the number of the robot whose sketch took the process down. `suspects`: the robots whose sketches
-/// are native code; `acting`: the last number that the process recorded. Throws std::runtime_error if it was
-/// not a sketch. Then the emulator has a fault, or another sketch wrote to invalid memory.
+/// Returns the number of the robot whose sketch ended the process. `suspects`: the robots whose sketches are
+/// native code; `acting`: the last number that the process recorded. Throws std::runtime_error if no sketch
+/// ended it. In that case the emulator has a fault, or a sketch wrote to invalid memory.
 std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std::size_t>& suspects,
                          int acting);
 
-/// Returns the result for a crash of robot `guilty` by `cause`, a clause, at `time`. `check` as in Crash.
+/// Returns the result for a crash of robot `guilty` at `time`. `cause` is a clause; `check` as in Crash.
 wire::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
                                 const std::string& check, std::size_t guilty, SimTime time);
-/// Returns the answer for a process that ran out of memory. The machine is to blame if it allows less than a
-/// sketch may have.
+/// Returns the answer for a process that ran out of memory. If the machine allows less than a sketch may use,
+/// this is an error, not a crash.
 wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t guilty, SimTime time);
 
-/// Returns the clause for such an end of a process.
+/// Returns a clause that describes how a process ended.
 std::string cause_of(const Ending& ending);
 
 }  // namespace robosim::runner

@@ -13,12 +13,12 @@ inline double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
-/// Converts into an existing sample, and so reuses its memory. The robot's number stays.
+/// Converts `sample` into `to`, and reuses its memory. Does not change the robot's number.
 void to_wire(const run::Sample& sample, wire::Sample& to);
 /// Returns the numbers for wire::BatchWriter::add_sample().
 std::array<double, 10> numbers_of(const run::Sample& sample);
 wire::Paused to_wire(const run::State& state, const run::Sample& sample);
-/// Does not set the fields about the request and its files.
+/// Converts an outcome. Does not set the fields about the request and its files.
 wire::RunResult to_wire(const judge::Outcome& outcome);
 wire::RobotInfo to_wire(const robot::Summary& robot);
 

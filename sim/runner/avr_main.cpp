@@ -1,4 +1,4 @@
-// The runner for the target avr, and for robots on the target host in the same run.
+// The runner for the target avr, and for runs that also have robots on the target host.
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/runner/targets.h"
 

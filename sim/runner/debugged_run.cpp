@@ -12,8 +12,8 @@ using exec::gdb::LeftRun;
 using exec::gdb::Place;
 using exec::gdb::Search;
 
-constexpr SimTime kStretch = 10 * kMillisecond;  // between two checks for what must be saved
-constexpr SimTime kClose = 2 * kTick;            // the tick of a place has begun since then
+constexpr SimTime kStretch = 10 * kMillisecond;  // time between two checks whether a snapshot is due
+constexpr SimTime kClose = 2 * kTick;            // the tick of a place begins within this time before it
 
 }  // namespace
 
@@ -31,7 +31,7 @@ DebuggedRun::DebuggedRun(const run::Setup& setup, exec::gdb::Server& server)
     static_cast<void>(simulation_.save());
     server_.go_back_in(*this);
   } catch (const InputError&) {
-    // gdb then reports by itself that it cannot go back.
+    // gdb itself reports that it cannot go back.
   }
 }
 
@@ -54,7 +54,7 @@ void DebuggedRun::run_on() {
     if (!server_.attached()) moments_.clear();
     const bool can_go_back = server_.history() && server_.attached();
     if (can_go_back && t >= moments_.next()) moments_.add({t, simulation_.save(), told_.count()});
-    // Reports cannot be withdrawn: a run that is ended in its past ends at its latest time.
+    // A run that is interrupted in its past must still reach its latest time, since its reports are out.
     setup_.interrupted = told_.is_at_front() ? interrupted_ : nullptr;
     simulation_.run_until(t + kStretch);
   }
@@ -87,7 +87,8 @@ void DebuggedRun::seek(std::size_t moment, const Place& place) {
   search.target = place;
 }
 
-/// Returns the last place that the search matches, backwards from moment to moment.
+/// Finds the last place that matches the search, going back from snapshot to snapshot. Returns the snapshot's
+/// number.
 std::optional<std::size_t> DebuggedRun::find() {
   const std::size_t last = moments_.before(search.present);
   if (search.steps && look(last, search.present - kClose)) return last;
@@ -109,7 +110,7 @@ void DebuggedRun::go_back() {
   }
 }
 
-/// Halts as for a crash, so that one can go back from other ends, too.
+/// Halts at the end of a run as after a crash, so that the user can go back from there.
 bool DebuggedRun::halts_at_end(const judge::Outcome& outcome) {
   using judge::Verdict;
   const Verdict verdict = outcome.verdict;

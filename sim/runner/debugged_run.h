@@ -1,5 +1,5 @@
-// A run that a debugger halts, and runs in reverse. It is saved at intervals, and run again from there
-// (sim/exec/gdb/history.h). Its results and reports are the same as without.
+// A run that a debugger can halt and run in reverse. It is saved at intervals, and repeated from these
+// snapshots (sim/exec/gdb/history.h). Its results and reports are the same as without a debugger.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace robosim::runner {
 
 class DebuggedRun final : exec::gdb::History {
  public:
-  /// Debugs a run of one robot, whose executor can be saved. Both outlive this.
+  /// Debugs a run of one robot, whose executor can be saved. Both arguments outlive this object.
   DebuggedRun(const run::Setup& setup, exec::gdb::Server& server);
 
   judge::Outcome go();
@@ -31,7 +31,7 @@ class DebuggedRun final : exec::gdb::History {
   bool look(std::size_t moment, SimTime closely_from);
   void seek(std::size_t moment, const exec::gdb::Place& place);
   void restore(std::size_t moment);
-  /// Returns whether the debugger has gone, or the run should end.
+  /// Returns whether the debugger has disconnected, or the run must end.
   bool is_left_alone() const { return !server_.attached() || (interrupted_ && *interrupted_); }
 
   exec::gdb::Server& server_;

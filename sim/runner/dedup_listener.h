@@ -1,5 +1,5 @@
-// Filters the repeated reports of a run that goes back in time, before they reach its listener. Equal runs
-// make equal reports in equal order, so it is enough to count.
+// Removes the repeated reports of a run that goes back in time, before they reach the listener. A repeated
+// run makes the same reports in the same order, so counting them is enough.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ class DedupListener final : public run::Listener {
  public:
   explicit DedupListener(run::Listener& listener) : listener_(listener) {}
 
-  /// Returns the number of the run's reports since it began, as it would be without going back.
+  /// Returns the number of reports up to the run's present time.
   std::uint64_t count() const { return count_; }
-  /// Notes that the run is again where it had made `count` reports.
+  /// Records that the run is again at the time when it had made `count` reports.
   void go_back(std::uint64_t count) { count_ = count; }
-  /// Returns whether no earlier report lies ahead.
+  /// Returns whether the run is at its latest report.
   bool is_at_front() const { return count_ == most_; }
 
   void began(const run::Beginning& beginning) override {

@@ -1,5 +1,5 @@
-// Collects frequent events between a run and its listener. Passes them on in batches (wire/batch.h), in order
-// with all other events.
+// Collects frequent events between a run and its listener. Passes them on in batches (wire/batch.h), without
+// changing their order among all events.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,11 @@ namespace robosim::runner {
 /// Receives events.
 using Tell = std::function<void(wire::Event)>;
 
-/// Batches that another process reads from shared memory. Empty = there is none: they are passed to Tell.
+/// Batches that another process reads from shared memory. Empty = there is no such memory, and batches are
+/// passed to Tell.
 struct SharedBatches {
   wire::BatchMemory* first = nullptr;
-  /// Passes on the content of the present batch; returns the next one, which is empty.
+  /// Passes on the present batch. Returns the next one, which is empty.
   std::function<wire::BatchMemory*()> hand_on = {};
 };
 
@@ -28,7 +29,7 @@ class EventBatcher {
   explicit EventBatcher(Tell tell, SharedBatches shared = {})
       : tell_(std::move(tell)), hand_on_(std::move(shared.hand_on)), waiting_(shared.first) {}
   void tell(wire::Event event);
-  // Variants of events for the most frequent ones.
+  // Variants of tell() for the most frequent events.
   void sample(int agent, const run::Sample& sample);
   void pin(int agent, SimTime t, Pin pin, const char* name, const PinDrive& drive, int source) {
     waiting_.add_pin(agent, t, pin, name, static_cast<int>(drive.mode), drive.level, drive.pwm, drive.duty,
@@ -43,17 +44,16 @@ class EventBatcher {
     waiting_.add_volts(agent, t, pin, name, volts);
     look();
   }
-  /// Returns whether one of these three, of that pin at that time, can be appended to the waiting ones
-  /// unchanged.
+  /// Returns whether such an event of that pin at that time can be appended to the waiting events unchanged.
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
-  /// Announces that pins of the robot will have sources, and adds one of these.
+  /// Announces that the robot's pins will have sources, and adds one source.
   void sources(int agent) { waiting_.add_sources(agent); }
   void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
-  /// Passes on the waiting events.
+  /// Passes on all waiting events.
   void flush();
 
  private:
-  /// The longest delay of an event, for observers of a slow run. Each flush costs as much as some hundred
+  /// The longest delay of an event, for observers of a slow run. Each flush costs as much as a few hundred
   /// events.
   static constexpr SimTime kLongest = 1 * kSecond;
 

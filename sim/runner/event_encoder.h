@@ -17,8 +17,8 @@ namespace robosim::runner {
 
 class EventEncoder final : public run::Listener {
  public:
-  /// Reports what `request` subscribes to, for robot number `agent`. Frequent events go through `batcher`,
-  /// unless it is null. All but `tell` must live as long as this.
+  /// Reports the events to which `request` subscribes, for robot number `agent`. Frequent events go through
+  /// `batcher`, unless it is null. All arguments except `tell` must outlive this object.
   EventEncoder(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
                Tell tell, EventBatcher* batcher);
 
@@ -33,7 +33,7 @@ class EventEncoder final : public run::Listener {
   void byte_received(std::uint8_t byte, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
 
-  /// Sends what is held back: the incomplete line of the sketch; the columns.
+  /// Send what has been held back: the sketch's incomplete line, and the columns.
   void flush_serial(SimTime t);
   void flush_columns();
 
@@ -41,19 +41,19 @@ class EventEncoder final : public run::Listener {
   bool in_span(SimTime t) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
-  /// Returns whether the batcher takes an event unchanged. Most are such; a recorded run has time only for
-  /// this small piece of code.
+  /// Returns whether the batcher accepts an event unchanged. This is the case for most events. It is inlined,
+  /// since a run being recorded has no time for more code.
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }
-  // Handles the others.
+  // Handle the other events.
   [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
-  // Reports a pin without a batcher.
+  // Report an event of a pin without a batcher.
   [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
   [[gnu::noinline]] void tell_volts(Pin pin, double volts, SimTime t);
-  /// Reports an event about its robot.
+  /// Reports an event of this encoder's robot.
   template <typename Event>
   void tell(Event event);
   template <typename Event>
@@ -66,13 +66,13 @@ class EventEncoder final : public run::Listener {
   Tell tell_;
   EventBatcher* const batcher_;  ///< null = events and columns are passed on directly
   const bool wants_columns_, wants_pins_, wants_inputs_;
-  const bool hears_pins_;               ///< else pins need no work
-  EventBatcher* quick_pins_ = nullptr;  ///< set if it gets all of them, and no sources
-  EventBatcher* const quick_inputs_;    ///< set if it gets all of them
+  const bool hears_pins_;               ///< if false, pins need no work
+  EventBatcher* quick_pins_ = nullptr;  ///< set if it gets all events, without sources
+  EventBatcher* const quick_inputs_;    ///< set if it gets all events
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  std::optional<wire::SourceNumbers> sources_;  ///< for columns that the client makes
-  wire::Sample sample_;                         ///< the last one
+  std::optional<wire::SourceNumbers> sources_;  ///< for columns made by the client
+  wire::Sample sample_;                         ///< last sample
 };
 
 }  // namespace robosim::runner

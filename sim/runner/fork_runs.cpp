@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;
 
-/// Detects whether the sketch has sent a text. Nothing else of such a run is reported, except that it began.
+/// Detects whether the sketch has sent a text. Of all other reports, only the beginning of the run is passed
+/// on.
 class Ear final : public run::Listener {
  public:
   Ear(std::string text, run::Listener* next) : text_(std::move(text)), next_(next) {}
@@ -55,7 +56,7 @@ void check(const wire::RunRequest& request, bool may_copy) {
     throw InputError("a run that is split cannot stream events");
 }
 
-/// Returns the steps with their times from `parted` on.
+/// Returns the steps of a script, with their times from `parted` on.
 std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways& ways,
                                      const std::string& file, SimTime parted) {
   std::vector<scenario::Step> steps = scenario::parse_scenario(script, file);

@@ -1,5 +1,5 @@
-// A run that branches (wire::Ways). The common part runs once, and each way continues in a copy of this
-// process. That copies all state: chip, world, detectors, and line counts.
+// A run that branches (wire::Ways). The common part runs once, and each way continues in a copy of the
+// process. The copy has all state: chip, world, detectors, and line counts.
 //
 //   this process:  power-on ────────────► parts ──── the first way ────► its result, with the others'
 //                                           │ fork
@@ -13,10 +13,10 @@
 
 namespace robosim::runner {
 
-/// Runs the ways one after the other, in the order of the request, which has some. `in_copy`: called first in
-/// each copy; empty: this process cannot be copied, as host firmware is confined. Each way writes its
-/// counters, if the request asks for some. Throws InputError if such a run cannot branch, or a way's script
-/// is invalid.
+/// Runs the ways of the request one after the other, in order; there must be some. `in_copy` is called first
+/// in each copy; if it is empty, this process cannot be copied, because host firmware is confined. Each way
+/// writes its counters if the request asks for them. Throws InputError if such a run cannot branch, or a
+/// way's script is invalid.
 wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
                                  const std::function<void()>& in_copy);
 

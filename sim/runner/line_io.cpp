@@ -33,7 +33,7 @@ void write_line(const std::string& line) {
   for (std::size_t done = 0; done < line.size();) {
     const ssize_t n = ::write(STDOUT_FILENO, line.data() + done, line.size() - done);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) ::_exit(0);  // the client has gone
+    if (n < 0) ::_exit(0);  // the client has disconnected
     done += static_cast<std::size_t>(n);
   }
 }
@@ -44,7 +44,7 @@ void write_batch(std::string_view line, std::string_view bytes) {
                            {const_cast<char*>(bytes.data()), bytes.size()}};
     const ssize_t n = ::writev(STDOUT_FILENO, parts, 2);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) ::_exit(0);  // the client has gone
+    if (n < 0) ::_exit(0);  // the client has disconnected
     const std::size_t of_line = std::min(line.size(), static_cast<std::size_t>(n));
     line.remove_prefix(of_line);
     bytes.remove_prefix(static_cast<std::size_t>(n) - of_line);

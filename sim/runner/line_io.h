@@ -1,4 +1,4 @@
-// The runner's end of the pipe: reads and writes lines.
+// Reads and writes lines at the runner's end of the pipe.
 #pragma once
 
 #include <atomic>
@@ -9,17 +9,18 @@
 namespace robosim::runner {
 
 class SandboxProxy;
-/// Passes all lines through this from now on, in both directions. It must outlive the process's use of them.
+/// Passes all lines in both directions through `proxy` from now on. It must outlive the process's use of
+/// lines.
 void route_through(const SandboxProxy& proxy);
 
-/// Writes one line (with its line feed); ends the process if the client has gone.
+/// Writes one line, with its line feed. Ends the process if the client has disconnected.
 void write_line(const std::string& line);
-/// Writes a line and the bytes after it.
+/// Writes a line, and bytes after it.
 void write_batch(std::string_view line, std::string_view bytes);
-/// Returns the next line of standard input, without its line feed. Returns nothing at its end, or when a
-/// signal handler has set `interrupted`. A fork continues reading where its parent was.
+/// Returns the next line of standard input, without its line feed. Returns nothing at the end of input, or
+/// when a signal handler has set `interrupted`. A fork continues where its parent stopped reading.
 std::optional<std::string> read_line(const std::atomic<bool>* interrupted = nullptr);
-/// Returns input that is not a complete line yet.
+/// Removes and returns input that is not a complete line yet.
 std::string take_unread();
 
 }  // namespace robosim::runner

@@ -1,5 +1,6 @@
-// Instantiates libfmt from its own headers, like its src/format.cc. For programs that link it statically
-// where only a shared one is installed. For versions 9 and 10; CMakeLists.txt checks that.
+// Instantiates libfmt from its own headers, like its src/format.cc. This is for programs that link libfmt
+// statically where only the shared one is installed. It works for versions 9 and 10; CMakeLists.txt checks
+// that.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -16,10 +16,10 @@ namespace robosim::runner {
 namespace {
 
 constexpr std::size_t kCompared = 16 * 1024;    // bytes
-constexpr std::size_t kMaps = 4;                // that are cached
-constexpr long long kLargestMap = 1024 * 1024;  // bytes; the floor of a larger one takes much memory
+constexpr std::size_t kMaps = 4;                // number of cached maps
+constexpr long long kLargestMap = 1024 * 1024;  // bytes; the floor of a larger map takes much memory
 
-/// Returns whether `file` holds exactly `text`.
+/// Returns whether the content of `file` is exactly `text`.
 bool holds(const std::filesystem::path& file, std::string_view text) {
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!open.is_open()) return false;
@@ -75,7 +75,7 @@ void prepare_errands(ReadMap& read, const wire::RunRequest& request) {
   for (std::size_t i = 0; i < missions.size(); ++i) read.prepared_map->prepare(i, missions[i]);
 }
 
-/// Puts the request's map first in `maps`.
+/// Moves or adds the request's map to the front of `maps`, and returns it. Returns null if it cannot be read.
 std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<MapAhead>& maps,
                                  long long now) {
   try {

@@ -1,5 +1,5 @@
-// Reads the files of a request's run before its process begins. The process finds them in the runner's
-// memory. So do those of the next requests, while the files stay the same.
+// Reads the files for a requested run before its process begins, so that the process finds them in the
+// runner's memory. Later requests use the same memory as long as the files are unchanged.
 #pragma once
 
 #include <cstddef>
@@ -16,39 +16,39 @@ namespace robosim::runner {
 
 struct ImageAhead {
   std::shared_ptr<const exec::ImageContent> content;
-  FileIdentity identity{};  ///< of the file, if that alone proves that it is unchanged
+  FileIdentity identity{};  ///< identity of the file, if it alone proves that the file is unchanged
 };
 
 struct MapAhead {
-  std::string name;         ///< as in the request
-  grid::Draw draw;          ///< its random choices
-  FileIdentity identity{};  ///< of the file, if that alone proves that it is unchanged
-  FileIdentity picture{};   ///< of the floor's picture, if that alone proves that it is unchanged
+  std::string name;         ///< name in the request
+  grid::Draw draw;          ///< random choices of the map
+  FileIdentity identity{};  ///< identity of the file, if it alone proves that the file is unchanged
+  FileIdentity picture{};   ///< identity of the floor's picture, if it alone proves that it is unchanged
   std::shared_ptr<ReadMap> read;
 };
 
 struct ReadAhead {
   Robots robots;
   std::map<std::string, ImageAhead> images;
-  std::vector<MapAhead> maps;  ///< the request's, then those of earlier requests
-  /// The request's; null if it was not read.
+  std::vector<MapAhead> maps;  ///< the request's map, then maps of earlier requests
+  /// The request's map; null if it was not read.
   std::shared_ptr<ReadMap> map;
 };
 
 long long wall_ns();
 
-/// Returns the robot of that name: the one in `last`, if its files are unchanged, else read now. Throws
-/// InputError.
+/// Returns the robot of that name: from `last` if its files are unchanged, otherwise by reading them now.
+/// Throws InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
-/// Reads all robots, the map with the simulation's initial state, and the images whose numbers are in
-/// `confined`. Reuses from `last` whatever is unchanged in the files. Skips a robot or map that cannot be
-/// read, since the run reports it. Also skips a map whose file exceeds 1 MiB. Throws InputError if an image
-/// cannot be read. `now`: ns since 1970.
+/// Reads all robots, the map with the simulation's initial state, and the images of the robots whose numbers
+/// are in `confined`. Reuses everything in `last` whose files are unchanged. Skips a robot or map that cannot
+/// be read, since the run reports it. Skips a map whose file exceeds 1 MiB. Throws InputError if an image
+/// cannot be read. `now` is in ns since 1970.
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
                      ReadAhead last, long long now = wall_ns());
 
-/// Returns ImageContent::sealed() of its images, in ascending order.
+/// Returns ImageContent::sealed() of all images, in ascending order.
 std::vector<int> sealed_images(const ReadAhead& ahead);
 
 }  // namespace robosim::runner

@@ -33,7 +33,7 @@ wire::Paused paused_of(const run::Standstill& standstill) {
 
 }  // namespace
 
-// A line without a time runs now.
+// Adds a time to each line: it runs now.
 void RemoteController::add_lines(const wire::Act& act, run::Standstill& standstill) const {
   const std::string& lines = act.lines;
   std::string timed;
@@ -70,7 +70,7 @@ run::Leg RemoteController::next(run::Standstill& standstill) {
   for (;;) {
     const auto line = read_line(&interrupted_);
     if (!line && interrupted_.load(std::memory_order_relaxed)) return {.end = true};
-    if (!line) exec::keyed_exit(0);  // the client has gone
+    if (!line) exec::keyed_exit(0);  // the client has disconnected
     const auto asked = wire::parse_driven_request(*line);
     try {
       if (!asked.request) throw InputError(asked.fault);

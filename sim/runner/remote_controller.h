@@ -1,5 +1,5 @@
-// A run's controller at the other end of the pipe: docs/reference/runner-protocol.md, "Driving a run step by
-// step".
+// A run's controller for a client at the other end of the pipe: see docs/reference/runner-protocol.md,
+// "Driving a run step by step".
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ namespace robosim::runner {
 
 class RemoteController final : public run::StepController {
  public:
-  /// `before_pause` is called with the time before the client is notified of the pause.
+  /// `before_pause` is called with the present time, before the client is notified of a pause.
   RemoteController(wire::Id id, std::string script_file, const std::atomic<bool>& interrupted,
                    std::function<void(SimTime)> before_pause)
       : id_(std::move(id)),
@@ -24,7 +24,7 @@ class RemoteController final : public run::StepController {
   run::Leg next(run::Standstill& standstill) override;
 
  private:
-  /// Returns nothing, or how the run continues.
+  /// Returns how the run continues, or nothing if the request does not continue it.
   std::optional<run::Leg> serve(const wire::DrivenRequest& request, run::Standstill& standstill) const;
   void add_lines(const wire::Act& act, run::Standstill& standstill) const;
   void answer(const wire::Answer& answer) const;

@@ -49,7 +49,7 @@ run::Mission errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
   return mission;
 }
 
-/// Adds the name of the robot that the error is about.
+/// Throws an error with the name of the robot that it is about.
 [[noreturn]] void blame(const std::string& robot, const InputError& error) {
   throw InputError(error.place(), fmt::format("robot {}: {}", robot, error.message()));
 }
@@ -174,7 +174,7 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // Counters and observers outside the run would count repeated parts twice, and a client cannot go back.
+  // Counters, and observers outside the run, would count repeated parts twice. A client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

@@ -1,5 +1,5 @@
-// One run, from a client's request to its result. Its owner decides where it runs (fork, confined process,
-// browser tab), who drives it, and where its events go.
+// A run, from a client's request to its result. The caller decides where it runs (fork, confined process,
+// browser tab), what drives it, and where its events go.
 #pragma once
 
 #include <deque>
@@ -22,20 +22,20 @@
 
 namespace robosim::runner {
 
-/// `target` as in the request: empty = the runner's own.
+/// Makes an executor. `target` is the request's; empty = the runner's own target.
 using MakeExecutor = std::function<std::unique_ptr<exec::Executor>(
     const std::string& target, const BoardSpec& board, const std::filesystem::path& image)>;
 
-/// Returns all of its robots, including the first.
+/// Returns all robots of a request, including the first.
 std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request);
 
-/// The files on which a result depends.
+/// The hashes of the files on which a result depends.
 struct Inputs {
   std::string map_sha256, robot_sha256, image_sha256;
 };
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot);
 
-/// Returns an outcome, together with the files on which it depends.
+/// Returns the result for an outcome, including the files on which it depends.
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                           const Inputs& inputs);
 
@@ -50,35 +50,36 @@ struct ReadMap {
   std::unique_ptr<run::PreparedMap> prepared_map;  ///< for one simulation; null = it makes its own
 };
 
-/// Returns the missions of a request's robots on a map. Throws InputError if one of them is invalid.
+/// Returns the missions of a request's robots on a map. Throws InputError if a mission is invalid.
 std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map);
 
-/// The robots, by their names in a request.
+/// Robots, by their names in a request.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;
 
 class RequestedRun {
  public:
-  /// Reads all files, except those of `robots` and `map`, which have been read. `request` must outlive this,
-  /// as must the memory of `batches`. Throws InputError, and ToolMissing.
+  /// Reads all files, except those of `robots` and `map`, which have been read already. `request` and the
+  /// memory of `batches` must outlive this object. Throws InputError or ToolMissing.
   RequestedRun(const MakeExecutor& make, const wire::RunRequest& request, Tell tell,
                SharedBatches batches = {}, Robots robots = {}, std::shared_ptr<ReadMap> map = nullptr);
 
-  /// Returns the executor of a robot, by its number.
+  /// Returns the executor of robot `number`.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
-  /// Lets `server`, which outlives this, halt the first robot's chip, and go back if that is possible.
+  /// Lets `server` halt the first robot's chip, and go back if that is possible. `server` outlives this
+  /// object.
   void debug_with(exec::gdb::Server& server);
-  /// For settings outside the request: what may interrupt it, and what drives it.
+  /// Returns the set-up, for settings outside the request: what may interrupt the run, and what drives it.
   run::Setup& setup() { return setup_; }
-  /// Sends what is held back: incomplete lines of sketches; the columns.
+  /// Sends what has been held back: incomplete lines of sketches, and columns.
   void flush(SimTime t);
 
-  /// Runs to the end; once. Reads no more files.
+  /// Runs to the end. Call it only once. Reads no more files.
   wire::RunResult go();
-  /// Returns the result from its robots' outcomes, if another driver has brought it to its end.
+  /// Returns the result for its robots' outcomes, if another driver has run it to its end.
   wire::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:
-  /// One robot.
+  /// A robot of the run.
   struct Member {
     wire::AgentRequest asked;
     const robot::Description* robot = nullptr;
@@ -95,7 +96,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const std::shared_ptr<ReadMap> map_;
   Robots robots_;
-  std::unique_ptr<EventBatcher> batcher_;  ///< null = each event is passed on by itself
+  std::unique_ptr<EventBatcher> batcher_;  ///< null = each event is passed on alone
   std::deque<Member> members_;
   run::Setup setup_;
   exec::gdb::Server* debugger_ = nullptr;

@@ -16,17 +16,17 @@ std::int64_t processor_ns(pid_t process) {
   return std::int64_t{time.tv_sec} * kSecond + time.tv_nsec;
 }
 
-/// Returns whether a silent run is excused: a debugger has halted it, or it would work if it got a processor.
-/// Other reasons for a stop, such as the sketch itself, do not count.
+/// Returns whether a run may be silent: a debugger has halted it, or it is waiting for a processor. A run
+/// that has stopped for other reasons, such as the sketch itself, is not excused.
 bool is_excused(pid_t process) {
   const char state = process_state(process);
   return state == 't' || state == 'R';
 }
 
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
-/// The part of a processor that a working run gets at least, on a busy machine.
+/// A working run gets at least this fraction of a processor on a busy machine (1 / kBusyMachine).
 constexpr std::int64_t kBusyMachine = 20;
-/// A longer time between two checks is not the run's: its runner was stopped, too.
+/// If more time passes between two checks, the runner was stopped, too: the excess does not count.
 constexpr std::int64_t kLongestLook_us = 1'000'000;
 
 }  // namespace
@@ -36,7 +36,7 @@ RunWatch::State& RunWatch::state() {
   return *shared.get();
 }
 
-// A page of its own, which a run's process gives up before it loads firmware.
+// Returns a flag on a page of its own, which the run's process gives up before it loads firmware.
 const Shared<std::atomic<bool>>& RunWatch::closed() {
   static const Shared<std::atomic<bool>> shared;
   return shared;
@@ -64,7 +64,7 @@ SimTime RunWatch::time() const {
 }
 
 RunWatch::Reading RunWatch::read() const {
-  // The check for a debugger reads a file: it is made in long silences only.
+  // Detecting a debugger requires reading a file, so it is done in long silences only.
   return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_excused(run_)};
 }
 
@@ -76,7 +76,7 @@ RunWatch::Found RunWatch::look(const Reading& now) {
     const std::int64_t worked_us = (now.processor_ns - looked_.processor_ns) / 1000;
     silent_us_ = std::max<std::int64_t>(silent_us_ + passed_us - kBusyMachine * worked_us, 0);
   }
-  // Firmware that writes there that it has not begun gets time once, and only as much as a run may take.
+  // Firmware that writes kNotBegun there gains time only once, and at most the time that a run may take.
   const bool begins = !has_begun_ && reached != kNotBegun;
   if (begins) begun_ns_ = looked_.processor_ns;
   looked_ = now;

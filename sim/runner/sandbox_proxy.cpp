@@ -31,7 +31,7 @@ constexpr int kLook_ms = 100;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// The first number above the descriptors that a run's process gets (SandboxProxy::enter()).
+/// First descriptor after those of a run's process (SandboxProxy::enter()).
 constexpr int kAside = exec::kFirstSealed;
 
 /// Returns a descriptor of /dev/null, which all runs share.
@@ -52,7 +52,7 @@ void write_keyed(const char* data, std::size_t bytes) {
   while (bytes > 0) {
     const long n = exec::keyed_write(exec::kTellFd, data, bytes);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) exec::keyed_exit(0);  // the runner has gone
+    if (n < 0) exec::keyed_exit(0);  // the runner has ended
     data += n;
     bytes -= static_cast<std::size_t>(n);
   }
@@ -68,7 +68,7 @@ void read_keyed(char* to, std::size_t bytes) {
   }
 }
 
-/// Gives a pipe the size of the pipe `as`: the run must not get further ahead than its reader allows.
+/// Gives a pipe the size of the pipe `as`, so that the run does not get further ahead than its reader allows.
 void make_as_short(int pipe, int as) {
   const int bytes = ::fcntl(as, F_GETPIPE_SZ);
   if (bytes > 0) ::fcntl(pipe, F_SETPIPE_SZ, bytes);
@@ -149,7 +149,7 @@ bool SandboxProxy::take_batches(std::size_t end, const wire::Id& id) {
   if (end - batch_ > (batches_ ? kBatches : 0)) return false;
   while (batch_ != end) {
     wire::BatchMemory& memory = *waiting();
-    // Firmware may have written anything there.
+    // Limits the size, since firmware may have overwritten it.
     const std::size_t bytes =
         std::min<std::size_t>(memory.used.load(std::memory_order_relaxed), wire::BatchMemory::kRoom_bytes);
     if (bytes > 0) write_batch(wire::batch_line(id, bytes), {memory.bytes, bytes});
@@ -159,7 +159,8 @@ bool SandboxProxy::take_batches(std::size_t end, const wire::Id& id) {
   return true;
 }
 
-/// Writes `text` to a pipe of the run. Firmware may leave the text unread, so the watch goes on meanwhile.
+/// Writes `text` to a pipe of the run. Continues to watch the run meanwhile, since firmware may never read
+/// the text.
 void SandboxProxy::hand(const Pipe& pipe, std::string_view text, Told& told) {
   while (!text.empty()) {
     const ssize_t n = ::write(pipe.write.get(), text.data(), text.size());
@@ -175,7 +176,7 @@ void SandboxProxy::hand(const Pipe& pipe, std::string_view text, Told& told) {
   }
 }
 
-/// Removes whole messages from `taken`; returns false if one is invalid.
+/// Handles and removes complete messages in `taken`. Returns false if a message is invalid.
 bool SandboxProxy::take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told) {
   std::string out;
   std::size_t at = 0;
@@ -225,11 +226,11 @@ SandboxProxy::Told SandboxProxy::serve(const Child& run, const Ask& ask, const w
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
     if (some == 0) {
-      // If nothing is left to read, all messages that precede these batches have been handled.
+      // If there is nothing left to read, all messages before these batches have been handled.
       const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
     }
-    // A run that sends continuously is watched, too.
+    // Watches a run that sends continuously, too.
     if (const std::int64_t now_us = wall_us(); some == 0 || now_us - looked_us >= 1000 * kLook_ms) {
       looked_us = now_us;
       if ((told.found = watch_->look()) != RunWatch::Found::nothing) return told;

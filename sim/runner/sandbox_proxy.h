@@ -1,7 +1,7 @@
-// Connects a confined run to its runner. The run's process holds native firmware, which may write anything to
-// any descriptor. So it has none of the client's. It reports to its runner, which has run no firmware, and
-// the runner reports to the client. Each message carries a token, and the last one counts only if the process
-// then ends by itself.
+// Connects a confined run to its runner. The run's process executes native firmware, which may write anything
+// to any descriptor. Therefore it has no descriptor of the client. It reports to its runner, which has never
+// run firmware, and the runner reports to the client. Each message contains a token. The last message counts
+// only if the process then ends by itself.
 #pragma once
 
 #include <atomic>
@@ -23,57 +23,57 @@
 
 namespace robosim::runner {
 
-/// A question from the run to its runner; returns the answer.
+/// Answers a question that the run asks its runner.
 using Ask = std::function<std::string(char what, const std::string& question)>;
 
 class SandboxProxy {
  public:
-  /// `batches`: whether there will be batches of events; `lines`: whether there will be lines from the
+  /// Prepares a connection. `batches`: there will be batches of events; `lines`: there will be lines from the
   /// client. Throws std::system_error.
   SandboxProxy(bool batches, bool lines);
 
-  /// In the run's process: limits its descriptors to those of exec::ConfinedDescriptor, and those of `kept`
-  /// (ImageContent::sealed(), in ascending order).
+  /// In the run's process: closes all descriptors except those of exec::ConfinedDescriptor and those in
+  /// `kept`. `kept` has the images' sealed descriptors (ImageContent::sealed()), in ascending order.
   void enter(const std::vector<int>& kept);
-  /// Confines this process for ever (sim/exec/host/confinement.h), if that is possible.
+  /// Confines this process for ever, if that is possible (sim/exec/host/confinement.h).
   void confine(bool has_grown) const;
-  /// Sends a line to the client, now.
+  /// Sends a line to the client immediately.
   void tell(const std::string& line) const;
   /// Sends the line that ends the run.
   void answer(const std::string& line) const;
-  /// `what` is a lower-case letter.
+  /// Asks the runner a question, and returns the answer. `what` is a lower-case letter.
   std::string ask(char what, const std::string& question) const;
-  /// Reads lines from the client.
+  /// Reads input from the client.
   long read_some(char* to, std::size_t bytes) const;
-  /// Receives how far the run has come.
+  /// Receives the time that the run has reached.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
-  /// Returns the batch in which events wait until there are many; null without batches. In the runner: those
-  /// that have not been handed on.
+  /// Returns the batch that collects events; null without batches. In the runner: the batch of events that
+  /// have not been handed on.
   wire::BatchMemory* waiting() const {
     if (!batches_) return nullptr;
     return std::launder(reinterpret_cast<wire::BatchMemory*>((*batches_)->memories[batch_ % kBatches]));
   }
-  /// Hands the waiting events to the client in place, before later reports. Returns an empty batch for
-  /// further events.
+  /// Passes the waiting events to the client, before any later report. Returns an empty batch for further
+  /// events.
   wire::BatchMemory& hand_on();
   /// Receives the number of the robot whose firmware runs.
   std::atomic<int>& acting() const { return watch_->acting(); }
 
   struct Told {
     std::optional<std::string> answer;
-    bool forged = false;  ///< code other than the runner's has written to it
+    bool forged = false;  ///< code other than the runner's has written to the pipe
     RunWatch::Found found = RunWatch::Found::nothing;
   };
-  /// In the runner: serves `run` until its last message, a forged one, or until it will never end. `id`: of
-  /// the request. If there are lines, the client's input is passed to the run.
+  /// In the runner: serves `run` until its last message, until a forged one, or until it is known never to
+  /// end. `id` is the request's. If there are lines, passes the client's input to the run.
   Told serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits);
-  /// In the runner: returns how far the run has come.
+  /// In the runner: returns the time that the run has reached.
   SimTime time() const { return watch_->time(); }
 
  private:
   struct Header {
     std::uint64_t token;
-    std::uint64_t batches;  ///< the number of batches that were handed on before
+    std::uint64_t batches;  ///< number of batches handed on before
     std::uint32_t bytes;
     char what;
     char unused[3] = {};
@@ -81,9 +81,9 @@ class SandboxProxy {
   void send(char what, const std::string& text) const;
 
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
-  /// Writes to the run. Sets `told.found` if its watch ends it before it has read enough.
+  /// Writes `text` to the run. Sets `told.found` if the watch ends the run before it has read the text.
   void hand(const Pipe& pipe, std::string_view text, Told& told);
-  /// Takes those before number `end`; returns false if that is more than possible.
+  /// Handles the batches before number `end`. Returns false if `end` is impossible.
   bool take_batches(std::size_t end, const wire::Id& id);
   std::size_t handed_on() const {
     return batches_ ? (*batches_)->handed_on.load(std::memory_order_acquire) : 0;
@@ -92,21 +92,22 @@ class SandboxProxy {
   Pipe told_, answers_;
   std::optional<Pipe> lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  /// The number of batches that the run may be ahead of its runner before it waits. A reader may be busy for
-  /// some milliseconds, compressing, or without a processor; a run fills three in each.
+  /// The number of batches by which the run may be ahead of its runner before it waits. A reader may be busy
+  /// for some milliseconds, by compressing or without a processor. A run fills three batches in a
+  /// millisecond.
   static constexpr std::size_t kBatches = 32;
-  /// The number of batches after which the runner is woken. Each time costs the run as much as some hundred
+  /// The number of batches after which the run wakes the runner. Waking costs as much as a few hundred
   /// events.
   static constexpr std::size_t kWaking = 4;
   struct Batches {
-    /// Used in turn. The zeroed memory is an empty batch. Pages that a run does not need are not touched, as
-    /// each costs a page fault.
+    /// Used in turn. Zeroed memory is an empty batch. A run touches only the pages that it needs, as each
+    /// costs a page fault.
     alignas(wire::BatchMemory) std::byte memories[kBatches][sizeof(wire::BatchMemory)];
-    std::atomic<std::size_t> handed_on{0};  ///< by the run
-    std::atomic<std::size_t> taken{0};      ///< by the runner, which empties them
+    std::atomic<std::size_t> handed_on{0};  ///< number handed on by the run
+    std::atomic<std::size_t> taken{0};      ///< number emptied by the runner
   };
   std::optional<Shared<Batches>> batches_;
-  std::size_t batch_ = 0;  ///< handed on by the run; in the runner: taken
+  std::size_t batch_ = 0;  ///< number handed on; in the runner: number taken
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

@@ -77,7 +77,7 @@ const ExecutorFactory& factory_of(const ExecutorFactory& runner, const std::stri
                                one_of(names), target));
 }
 
-/// Returns the numbers of the request's robots whose firmware is native code.
+/// Returns the numbers of the request's robots that run native code.
 std::vector<std::size_t> to_confine(const ExecutorFactory& runner, const wire::RunRequest& request) {
   std::vector<std::size_t> numbers;
   const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -92,14 +92,14 @@ std::vector<std::size_t> to_confine(const ExecutorFactory& runner, const wire::R
   return numbers;
 }
 
-// Formats the robot's number, then offsets in hexadecimal, separated by blanks.
+// Formats the robot's number and then offsets in hexadecimal, separated by blanks.
 std::string text_of(std::size_t agent, const std::vector<std::uintptr_t>& offsets) {
   std::string text = fmt::format("{:x} ", agent);
   for (const std::uintptr_t offset : offsets) text += fmt::format("{:x} ", offset);
   return text;
 }
 
-// Parses text_of(); skips invalid and excessive parts.
+// Parses the result of text_of(). Skips invalid and excessive parts.
 std::vector<std::uintptr_t> offsets_in(const std::string& text) {
   constexpr std::size_t kMost = 257;
   std::vector<std::uintptr_t> offsets;
@@ -112,7 +112,7 @@ std::vector<std::uintptr_t> offsets_in(const std::string& text) {
 constexpr char kAskLines = 'l';
 constexpr char kAskToKeepCounters = 'c';
 
-// Runs in the runner. Does what its confined run asks for and may not do itself.
+// Does what a confined run asks the runner to do, because the run itself may not do it.
 std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
   if (what == kAskLines) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -137,7 +137,7 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                             const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
-  // Never destroyed: its process ends, and frees everything.
+  // Never destroyed, since the end of the process frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
         return factory_of(factory, target).make(board, image);
@@ -167,7 +167,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
                 return proxy->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
-    // The chips of a fleet were made after the fork, and so was a map that was not read ahead.
+    // The chips of a fleet were created after the fork, and so was a map that was not read ahead.
     const bool has_grown = !request.agents.empty() || !ahead.map;
     if (exec::why_not_confined().empty()) proxy->confine(has_grown);
   }
@@ -178,7 +178,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   return result;
 }
 
-// Returns the answer of `serve`, or its error.
+// Returns the answer of `serve`, or an answer for the error that it throws.
 template <typename Serve>
 std::optional<wire::Answer> answer_of(Serve serve) {
   try {
@@ -196,7 +196,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   }
 }
 
-// Executes a request in the forked process. Returns its exit status.
+// Executes a request in a forked process. Returns the process's exit status.
 int run_in_child(const ExecutorFactory& factory, const wire::RunRequest& request, const wire::Id& id,
                  pid_t runner, SandboxProxy* proxy, const ReadAhead& ahead) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -222,7 +222,7 @@ bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
 }
 
-// Waits for the end of a process that has closed its pipes. Returns nothing if it does not end soon: then it
+// Waits for the end of a process that has closed its pipes. Returns nothing if it does not end soon. It then
 // had no right to close them.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
@@ -233,7 +233,7 @@ std::optional<Ending> end_of(Child& run) {
   return run.wait();
 }
 
-// Sends the batch that a run's process left behind. Its firmware may have written there, too.
+// Sends the batch that a run's process left behind, if it is valid: firmware may have overwritten it.
 void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchMemory* waiting) {
   const wire::Batch rest = wire::BatchWriter(waiting).take();
   try {
@@ -244,7 +244,7 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
   if (!rest.bytes.empty()) write_line(wire::to_line(id, wire::Event(rest)));
 }
 
-/// Returns the processor time that a run may take per simulated time: emulators may be slower than their
+/// Returns the processor time that a run may take per simulated time. Emulators may be slower than their
 /// chips.
 double share_of(const wire::RunRequest& request) {
   constexpr double kOfEachInFleet = 10.0;
@@ -256,7 +256,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   SandboxProxy proxy(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
-  bool finds_lines = true;  // false after a search for lines took too long: it is not repeated
+  bool finds_lines = true;  // false once a search for lines took too long: it is not repeated
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();
@@ -291,7 +291,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   return std::nullopt;
 }
 
-// Returns nothing if the fork has answered.
+// Serves a request for a run. Returns nothing if the forked process has answered.
 std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire::RunRequest& request,
                                       const wire::Id& id, ReadAhead& ahead) {
   for (const wire::AgentRequest& agent : agents_of(request)) known_sha256(agent.image);
@@ -305,7 +305,7 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   return result_of_crash(request, cause_of(ending), "", 0, 0);
 }
 
-// The client usually requests a run of a described robot next.
+// Describes a robot, and keeps it in `known`: the client usually requests a run of this robot next.
 wire::RobotInfo describe_robot(const wire::DescribeRobot& asked, Robots& known) {
   const auto robot = known_robot(asked.robot, known);
   known[asked.robot] = robot;
@@ -340,10 +340,10 @@ wire::Hello hello_of(const ExecutorFactory& factory) {
 }  // namespace
 
 int serve(const ExecutorFactory& factory) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no runner outlives its client
-  std::signal(SIGINT, SIG_IGN);        // sent to the run, not to its server
-  std::signal(SIGPIPE, SIG_IGN);       // a client that has gone is noticed when writing
-  std::signal(SIGXFSZ, SIG_IGN);       // a limit on file sizes is noticed when writing
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // so that no runner outlives its client
+  std::signal(SIGINT, SIG_IGN);        // handled by the run, not by its server
+  std::signal(SIGPIPE, SIG_IGN);       // writes detect that the client has disconnected
+  std::signal(SIGXFSZ, SIG_IGN);       // writes detect a limit on file sizes
   write_line(wire::to_line({}, hello_of(factory)));
   ReadAhead ahead;
   while (const auto line = read_line())

@@ -1,4 +1,4 @@
-// A runner's conversation with its client: JSON lines in, JSON lines out (docs/reference/runner-protocol.md).
+// Serves a runner's client: receives and sends JSON lines (docs/reference/runner-protocol.md).
 #pragma once
 
 #include <filesystem>
@@ -16,19 +16,19 @@ struct BoardSpec;
 
 namespace robosim::runner {
 
-/// The parts in which runner programs differ.
+/// The parts that differ between runner programs.
 struct ExecutorFactory {
   std::string target;  ///< "host"
   std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
-  /// For native firmware, whose process is confined: prepares the executor from make() for that
-  /// (HostExecutor::prepare_for_confinement). Else empty.
+  /// Prepares the executor from make() for confinement (HostExecutor::prepare_for_confinement). Empty unless
+  /// the firmware is native code, whose process is confined.
   std::function<void(exec::Executor&, exec::AddressLines, std::shared_ptr<const exec::ImageContent> image)>
       prepare_for_confinement = nullptr;
-  /// The other targets whose firmware it runs, in runs of several robots.
+  /// The other targets that this runner supports in runs of several robots.
   std::vector<ExecutorFactory> besides = {};
 };
 
-/// Serves requests from standard input until it ends. Returns the process's exit status.
+/// Serves requests from standard input until the input ends. Returns the process's exit status.
 int serve(const ExecutorFactory& factory);
 
 }  // namespace robosim::runner

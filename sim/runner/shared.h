@@ -9,11 +9,12 @@
 
 namespace robosim::runner {
 
-/// A T in it, made by its default constructor and never destroyed. Untouched pages cost nothing.
+/// An object in shared memory, made by its default constructor and never destroyed. Untouched pages cost
+/// nothing.
 template <class T>
 class Shared {
  public:
-  /// Throws std::system_error.
+  /// Creates the object. Throws std::system_error.
   Shared() {
     void* const pages = ::mmap(nullptr, sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (pages == MAP_FAILED) throw std::system_error(errno, std::generic_category(), "mmap");
@@ -23,7 +24,8 @@ class Shared {
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  /// Takes it from this process for ever: nothing in it can write there any more. Others keep theirs.
+  /// Removes the object from this process for ever: nothing in the process can write to it any more. Other
+  /// processes still have it.
   void leave() const { ::munmap(value_, sizeof(T)); }
 
   T* get() const { return value_; }

@@ -1,4 +1,4 @@
-// Snapshots of a run, spaced so that each of its moments is close to one.
+// Stores snapshots of a run at intervals, so that one is close before each time of the run.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace robosim::runner {
 struct IndexedSnapshot {
   SimTime t = 0;
   run::Simulation::Snapshot snapshot;
-  std::uint64_t told = 0;  ///< number of the run's reports until then
+  std::uint64_t told = 0;  ///< number of the run's reports before the snapshot
 };
 
 class SnapshotIndex {
  public:
   static constexpr SimTime kEvery = 100 * kMillisecond;
 
-  /// Returns when the next is due.
+  /// Returns when the next snapshot is due.
   SimTime next() const { return all_.empty() ? 0 : all_.back().t + every_; }
-  /// Adds a moment after all others. If there are too many, every other one is dropped.
+  /// Adds a snapshot after all others. If there are too many, drops every other one.
   void add(IndexedSnapshot moment) {
     all_.push_back(std::move(moment));
     if (all_.size() < kMost) return;
@@ -31,7 +31,7 @@ class SnapshotIndex {
     all_.resize(kept);
     every_ *= 2;
   }
-  /// Inserts moments after one of them.
+  /// Inserts snapshots after number `behind`.
   void insert(std::size_t behind, const std::vector<IndexedSnapshot>& moments) {
     all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(behind) + 1, moments.begin(), moments.end());
   }
@@ -40,7 +40,7 @@ class SnapshotIndex {
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
   const IndexedSnapshot& operator[](std::size_t i) const { return all_[i]; }
-  /// Returns the last one at or before `t`, or the first.
+  /// Returns the number of the last snapshot at or before `t`, or of the first one.
   std::size_t before(SimTime t) const {
     const auto behind = std::upper_bound(
         all_.begin(), all_.end(), t, [](SimTime at, const IndexedSnapshot& moment) { return at < moment.t; });
@@ -51,7 +51,7 @@ class SnapshotIndex {
   static constexpr std::size_t kMost = 2048;
 
   std::vector<IndexedSnapshot> all_;
-  SimTime every_ = kEvery;  ///< between two of them
+  SimTime every_ = kEvery;  ///< time between two snapshots
 };
 
 }  // namespace robosim::runner

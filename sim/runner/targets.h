@@ -1,4 +1,4 @@
-// The targets from which runners are built.
+// The targets of which runner programs are composed.
 #pragma once
 
 #include "sim/exec/host/host_executor.h"
@@ -18,7 +18,7 @@ inline ExecutorFactory host_target() {
           }};
 }
 
-/// For a target whose firmware is data: `avr`, by `AvrExecutor`.
+/// Returns the factory for a target whose firmware is data, such as `avr` with `AvrExecutor`.
 template <class Executor>
 ExecutorFactory chip_target(const char* target) {
   return {target, [](const BoardSpec& board, const std::filesystem::path& image) {
@@ -26,7 +26,7 @@ ExecutorFactory chip_target(const char* target) {
           }};
 }
 
-/// Lets `runner`'s program run firmware of the others, too.
+/// Lets the program of `runner` run firmware of the other targets, too.
 inline ExecutorFactory beside(ExecutorFactory runner, std::vector<ExecutorFactory> others) {
   runner.besides = std::move(others);
   return runner;

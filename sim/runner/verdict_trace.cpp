@@ -18,12 +18,12 @@ using exec::CauseStep;
 using Kind = exec::CauseStep::Kind;
 
 constexpr SimTime kSampleEvery = 10 * kMillisecond;
-constexpr SimTime kHistory = 30 * kMillisecond;  // the shortest record before a moment
-constexpr SimTime kBlind = 20 * kMillisecond;    // without a read of a line sensor
+constexpr SimTime kHistory = 30 * kMillisecond;  // shortest record before the traced time
+constexpr SimTime kBlind = 20 * kMillisecond;    // shortest time without a read of a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
 constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
-constexpr SimTime kStillOff = 150 * kMillisecond;  // after the motors went off
+constexpr SimTime kStillOff = 150 * kMillisecond;  // after the motors were switched off
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
 constexpr SimTime kOffForLong = 300 * kMillisecond;
@@ -33,7 +33,7 @@ SimTime whole_ticks(SimTime t) { return (t + kTick - 1) / kTick * kTick; }
 
 bool is_line_sensor(const robot::WiredPin& wired) { return wired.type.starts_with("reflectance"); }
 
-/// Returns the pins that turn wheels; for indirect ones, the pins that lead there.
+/// Returns the pins that turn wheels; if these are driven indirectly, the pins that lead to them.
 std::vector<Pin> motor_pins(const std::vector<robot::WiredPin>& wiring) {
   std::vector<Pin> direct, between;
   for (const robot::WiredPin& wired : wiring) {
@@ -53,7 +53,7 @@ void add_line(std::vector<wire::SourceLine>& lines, const wire::SourceLine& line
   if (!there && lines.size() < most) lines.push_back(line);
 }
 
-/// Returns whether it was done long before, when the sketch began, or when the variable was declared.
+/// Returns whether a step happened long before `t`, when the sketch began, or by a variable's declaration.
 bool is_before(const CauseStep& step, SimTime t) {
   return step.t + kLongBefore < t || step.kind == Kind::keeps || step.where.function == "setup" ||
          step.where.function.starts_with("_");
@@ -117,7 +117,7 @@ judge::Outcome Inquiry::go() {
   return outcome;
 }
 
-// --- second run
+// --- the second run
 
 void Inquiry::run_again(std::size_t from, SimTime until) {
   simulation_.restore(moments_[from].snapshot);
@@ -126,7 +126,8 @@ void Inquiry::run_again(std::size_t from, SimTime until) {
   causes_.end();
 }
 
-/// Saves moments in between, if those of a long run are too far apart to record everything between them.
+/// Saves more snapshots after number `moment`. Those of a long run are too far apart to record all
+/// instructions in between.
 void Inquiry::save_between(std::size_t moment) {
   const SimTime end = moments_[moment + 1].t;
   simulation_.restore(moments_[moment].snapshot);
@@ -145,8 +146,8 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
   return values;
 }
 
-/// A value that is written repeatedly, such as a sum, would be followed step by step. Stops following those
-/// that have changed in the second before.
+/// Stops following values that have changed in the second before the snapshot `from`. A value that is written
+/// repeatedly, such as a sum, would be followed step by step.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
   const std::vector<std::uint8_t> now = bytes_at(from, open);
@@ -198,7 +199,7 @@ Inquiry::Steps Inquiry::trace(SimTime t, SimTime until, Ask ask) {
     if (times >= kMostStepByStep && from > 0) give_up_what_changes(from);
     found = go_back(from, times < kMostForRegisters);
   }
-  if (!found) causes_.close();  // else earlier writes are possible
+  if (!found) causes_.close();  // otherwise earlier writes are possible
   return causes_.steps();
 }
 
@@ -239,7 +240,8 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
            fmt::format("for {:.0f} ms it read no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
-    // If nothing drives, much contributes: uses fewer lines of each file, and more files.
+    // Uses fewer lines of each file and more files if nothing drives the motors, since many lines then
+    // contribute.
     if (decisive.off_since == t)
       add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
     else
@@ -255,7 +257,8 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   return chain;
 }
 
-/// Reports why it has stopped: what switched the motors off, and what did not switch them on again.
+/// Adds the reasons why the robot stopped: what switched the motors off, and what did not switch them on
+/// again.
 void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain) {
   const SimTime asked = std::min(t + kStillOff, end - kTick);
   const Steps steps =
@@ -278,7 +281,7 @@ void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::si
     chain.push_back(std::move(link));
 }
 
-/// Reports what has disabled interrupts, if they have been off for long.
+/// Adds the line that disabled interrupts, if they have been off for long.
 void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
   const auto on_at = [&](std::size_t moment) {
     simulation_.restore(moments_[moment].snapshot);
@@ -286,7 +289,7 @@ void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
   };
   std::size_t off = moments_.before(t);
   if (on_at(off)) return;
-  while (off > 1 && !on_at(off - 1)) --off;  // at power-on they are off
+  while (off > 1 && !on_at(off - 1)) --off;  // interrupts are off at power-on
   if (moments_[off].t + kOffForLong > t) return;
   const std::size_t on = off - 1, before = moments_.size();
   save_between(on);
@@ -336,8 +339,8 @@ std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::s
   std::vector<wire::Cause> links;
   wire::Cause read{0.0, "read", {}}, before{0.0, "set before, and kept", {}};
   SimTime read_at_t = 0, set_at = 0;
-  std::vector<std::string> names;                // of links: files, a header with its source
-  std::vector<std::set<std::string>> functions;  // of links
+  std::vector<std::string> names;                // file of each link; a header counts as its source file
+  std::vector<std::set<std::string>> functions;  // functions of each link
   std::vector<wire::SourceLine> of_libraries;
   for (const CauseStep& step : steps) {
     if (step.where.function.starts_with("_GLOBAL__")) continue;  // its line is the end of the file

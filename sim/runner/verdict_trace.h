@@ -1,11 +1,11 @@
-// Runs a simulation, then traces its verdict back to the causes.
+// Runs a simulation, then traces the causes of its verdict.
 //
 //   - The run is saved at intervals.
-//   - The verdict's decisive moment is run again, and each instruction is recorded (exec::CauseFinder).
-//   - For bytes that were written long before, it finds the last two snapshots between which one of them
-//     changed, and runs what lies between them again in the same way.
-//   - The lines found become links: one for a file, one for everything that was read, one for everything that
-//     was set long before.
+//   - The decisive moment of the verdict is repeated, and each instruction recorded (exec::CauseFinder).
+//   - For bytes that were written long before, it finds the last two snapshots between which any of
+//     them changed, and repeats the run between these snapshots in the same way.
+//   - The lines found become links: one for each file, one for everything that was read, and one for
+//     everything that was set long before.
 #pragma once
 
 #include <map>
@@ -21,10 +21,11 @@ namespace robosim::runner {
 
 class Inquiry final : run::Listener {
  public:
-  /// Examines a run of one robot. All outlive this. Throws InputError if causes cannot be found.
+  /// Examines a run of one robot. All arguments outlive this object. Throws InputError if causes cannot be
+  /// found.
   Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<robot::WiredPin> wiring);
 
-  /// Returns the run's outcome, with its causes.
+  /// Returns the run's outcome, including its causes.
   judge::Outcome go();
 
  private:
@@ -51,7 +52,8 @@ class Inquiry final : run::Listener {
 
   std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
   void tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain);
-  /// Adds the steps that are missing in the chain, up to `most` links. `lines`: at most in each.
+  /// Adds steps that are not in the chain yet, until it has `most` links. `lines`: limit for the lines of a
+  /// link.
   void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
                  std::vector<wire::Cause>& chain) const;
   void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
@@ -66,9 +68,9 @@ class Inquiry final : run::Listener {
   exec::CauseFinder& causes_;
   bool looks_again_ = false;
 
-  std::vector<Command> commands_;                                     ///< of the motors
-  std::vector<SimTime> looks_;                                        ///< at line sensors
-  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< during the second run
+  std::vector<Command> commands_;                                     ///< commands of the motors
+  std::vector<SimTime> looks_;                                        ///< times when line sensors were read
+  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< levels in the second run
 
   run::Simulation simulation_;  // after the fields to which it reports when it begins
   SnapshotIndex moments_;
