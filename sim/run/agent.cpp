@@ -310,7 +310,7 @@ bool Agent::evaluate_in_full(SimTime end) {
   return verdict.has_value();
 }
 
-// Returns the latest end of the next tick that must be evaluated in full.
+// Returns when the next full evaluation is due at the latest.
 inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_text_outputs() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };

@@ -45,8 +45,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Reports the resolved settings to the listener, and starts the firmware.
   void begin();
 
-  // The steps of a tick, numbered as in simulation.h. All agents perform a step before the first one begins
-  // the next step.
+  // The steps of a tick, numbered as in simulation.h. All agents complete a step before any agent begins the
+  // next one.
   /// Step 1: runs the script at `t`; the parts schedule their edges.
   void act(SimTime t) {
     if (robot_.has_battery() || board_detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
@@ -84,8 +84,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
   /// Returns the time until which the agent rests; `end` if it does not rest. In ticks that begin before that
-  /// time, act(), except its parts, and evaluate() would repeat their results. This is true as long as the
-  /// world is still and nothing happens. Call it directly after evaluate() at `end`.
+  /// time, act() (apart from parts) and evaluate() would only repeat their results. This is true as long as
+  /// the world is still and nothing happens. Call it directly after evaluate() at `end`.
   SimTime rests_until(SimTime end) const;
   /// Step 1 in a tick of rest.
   void begin_rest(SimTime t) {

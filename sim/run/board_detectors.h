@@ -15,7 +15,7 @@ namespace robosim::run {
 
 class BoardDetectors final : PinWatcher, EepromWatcher, AdcWatcher {
  public:
-  /// `executor` must outlive this object, which must exist as long as the firmware runs.
+  /// Attaches to `executor`, which outlives this object. This object must outlive all use of `executor`.
   BoardDetectors(exec::Executor& executor, const std::vector<robot::WiredPin>& wiring);
   BoardDetectors(const BoardDetectors&) = delete;
   BoardDetectors& operator=(const BoardDetectors&) = delete;

@@ -1,8 +1,8 @@
-// Makes simulating a robot at rest almost free, on a floor on which nothing moves. In its ticks only firmware
-// and parts run, detectors observe, poses are hashed and ticks are counted. act() and evaluate() would repeat
-// their results and are skipped. They run in full once per kRestSpan, and whenever firmware does something.
-// Repeated equal checks have the same effect as the last of them, which catch_up() performs before anything
-// changes.
+// Makes simulating a robot at rest almost free, on a floor on which nothing moves. In ticks of rest only
+// firmware and parts run, detectors observe, poses are hashed and ticks are counted. act() and evaluate()
+// would repeat their results and are skipped. They run in full once per kRestSpan, and whenever firmware does
+// something. Repeated equal checks have the same effect as the last of them, which catch_up() performs before
+// anything changes.
 #include <algorithm>
 
 #include "sim/run/agent.h"

@@ -20,7 +20,7 @@ struct Sample;
 
 using wire::Stop;
 
-/// The controller's next request: to continue until the first stop is met, or to end the run at once
+/// The controller's next request: to continue until the first of these, or to end the run at once
 /// (`interrupted`).
 struct Leg {
   SimTime until = kNever;
@@ -31,7 +31,7 @@ struct Leg {
 /// An agent's state at the beginning of a tick.
 struct State {
   SimTime t = 0;
-  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, as its time is up
+  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, since the leg's time is up
   /// Maximum of the cross-track error in the leg, over all ticks, with its time and place.
   double worst_cross_track = 0.0;  ///< m
   SimTime worst_t = 0;

@@ -23,7 +23,7 @@ class StopConditions {
     const world::Body& body;
     const robot::Robot& robot;
     const RobotPort& board;
-    int agent;  ///< number of this agent; stops about other agents are checked by those
+    int agent;  ///< number of this agent; other agents check the stops that concern them
   };
 
   explicit StopConditions(const Scene& scene) : scene_(scene) {}

@@ -13,7 +13,7 @@ using exec::gdb::Place;
 using exec::gdb::Search;
 
 constexpr SimTime kStretch = 10 * kMillisecond;  // time between two checks whether a snapshot is due
-constexpr SimTime kClose = 2 * kTick;            // the tick of a place begins within this time before it
+constexpr SimTime kClose = 2 * kTick;            // a place's tick begins at most this long before the place
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void DebuggedRun::run_on() {
     if (!server_.attached()) moments_.clear();
     const bool can_go_back = server_.history() && server_.attached();
     if (can_go_back && t >= moments_.next()) moments_.add({t, simulation_.save(), told_.count()});
-    // A run that is interrupted in its past must still reach its latest time, since its reports are out.
+    // Defers an interruption until the run is at its latest time, since reports cannot be withdrawn.
     setup_.interrupted = told_.is_at_front() ? interrupted_ : nullptr;
     simulation_.run_until(t + kStretch);
   }

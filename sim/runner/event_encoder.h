@@ -41,8 +41,8 @@ class EventEncoder final : public run::Listener {
   bool in_span(SimTime t) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
-  /// Returns whether the batcher accepts an event unchanged. This is the case for most events. It is inlined,
-  /// since a run being recorded has no time for more code.
+  /// Returns whether the batcher accepts an event unchanged. This is the case for most events. This code is
+  /// small, since recording a run must be fast.
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }

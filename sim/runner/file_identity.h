@@ -15,8 +15,7 @@ constexpr long long size_in(const FileIdentity& identity) { return identity[2]; 
 
 FileIdentity identity_of(const std::filesystem::path& file);
 
-/// Returns whether any write after `now` (ns since 1970) will change this identity, because its times are old
-/// enough.
+/// Returns whether an identity read at `now` (ns since 1970) is so old that any later write changes it.
 bool is_settled(const FileIdentity& identity, long long now);
 
 }  // namespace robosim::runner

@@ -33,7 +33,7 @@ wire::Paused paused_of(const run::Standstill& standstill) {
 
 }  // namespace
 
-// Adds a time to each line: it runs now.
+// Adds the present time to each line, so that the line runs now.
 void RemoteController::add_lines(const wire::Act& act, run::Standstill& standstill) const {
   const std::string& lines = act.lines;
   std::string timed;

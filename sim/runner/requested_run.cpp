@@ -174,7 +174,7 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // Counters, and observers outside the run, would count repeated parts twice. A client cannot go back.
+  // If the run went back, counters and outside observers would count parts twice. A client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

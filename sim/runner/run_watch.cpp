@@ -76,7 +76,7 @@ RunWatch::Found RunWatch::look(const Reading& now) {
     const std::int64_t worked_us = (now.processor_ns - looked_.processor_ns) / 1000;
     silent_us_ = std::max<std::int64_t>(silent_us_ + passed_us - kBusyMachine * worked_us, 0);
   }
-  // Firmware that writes kNotBegun there gains time only once, and at most the time that a run may take.
+  // Firmware that writes kNotBegun to `reached` gains time only once, and at most the time of a whole run.
   const bool begins = !has_begun_ && reached != kNotBegun;
   if (begins) begun_ns_ = looked_.processor_ns;
   looked_ = now;

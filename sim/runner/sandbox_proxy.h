@@ -64,8 +64,8 @@ class SandboxProxy {
     bool forged = false;  ///< code other than the runner's has written to the pipe
     RunWatch::Found found = RunWatch::Found::nothing;
   };
-  /// In the runner: serves `run` until its last message, until a forged one, or until it is known never to
-  /// end. `id` is the request's. If there are lines, passes the client's input to the run.
+  /// In the runner: serves `run` until its last message, a forged message, or a finding of the watch. `id` is
+  /// the request's. If there are lines, passes the client's input to the run.
   Told serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits);
   /// In the runner: returns the time that the run has reached.
   SimTime time() const { return watch_->time(); }
@@ -92,8 +92,8 @@ class SandboxProxy {
   Pipe told_, answers_;
   std::optional<Pipe> lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  /// The number of batches by which the run may be ahead of its runner before it waits. A reader may be busy
-  /// for some milliseconds, by compressing or without a processor. A run fills three batches in a
+  /// The number of batches by which the run may be ahead of its runner before it waits. For some
+  /// milliseconds, a reader may be busy compressing, or without a processor. A run fills three batches per
   /// millisecond.
   static constexpr std::size_t kBatches = 32;
   /// The number of batches after which the run wakes the runner. Waking costs as much as a few hundred

@@ -112,7 +112,7 @@ std::vector<std::uintptr_t> offsets_in(const std::string& text) {
 constexpr char kAskLines = 'l';
 constexpr char kAskToKeepCounters = 'c';
 
-// Does what a confined run asks the runner to do, because the run itself may not do it.
+// Does work that a confined run requests because the run may not do it itself.
 std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
   if (what == kAskLines) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
@@ -256,7 +256,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   SandboxProxy proxy(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
-  bool finds_lines = true;  // false once a search for lines took too long: it is not repeated
+  bool finds_lines = true;  // false after a search for lines took too long: it is not repeated
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();
@@ -305,7 +305,7 @@ std::optional<wire::Answer> serve_run(const ExecutorFactory& factory, const wire
   return result_of_crash(request, cause_of(ending), "", 0, 0);
 }
 
-// Describes a robot, and keeps it in `known`: the client usually requests a run of this robot next.
+// Describes a robot, and caches it in `known`: the client usually requests a run of this robot next.
 wire::RobotInfo describe_robot(const wire::DescribeRobot& asked, Robots& known) {
   const auto robot = known_robot(asked.robot, known);
   known[asked.robot] = robot;

@@ -1,4 +1,4 @@
-// Stores snapshots of a run at intervals, so that one is close before each time of the run.
+// Stores snapshots of a run at intervals, so that there is one shortly before each time of the run.
 #pragma once
 
 #include <algorithm>

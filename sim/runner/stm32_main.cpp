@@ -1,5 +1,5 @@
-// The runner for the target stm32, and for runs that also have robots on the targets avr and host. It links
-// libunicorn: as a program, it is therefore under the GPL-2 (sim/exec/stm32/unicorn.h).
+// The runner for the target stm32, and for runs that also have robots on the targets avr and host. The
+// program links libunicorn and is therefore under the GPL-2 (sim/exec/stm32/unicorn.h).
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/exec/stm32/stm32_executor.h"
 #include "sim/runner/targets.h"

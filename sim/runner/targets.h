@@ -1,4 +1,4 @@
-// The targets of which runner programs are composed.
+// The targets that runner programs support.
 #pragma once
 
 #include "sim/exec/host/host_executor.h"

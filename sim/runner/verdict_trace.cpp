@@ -240,8 +240,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
            fmt::format("for {:.0f} ms it read no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
-    // Uses fewer lines of each file and more files if nothing drives the motors, since many lines then
-    // contribute.
+    // If nothing drives the motors, many lines contribute: uses fewer lines of each file, and more files.
     if (decisive.off_since == t)
       add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
     else

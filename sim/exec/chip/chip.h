@@ -34,7 +34,7 @@ class RunningChip {
   /// Returns the activity, except its last_call. Costly, as are where_now() and sketch_line().
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
-  /// Returns the line of the sketch that is running, or whose call led to the running instruction.
+  /// Returns the sketch's line that is running, or whose call is running.
   virtual SourceLine sketch_line() const { return where_now(); }
   /// Returns the line of the sketch that is printing a byte. `before` is the line of the previous byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;
@@ -53,8 +53,8 @@ class RunningChip {
   virtual std::vector<Detected> detected() const { return {}; }
   /// Returns the content of the RAM if the chip retains it through a brown-out.
   virtual std::vector<std::uint8_t> ram() const { return {}; }
-  /// Makes this start a reset by the brown-out detector instead of a power-on, with this content of the RAM.
-  /// Call it before the chip runs.
+  /// Turns this power-on into a brown-out reset, which retains the content of `ram`. Call it before the chip
+  /// runs.
   virtual void was_browned_out(const std::vector<std::uint8_t>& ram) { static_cast<void>(ram); }
   /// Makes millis() start at `start` when main() begins.
   virtual void set_clock(SimTime start) = 0;
@@ -84,13 +84,13 @@ class ChipFirmware {
   virtual std::any save() const { return {}; }
   virtual void restore(const std::any&) {}
 
-  /// Lets a debugger halt the chip from the next power-on on. Both arguments outlive this object.
+  /// Lets a debugger halt the chip, starting at the next power-on. Both arguments outlive this object.
   virtual void debug_with(gdb::Server& server, ClockedBoard& board) = 0;
-  /// Counts how often each line runs, from the next power-on on.
+  /// Counts how often each line runs, starting at the next power-on.
   virtual void count_lines() = 0;
-  /// Records which lines drive pins, from the next power-on on. Returns false if that is impossible.
+  /// Records which lines drive pins, starting at the next power-on. Returns false if that is impossible.
   virtual bool trace_drives() { return false; }
-  /// Turns on the detectors from the next power-on on; see Executor::detect().
+  /// Turns on the detectors at the next power-on; see Executor::detect().
   virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
   /// See Executor::find_causes(). `board` outlives this object.
   virtual CauseFinder* find_causes(ClockedBoard& board) { return static_cast<void>(board), nullptr; }

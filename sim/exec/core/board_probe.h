@@ -1,5 +1,5 @@
-// The simulation's direct access to the board, which neither firmware nor robot have. It serves memory
-// faults, and the parts of verdicts that concern pins.
+// The simulation's direct access to the board, bypassing firmware and robot. It is used for memory faults,
+// and for what verdicts report about pins.
 #pragma once
 
 #include <cstdint>

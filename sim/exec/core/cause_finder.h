@@ -43,10 +43,10 @@ class CauseFinder {
   virtual void begin() = 0;
   virtual void end() = 0;
 
-  /// Drops the previous question, and starts to find out why the chip drives these pins at `t`. The record
-  /// must include `t`.
+  /// Starts a new search for the reason why the chip drives these pins as it does at `t`. The record must
+  /// include `t`.
   virtual void ask(const std::vector<Pin>& pins, SimTime t) = 0;
-  /// Starts to find out why the firmware was at its place at `t`.
+  /// Starts a new search for the reason why the firmware was at its place at `t`.
   virtual void ask_place(SimTime t) = 0;
   /// Follows values back to the beginning of the record. `adjoins`: the record ends where the previously
   /// followed one begins.

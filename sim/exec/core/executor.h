@@ -118,8 +118,8 @@ class Executor {
   virtual void set_clock_start(SimTime) {
     throw InputError("setting the clock requires an emulated chip; on the host it is wider and never wraps");
   }
-  /// Delays the sketch at these times, sorted, as if its code took longer. Takes effect at the next power-on.
-  /// Throws InputError if that is impossible.
+  /// Delays the sketch at these times, in ascending order, as if its code took longer. Takes effect at the
+  /// next power-on. Throws InputError if that is impossible.
   virtual void set_lateness(const std::vector<Lateness>&) {
     throw InputError("delaying a sketch requires the target host");
   }
@@ -131,13 +131,13 @@ class Executor {
   virtual SourceLine sketch_source() { return source(); }
   /// Returns the current call of the API as the sketch would write it; empty if its arguments are unknown.
   virtual std::string call_now() const { return ""; }
-  /// Prepares source_of() from the next power-on on, for bytes that are sent in this time span.
+  /// Prepares source_of() for bytes that are sent in this time span. Takes effect at the next power-on.
   virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }
-  /// Returns the line that printed the byte that is being sent. Call it for every byte, once trace_bytes()
-  /// was called.
+  /// Returns the line that printed the byte that is being sent. After trace_bytes(), call it for every byte.
   virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
 
-  /// Prepares driving() from the next power-on on. Returns false if lines are unknown, or not known in time.
+  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or not known
+  /// in time.
   virtual bool trace_drives() { return false; }
   /// Returns the line that drives a pin; empty if there is none. Call it while the drive is reported.
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) {
@@ -154,8 +154,8 @@ class Executor {
   /// Makes the firmware's clock too fast by this number of parts per million from `t` on, which must be now.
   /// The drift persists through power cycles.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
-  /// Lets a debugger halt the firmware from the next power-on on. run_until() does not return while it is
-  /// halted. `server` must outlive the executor's use. Throws InputError if debugging is impossible.
+  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while it
+  /// is halted. `server` must outlive the executor's use. Throws InputError if debugging is impossible.
   virtual void debug_with(gdb::Server&) {
     throw InputError("attaching a debugger requires an emulated chip");
   }

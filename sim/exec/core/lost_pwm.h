@@ -3,7 +3,7 @@
 //
 // If the pin's number is a constant, the compiler's messages report it already (sim/build/pin_warnings.h).
 // This detector is for numbers from variables. A finding is a call with a value from 1 to 254; 0 and 255 work
-// as intended. Fix it by wiring the part to a pin with PWM, or by SoftPWM.
+// as intended. To fix it, wire the part to a pin with PWM, or use SoftPWM.
 //
 // Two detectors use this class: sim/exec/avr/detect/lost_pwm.h detects the function's call on the chip, and
 // sim/judge/lost_pwm.h the pin's level on the host.

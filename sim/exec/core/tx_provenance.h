@@ -1,4 +1,4 @@
-// Finds the line of the sketch that printed a byte when the byte leaves the chip. A buffer between
+// When a byte leaves the chip, finds the line of the sketch that printed it. A buffer between
 // HardwareSerial::write() and the UART preserves the order of bytes.
 #pragma once
 

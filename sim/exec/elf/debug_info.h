@@ -1,7 +1,7 @@
 // Converts addresses in flash to places in the sketch's source, from the image's DWARF.
 //
-// Uses libdw (elfutils), since a sketch's loop() is usually inlined into main(). libdw reports where;
-// addr2line does not.
+// Uses libdw (elfutils), since a sketch's loop() is usually inlined into main(). libdw reports the place of
+// the call; addr2line does not.
 #pragma once
 
 #include <cstdint>

@@ -19,8 +19,7 @@ class LineCounts {
     std::uint32_t address = 0;
     std::uint64_t count = 0;
   };
-  /// Returns the addresses where lines begin in ascending order, each with the number of runs of its
-  /// instruction.
+  /// Returns the addresses where lines begin, in ascending order, with the number of runs of each.
   const std::vector<Begin>& begins() const { return begins_; }
 
   /// Adds `times` runs of the instruction at `address`, where a line begins.

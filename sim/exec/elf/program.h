@@ -29,7 +29,7 @@ struct FlashContent {
 FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,
                            std::uint32_t room, const BoardSpec& board);
 
-/// Throws InputError if `bytes` bytes of variables do not fit into `room`.
+/// Throws InputError if variables of `bytes` bytes exceed `room`.
 void check_ram(const ElfFile& elf, std::uint64_t bytes, std::uint32_t room, const BoardSpec& board);
 
 }  // namespace robosim::exec

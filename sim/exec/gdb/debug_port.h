@@ -24,9 +24,9 @@ namespace robosim::exec::gdb {
 
 class DebugPort : protected Processor {
  public:
-  /// Must be called before the instructions of a tick. Does not return while the chip is halted.
+  /// Call it before the instructions of a tick. Does not return while the chip is halted.
   void begin_tick();
-  /// Must be called after some instructions have run. Does not return while the chip is halted.
+  /// Call it after instructions have run. Does not return while the chip is halted.
   void ran(bool at_breakpoint);
   /// Returns whether instructions run one by one.
   bool steps_singly() const;
@@ -42,7 +42,7 @@ class DebugPort : protected Processor {
   void power_on();
 
   // --- implemented for each chip
-  /// Returns the signal for the reason why the firmware ended; none while it can run.
+  /// Returns the signal that describes why the firmware ended; none while it can run.
   virtual Signal fault() const = 0;
   virtual bool is_asleep() const = 0;
   /// Returns the number of handlers that have begun but not returned.
@@ -55,9 +55,9 @@ class DebugPort : protected Processor {
   virtual bool has_ram(std::uint32_t address, std::size_t size) const = 0;
   virtual void poke(std::uint32_t address, std::uint8_t value) = 0;
   virtual void trap(std::uint32_t address, bool set) = 0;
-  /// Is called before the chip continues after a halt.
+  /// Prepares the chip to continue after a halt.
   virtual void resume() = 0;
-  /// Is called before the chip continues into a tick that is being repeated.
+  /// Prepares the chip to continue with a tick that is being repeated.
   virtual void resume_again() = 0;
 
   static std::string little_endian(std::uint32_t value, int size);

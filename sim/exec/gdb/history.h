@@ -41,7 +41,7 @@ struct Search {
   bool steps = false;
   std::size_t depth = 0;  ///< depth of handlers; instructions in deeper handlers do not belong to the sketch
   std::optional<Place> found;
-  std::optional<Place> before;  ///< the preceding result
+  std::optional<Place> before;  ///< the result before `found`
 
   // --- seek
   Place target;

@@ -1,4 +1,4 @@
-// A call of the Arduino API, as the sketch would write it.
+// Formats a call of the Arduino API as the sketch would write it.
 #pragma once
 
 #include <fmt/format.h>

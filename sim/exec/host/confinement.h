@@ -65,7 +65,7 @@ constexpr int kSignalStatus = 128;
 
 /// Returns whether confine() was called.
 bool is_confined();
-/// Prefix of the file names that the loader opens in a confined process. It gets kImageFd instead.
+/// Prefix of the file names that the loader opens in a confined process. The loader gets kImageFd instead.
 constexpr const char* kImageName = "/robosim/firmware";
 /// Emulates the loader's calls on kImageFd, and calls that the C library makes along with others. Returns
 /// false for any other call, which is refused. Call it in a handler of SIGSYS.

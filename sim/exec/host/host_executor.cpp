@@ -98,7 +98,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// Runs firmware that only waits to the limit, since it may have been asleep for some time.
+  /// Runs firmware to the limit even if it only waits, since it may have been asleep for some time.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;

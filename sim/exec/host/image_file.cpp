@@ -164,8 +164,9 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // Uses a copy without a name, because the loader would return an already loaded file again. It identifies
-    // files by identity and by this name, so the descriptor stays open while the image is loaded.
+    // Uses a nameless copy, because the loader would return a file that is already loaded. The loader
+    // identifies files by identity and by the path below. Therefore the descriptor stays open while the image
+    // is loaded.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
                 .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -1,4 +1,4 @@
-// Lists the functions of firmware that are being called, innermost first.
+// Lists the calls of firmware that have not returned yet, innermost first.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class OpenCalls {
   /// Adds the callers of the running function. Call it on the fiber. Uses the unwind tables and, where these
   /// end, words on the stack that look like return addresses.
   void add_callers(std::vector<CodeAddress>& addresses) const;
-  /// Adds return addresses on the stack from `from` on. Some may be outdated ones in unused slots.
+  /// Adds return addresses on the stack from `from` on. Some may be stale addresses in unused slots.
   void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const;
 
  private:

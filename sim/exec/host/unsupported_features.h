@@ -1,4 +1,4 @@
-// Records the chip features that firmware has used and its image lacks: each one once, by time.
+// Records chip features that firmware has used but its image lacks, each one once, sorted by time.
 #pragma once
 
 #include <algorithm>
