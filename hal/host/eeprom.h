@@ -21,7 +21,7 @@ class Eeprom {
   uint16_t address() const { return address_; }
   void set_address(uint16_t value);
 
-  /// Read a byte, and begin to write one, which lasts `takes`. Neither waits for the previous write.
+  /// Read a byte, and start the write of a byte, which lasts `takes`. Neither waits for a previous write.
   uint8_t read(uint16_t address) const;
   void write(uint16_t address, uint8_t value, SimTime takes);
   /// Returns when the last write ends.

@@ -49,7 +49,7 @@ struct BadAccess {
   size_t bytes = 0;
   bool write = false;
   uintptr_t first = 0;  ///< first address of the access that is forbidden
-  uint8_t mark = 0;     ///< its shadow byte; 0 = it belongs to no object of the sketch
+  uint8_t mark = 0;     ///< shadow byte of `first`; 0 = the address belongs to no object of the sketch
   uintptr_t block = 0;  ///< heap block that contains or precedes that address; 0 = none
   size_t block_bytes = 0;
 };
@@ -101,7 +101,7 @@ class Host {
 struct ApiCall {
   const char* name = "";  ///< "digitalRead", or a register's name: "PORTB"
   int32_t argument[2] = {0, 0};
-  int8_t arguments = 0;  ///< number of stored ones; -1: not a function, so written without parentheses
+  int8_t arguments = 0;  ///< number of stored arguments; -1: not a function, written without parentheses
   Pin pin = kNoPin;
 };
 
@@ -173,8 +173,8 @@ struct Image {
   const char* settings_begin;
   const char* settings_end;
   /// Returns whether an enabled interrupt may occur even if firmware calls nothing. Interrupts of the core's
-  /// clock and Serial do not count. `held_back` includes those blocked by a clear I flag, as in handlers and
-  /// in reads of variables that handlers write. Like counters(), it must be called outside the fiber.
+  /// clock and Serial do not count. `held_back` includes interrupts blocked by a clear I flag, as in handlers
+  /// and while shared variables are read. Like counters(), it must be called outside the fiber.
   bool (*may_interrupt)(bool held_back);
   /// Passes the counts since the start. It may be called at any time outside the fiber. Null if the image was
   /// not built for coverage.

@@ -64,8 +64,7 @@ class CauseFinder {
 
   /// Returns the steps, the nearest first.
   virtual std::vector<CauseStep> steps() const = 0;
-  /// Returns the line of the sketch that took most of the time from `from` to `to`, including the calls it
-  /// made.
+  /// Returns the line of the sketch that took most of the time from `from` to `to`, including its calls.
   virtual wire::SourceLine busiest(SimTime from, SimTime to) const = 0;
 
   struct Share {

@@ -6,11 +6,11 @@
 // instruction is chosen that runs exactly once in each round:
 //
 //   if loop() is inlined   one on each path over main()'s own code, and on no path that stays inside loop().
-//                          That code is identified by its calls and branches: the compiler may attribute to
-//                          main() what is only computed inside loop(). Loops that never return to main()'s
-//                          code are a part of the round that they end
-//   otherwise              the head of the loop, if one jump leads back there, and if by the lines of the
-//                          source no inner loop is as long as the whole
+//                          main()'s code is identified by its calls and branches, since the compiler may
+//                          attribute computations inside loop() to main(). Loops that never return to
+//                          main()'s code are a part of the round that they end
+//   otherwise              the head of the loop, if only one jump leads back to it, and no inner loop spans
+//                          the same source lines as the whole loop
 //
 // If there is no such instruction, nothing is counted: `if (a) { …; continue; }` and `while (a) { … }` may be
 // the same machine code, and only debug information distinguishes them.
@@ -39,7 +39,7 @@ struct LoopMarks {
 
 /// Returns whether an instruction belongs to loop().
 using Inside = std::function<bool(std::uint32_t)>;
-/// Returns the line of an instruction in the function itself, not in an inlined one; 0 = unknown.
+/// Returns an instruction's line in the function itself: for inlined code, that of the call. 0 = unknown.
 using LineOf = std::function<int(std::uint32_t)>;
 
 /// Returns the marks of the endless loops of a function that begins at `entry`. With `inside`, these are

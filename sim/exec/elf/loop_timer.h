@@ -19,7 +19,7 @@ class LoopTimer {
     running_ = true;
     began_ = at;
   }
-  /// Adds `rounds` rounds, the first of which began at `first`, and each other one `period` later.
+  /// Adds `rounds` rounds. The first one began at `first`, and each following one a `period` later.
   void began(Time first, Time period, std::uint64_t rounds) {
     began(first);
     if (rounds == 1) return;
