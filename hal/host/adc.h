@@ -38,9 +38,9 @@ class Adc {
     return clock_began_ + (past + clock - 1) / clock * clock;
   }
   bool on() const { return control_ & 0x80; }
-  /// Returns at the start of a conversion whether it is the first one after ADEN, which takes longer (24.4).
-  /// In analogRead(), a conversion after init()'s ADEN takes the usual time: the traces of all sketches
-  /// depend on that.
+  /// Returns whether a conversion that starts now is the first one after ADEN, which takes longer (24.4). In
+  /// analogRead(), a conversion after init()'s ADEN takes the usual time: the traces of all sketches depend
+  /// on that.
   bool take_first(bool of_analog_read) {
     const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
     first_ = First::over;

@@ -20,7 +20,7 @@ struct Sample;
 
 using wire::Stop;
 
-/// The controller's next request: to continue until the first of these, or to end the run at once
+/// The controller's next request: to continue until the first of these events, or to end the run at once
 /// (`interrupted`).
 struct Leg {
   SimTime until = kNever;

@@ -75,7 +75,7 @@ class RequestedRun {
 
   /// Runs to the end. Call it only once. Reads no more files.
   wire::RunResult go();
-  /// Returns the result for its robots' outcomes. Use it if another driver has run it to its end.
+  /// Returns the result for its robots' outcomes. Use it if another driver has completed the run.
   wire::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:

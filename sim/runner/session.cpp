@@ -222,8 +222,8 @@ bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
 }
 
-// Waits for the end of a process that has closed its pipes. Returns nothing if it does not end soon. It then
-// had no right to close them.
+// Waits for the end of a process that has closed its pipes. Returns nothing if the process does not end soon.
+// In that case it had no right to close them.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
        waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {

@@ -14,7 +14,7 @@ struct MemoryRange {
 };
 
 /// Initially all zero: all memory may be accessed. If Robosim itself runs under AddressSanitizer, the shadow
-/// exists already. It is then restored at the end.
+/// exists already, and is restored at the end.
 class ShadowMemory {
  public:
   /// `offset` is host::Image::shadow; 0 = no shadow. Throws std::runtime_error if the shadow's address range
