@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kStep = 0.005;  // m
 
-// Returns the distance from a point to a square of that side, given by its lower left corner.
+// Returns the distance from a point to a square, given by its lower left corner and its side.
 double to_square(Vec2 p, Vec2 corner, double side) {
   const double dx = std::max({corner.x - p.x, 0.0, p.x - corner.x - side});
   const double dy = std::max({corner.y - p.y, 0.0, p.y - corner.y - side});
   return std::hypot(dx, dy);
 }
 
-// Finds the nearest wall within `least`, which becomes its distance.
+// Searches for a wall or an edge nearer to `p` than `least`, and updates `least` and `found`.
 void look_around(const Map& map, Vec2 p, int path, double& least, std::optional<Narrowest>& found) {
   const double side = map.cell_m;
   const CellAt at{static_cast<int>(std::floor(p.x / side)),

@@ -1,11 +1,12 @@
-// Colours of the floor, and their reflectance for sensors: the only such table.
+// Defines the colours of the floor and their reflectance for sensors.
 //
 // `infrared` is the reflectance for a sensor such as TCRT5000 or QTR (950 nm), relative to white paper;
-// `light` is that of red, green and blue. All are estimates. Pigments that look dark to the eye hardly absorb
-// infra-red. Makers of reflex sensors state 40 to 80 % of a white card for coloured PVC. For bright metal
-// they state 110 to 160 %, since it reflects like a mirror if emitter and receiver look straight down.
+// `light` is the reflectance for red, green and blue light. All are estimates. Pigments that look dark to the
+// eye hardly absorb infra-red. Makers of reflex sensors state 40 to 80 % of a white card for coloured PVC.
+// For bright metal they state 110 to 160 %, since metal reflects like a mirror if emitter and receiver look
+// straight down.
 //
-// So green is much nearer to white than to black here. Infra-red alone cannot distinguish a single green
+// Green is therefore much nearer to white than to black. Infra-red alone cannot distinguish a single green
 // square from a dirty floor.
 #pragma once
 
@@ -20,7 +21,7 @@ struct HueFigures {
   const char* name;
   double infrared;
   std::array<double, 3> light;  ///< red, green, blue
-  const char* drawn;            ///< for pictures: a colour of HTML
+  const char* drawn;            ///< HTML colour for pictures
 };
 
 /// All hues except grey.
@@ -31,14 +32,14 @@ constexpr std::array<HueFigures, 6> kHues = {{{"black", 0.00, {0.00, 0.00, 0.00}
                                               {"silver", 1.25, {1.30, 1.30, 1.30}, "#b9c4ce"},
                                               {"red", 0.75, {0.70, 0.10, 0.10}, "#c8322b"}}};
 
-/// The colour of something painted.
+/// The colour of a paint.
 struct Colour {
   Hue hue = Hue::black;
-  double black = 0.5;  ///< of grey: the share of black in it, 0..1
+  double black = 0.5;  ///< share of black in a grey, 0..1
 
   const HueFigures& figures() const { return kHues[static_cast<std::size_t>(hue)]; }
   double infrared() const { return hue == Hue::grey ? 1.0 - black : figures().infrared; }
-  /// Returns the reflectance of red, green or blue: 0, 1 or 2.
+  /// Returns the reflectance for a channel: 0 = red, 1 = green, 2 = blue.
   double light(std::size_t channel) const {
     return hue == Hue::grey ? 1.0 - black : figures().light[channel];
   }

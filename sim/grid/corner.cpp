@@ -5,11 +5,11 @@
 namespace robosim::grid {
 namespace {
 
-constexpr double kAlmost = 1.0 - 1e-9;  // so that rounding does not make a bend tight
+constexpr double kAlmost = 1.0 - 1e-9;  // prevents rounding from making a bend tight
 
 unsigned bit(Direction d) { return 1u << static_cast<int>(d); }
 
-// Returns the first leg of a bend with these neighbours.
+// Returns the first leg of the bend that these line neighbours form, if any.
 std::optional<Direction> first_leg(unsigned lines) {
   for (const Direction d : {Direction::east, Direction::south, Direction::west, Direction::north})
     if (lines == (bit(d) | bit(turned_right(d)))) return d;
@@ -18,8 +18,8 @@ std::optional<Direction> first_leg(unsigned lines) {
 
 bool is_straight(unsigned lines, Direction d) { return lines == (bit(d) | bit(reversed(d))); }
 
-// Returns how much of a leg an arc may take, up to the corner radius: half of it if another bend is at its
-// end.
+// Returns the length of a leg that an arc may replace, up to the corner radius. Two bends share the leg
+// between them equally.
 double room(const Map& map, CellAt corner, Direction d) {
   CellAt cell = corner;
   for (int n = 1;; ++n) {

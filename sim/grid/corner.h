@@ -10,22 +10,22 @@ namespace robosim::grid {
 
 struct Corner {
   CellAt cell;
-  Direction first;    ///< the legs; the arc runs counter-clockwise from the first to the second
-  Direction second;   ///< = first turned right
+  Direction first;    ///< first leg; the arc runs counter-clockwise from it to the second
+  Direction second;   ///< second leg: `first` turned right
   double radius = 0;  ///< m; 0 = square
 
-  /// Returns how far from the corner, along a leg, the arc's middle is: (1 - 1/sqrt 2) radius.
+  /// Returns the distance along a leg from the corner to the arc's middle: (1 - 1/sqrt 2) radius.
   double middle() const { return radius * 0.29289321881345243; }
 };
 
-/// Returns the bend at a cell, or nullopt. The time is proportional to the legs, up to twice the corner
-/// radius.
+/// Returns the bend at a cell, or nullopt. Takes time proportional to the length of the legs, up to twice the
+/// corner radius.
 std::optional<Corner> corner_at(const Map& map, CellAt cell);
 
 /// Returns the bend whose arc replaces the centre of a line cell, if any.
 std::optional<Corner> corner_over(const Map& map, CellAt cell);
 
-/// Returns whether the legs have room for less than the map's corner radius.
+/// Returns whether the legs are too short for the map's corner radius.
 bool is_tight(const Map& map, const Corner& corner);
 
 }  // namespace robosim::grid

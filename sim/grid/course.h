@@ -15,12 +15,12 @@ namespace robosim::grid {
 /// A painted bar of the line's colour: Robotrace's corner, start and goal markers.
 struct Mark {
   int path = 0;              ///< index of the path that the mark stands next to
-  double along = 0.0;        ///< m from that path's beginning
-  double away = 0.0;         ///< m from the path to its middle, positive to the left
-  Pose middle;               ///< m; the heading is that of its long side, across the path
+  double along = 0.0;        ///< m from the path's beginning
+  double away = 0.0;         ///< m from the path to the mark's middle, positive to the left
+  Pose middle;               ///< m; heading along the long side, across the path
   double half_length = 0.0;  ///< m
   double half_width = 0.0;   ///< m
-  int paint = 0;             ///< its number in paints_of; the width there is not the mark's
+  int paint = 0;             ///< index in paints_of(); a mark does not use that paint's width
 };
 
 /// Returns a mark next to a path; `length_m` is its long side.
@@ -35,44 +35,45 @@ inline Mark mark_beside(const std::vector<Path>& paths, int path, double along, 
 /// A painted rectangle or disc.
 struct Area : Shape {
   Colour colour;
-  bool over_lines = false;  ///< painted over lines and marks; else they are painted over it
-  double gloss = 0.0;       ///< what it mirrors: Paint::gloss
+  bool over_lines = false;  ///< painted over lines and marks, not under them
+  double gloss = 0.0;       ///< as Paint::gloss
 };
 
-/// Start and goal line of a path, m along it. A race goes from the start to the goal. The path is closed if
-/// there is no braking distance.
+/// Start and goal lines of a race: distances along a path, m. The path is closed unless there is a braking
+/// distance.
 struct RaceLines {
-  int path = 0;  ///< an index
+  int path = 0;  ///< index in Course::paths
   double start = 0.0;
   double goal = 0.0;
-  double braking = 0.0;  ///< m behind the goal line, of a drag race; 0 = none
-  double signal = 0.0;   ///< s, when a drag race is started; 0 = when the robot leaves
+  double braking = 0.0;  ///< m after the goal line of a drag race; 0 = not a drag race
+  double signal = 0.0;   ///< s, starting signal of a drag race; 0 = none, the clock starts with the robot
 };
 
 /// A course of tiles along the whole first path: RoboCupJunior's Rescue Line.
 struct RescueCourse {
-  double tile = 0.3;                ///< m, side
+  double tile = 0.3;                ///< m, side of a tile
   Vec2 origin;                      ///< m, a corner of a tile
-  bool to_zone = false;             ///< it ends at the evacuation zone, not at the end tile
-  std::vector<double> checkpoints;  ///< m along the path, ascending: the tiles there
-  bool is_entry = false;            ///< by the rules of Rescue Line Entry
+  bool to_zone = false;             ///< the path ends at the evacuation zone, not at the end tile
+  std::vector<double> checkpoints;  ///< m along the path, ascending; the tiles there are checkpoints
+  bool is_entry = false;            ///< the rules of Rescue Line Entry apply
 };
 
 struct Course {
   std::vector<Path> paths;
-  std::vector<Paint> paints;  ///< of pieces and marks that are not as the map's lines are
+  std::vector<Paint> paints;  ///< of pieces and marks; only paints that differ from the map's default
   std::optional<RaceLines> race;
   std::optional<RescueCourse> rescue;
   std::vector<Mark> marks;
-  std::vector<Area> areas;  ///< in the order in which they are painted
+  std::vector<Area> areas;  ///< in painting order
   std::vector<Hill> hills;
-  std::vector<Surface> surfaces;  ///< if some of them overlap, the last one counts
+  std::vector<Surface> surfaces;  ///< where surfaces overlap, the last one applies
   std::vector<Joint> joints;
   /// Returns whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }
 };
 
-/// Returns what sensors see: the course's areas, and above lines and everything else the dark of its joints.
+/// Returns the areas that sensors see: the course's areas, and its joints as black areas on top of
+/// everything.
 std::vector<Area> visible_areas(const Course& course);
 
 }  // namespace robosim::grid

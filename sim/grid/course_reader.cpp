@@ -16,10 +16,10 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;   // m
 constexpr double kLeastTurn = 1.7e-8;  // rad: 0.000001 deg; written angles are within 2e-11
 constexpr double kMostRadius = 1000.0;
-constexpr double kLeastWidth = 1e-3, kMostWidth = 0.1;  // m, of a line
+constexpr double kLeastWidth = 1e-3, kMostWidth = 0.1;  // m, for lines
 constexpr double kLatestSignal = 600.0;                 // s
 constexpr double kLongestRescue = 100.0;                // m
-// Robotrace (NTF), rules 2-5 and 2-6: 40 mm long, its middle 70 mm next to the line's.
+// Robotrace (NTF), rules 2-5 and 2-6: a marker is 40 mm long, and its middle is 70 mm from the line's middle.
 constexpr double kMarkLength = 0.040;
 constexpr double kMarkAway = 0.070;
 
@@ -32,7 +32,7 @@ double read_turn(const ConfigValue& value, double most) {
   return turn;
 }
 
-// Returns the number of a paint in paints_of; adds a new one.
+// Returns a paint's index in paints_of(). Adds the paint to the course if it is new.
 int number_of(const Paint& paint, const Paint& usual, Course& course, const Place& place) {
   if (paint == usual) return 0;
   std::size_t i = 0;
@@ -45,7 +45,8 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   return static_cast<int>(i) + 1;
 }
 
-// `width` is for lines; a mark has its own.
+// Reads the keys of a paint; `paint` has the defaults. Skips `width` for marks, since theirs is not the
+// paint's.
 Paint read_paint(TableReader& table, bool of_line, Paint paint) {
   if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
   if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);

@@ -1,4 +1,4 @@
-// Reads [[path]], [[mark]], [[area]] and [race] of a map's front matter.
+// Reads [[path]], [[mark]], [[area]], [race] and [rescue] of a map's front matter.
 #pragma once
 
 #include "sim/base/config.h"
@@ -9,16 +9,17 @@ namespace robosim::grid {
 /// Reads all [[path]] tables. `usual` is their default paint. Throws InputError.
 void read_paths(const ConfigValue& value, const Paint& usual, Course& course);
 
-/// Reads all [[mark]] tables, which are measured along the paths read before. `line_m` is the line's width.
+/// Reads all [[mark]] tables. The paths must have been read before. `line_m` is the default width of a mark.
 void read_marks(const ConfigValue& value, double line_m, const Paint& usual, Course& course);
 
-/// Reads all [[area]] tables; `gloss` is their default. Throws InputError.
+/// Reads all [[area]] tables; `gloss` is their default gloss. Throws InputError.
 void read_areas(const ConfigValue& value, double gloss, Course& course, Draw draw = {});
 
 /// Reads [rescue]. Throws InputError.
 void read_rescue(const ConfigValue& value, Course& course);
 
-/// Reads [race]. Throws InputError, also if its path is not closed within `line_m`, except for a drag race.
+/// Reads [race]. Throws InputError, also if the path of a race other than a drag race is not closed within
+/// `line_m`.
 void read_race(const ConfigValue& value, double line_m, Course& course);
 
 }  // namespace robosim::grid

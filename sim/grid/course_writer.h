@@ -1,4 +1,4 @@
-// Writes [[path]] and [[mark]] of the front matter. An implementation detail of write_map.
+// Writes a course's tables of the front matter. An implementation detail of write_map().
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace robosim::grid {
 
-/// Returns "250 mm", or metres if whole micrometres would round.
+/// Returns a length such as "250 mm". Uses metres if rounding to whole micrometres would change the length.
 std::string length_text(double m);
 
-/// Returns the tables. Lengths, angles and places are read back within 1e-12 m. `usual` is the default paint
-/// of lines and marks.
+/// Returns the course's tables. Reading them back reproduces lengths, angles and places within 1e-12 m.
+/// `usual` is the default paint of lines and marks.
 std::string course_text(const Course& course, const Paint& usual);
 
 }  // namespace robosim::grid

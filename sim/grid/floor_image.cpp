@@ -9,7 +9,8 @@
 namespace robosim::grid {
 namespace {
 
-// An interval of pixels, as up to three runs with the share of each pixel that is in the interval.
+// An interval of pixels, split into up to three runs. A run's share is the part of each of its pixels that
+// the interval covers.
 struct Runs {
   std::array<int, 4> edges;
   std::array<double, 3> shares;
@@ -58,7 +59,7 @@ double FloorImage::darkness_in(Vec2 low, Vec2 high) const {
   if (!(area > 0.0)) return 0.0;
   const Runs columns(low.x * per_pixel_, high.x * per_pixel_, width_);
   const Runs rows(height_ - high.y * per_pixel_, height_ - low.y * per_pixel_, height_);
-  // The sums at all crossings of the runs' edges, each looked up once.
+  // Looks up the sum at each crossing of the runs' edges once.
   std::array<std::uint32_t, 4> above{}, below{};
   const auto look_up = [&](std::array<std::uint32_t, 4>& sums, int row) {
     for (std::size_t c = 0; c < 4; ++c) sums[c] = sum(columns.edges[c], row);

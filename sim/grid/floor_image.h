@@ -1,4 +1,4 @@
-// A picture that is painted on the floor: `floor = "floor.png"` of a map (docs/reference/maps.md).
+// A picture painted on the floor: `floor = "floor.png"` of a map (docs/reference/maps.md).
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 
 namespace robosim::grid {
 
-/// The picture's lower left corner is the floor's. Beyond the picture the floor is white.
+/// The lower left corners of picture and floor coincide. Beyond the picture the floor is white.
 ///
 /// A pixel's darkness is 1 - value, in steps of 1/255, with a value between 0 (black) and 1 (white). The
-/// value of grey is the file's; that of a colour is 0.2126 red + 0.7152 green + 0.0722 blue (ITU-R BT.709).
-/// Transparent pixels count as above white.
+/// value of a grey pixel is the file's. The value of a coloured pixel is 0.2126 red + 0.7152 green + 0.0722
+/// blue (ITU-R BT.709). Transparent pixels are blended over white.
 class FloorImage {
  public:
-  /// Limits of a picture's pixels, which take 4 bytes each, and of a file's bytes.
+  /// Maximum number of a picture's pixels, which use 4 bytes each, and of a file's bytes.
   static constexpr std::size_t kMostPixels = 50'000'000;
   static constexpr std::size_t kMostFile_bytes = std::size_t{32} << 20;
 
-  /// Decodes a PNG of any kind except interlaced ones. `file` is for messages, `pixel_m` the side of a pixel,
-  /// m. Throws InputError if it is not a PNG, damaged, or too large.
+  /// Decodes a PNG, which must not be interlaced. `file` is for messages; `pixel_m` is the side of a pixel,
+  /// m. Throws InputError if the data is damaged, too large, or not a PNG.
   FloorImage(std::string png, const std::string& file, double pixel_m);
 
   /// Returns the file's name, without folders.
@@ -36,12 +36,12 @@ class FloorImage {
   double wide_m() const { return width_ * pixel_m_; }
   double high_m() const { return height_ * pixel_m_; }
 
-  /// Returns the mean darkness of a square of side `side` m about p, 0..1; exact, and at the same cost for
-  /// any side. At most 10 million pixels.
+  /// Returns the exact mean darkness, 0..1, of a square of side `side` m around `p`. The cost is the same for
+  /// any side. The square must not exceed 10 million pixels.
   double darkness(Vec2 p, double side) const {
     return darkness_in({p.x - 0.5 * side, p.y - 0.5 * side}, {p.x + 0.5 * side, p.y + 0.5 * side});
   }
-  /// Returns that of a rectangle, from its lower left to its upper right corner.
+  /// Returns the mean darkness of a rectangle with the given lower left and upper right corners.
   double darkness_in(Vec2 low, Vec2 high) const;
   /// Returns the darkness of a pixel, counted from the upper left: 0 light .. 255 dark.
   std::uint8_t at(int column, int row) const {
@@ -50,7 +50,7 @@ class FloorImage {
   }
 
  private:
-  // Returns the sum of all pixels above and to the left, modulo 2^32: differences of sums are right again.
+  // Returns the sum of all pixels above and to the left, modulo 2^32. Differences of such sums are exact.
   std::uint32_t sum(int column, int row) const {
     return sums_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
                  static_cast<std::size_t>(column)];

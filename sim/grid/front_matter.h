@@ -13,14 +13,14 @@
 
 namespace robosim::grid {
 
-/// The content of the front matter, with places, before it is checked against the cells.
+/// The content of the front matter with its places in the file, not yet checked against the cells.
 struct FrontMatter {
   struct PlacedCell {
     CellAt cell;
     Place place;
   };
   struct PlacedStart {
-    std::optional<CellAt> cell;  ///< absent: the S in the map
+    std::optional<CellAt> cell;  ///< nullopt = the S in the map
     std::optional<OnPath> on_path;
     std::optional<Direction> facing;
     Place place;
@@ -30,10 +30,10 @@ struct FrontMatter {
     Place place;
   };
 
-  Map settings;              ///< what does not depend on the cells is set
-  std::optional<Vec2> size;  ///< m; of a floor without rows
+  Map settings;              ///< contains only the values that do not depend on the cells
+  std::optional<Vec2> size;  ///< m, of a floor without rows
   Place size_place;
-  std::string picture;  ///< a file's name; "" = none
+  std::string picture;  ///< name of the file; "" = none
   Place picture_place;
   double pixel_m = 0.0;
   std::optional<PlacedStart> start;
@@ -46,12 +46,12 @@ struct FrontMatter {
 /// InputError.
 FrontMatter read_front_matter(std::string_view text, const std::string& file, int first_line, Draw draw = {});
 
-/// Checks that the picture is at least as large as the line is wide, and at most as large as the floor.
-/// Nothing else may be painted. Throws InputError at `place`.
+/// Checks that the picture is at least as large as the line's width, and fits on the floor. Checks that the
+/// map has no other paint. Throws InputError at `place`.
 void check_picture(const Map& map, const Place& place);
 
-/// Throws InputError at `place` unless the cell is line: "13, 2 is outside the map", "13, 2 is floor, not
-/// line".
+/// Throws InputError at `place` unless the cell is a line cell: "13, 2 is outside the map", "13, 2 is floor,
+/// not line".
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what);
 
 }  // namespace robosim::grid

@@ -13,18 +13,18 @@ namespace robosim::grid {
 /// Returns the tables [[name]]. Throws InputError if `value` is a single table.
 const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* name);
 
-/// Reads ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
+/// Reads a point ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
 Vec2 read_point(const ConfigValue& value, const char* key);
 /// Reads a point whose coordinates may have a spread.
 Vec2 read_point(const ConfigValue& value, const char* key, const SampledParameters& figures);
 
-/// Reads one of the colours, or "grey 40 %". Throws InputError.
+/// Reads a colour, such as "green" or "grey 40 %". Throws InputError.
 Colour read_colour(const ConfigValue& value);
 
 /// Reads `worn` or `gloss`, 0..1; `usual` is the default. Throws InputError.
 double read_share(TableReader& table, const char* key, double usual);
 
-/// Reads a value in two directions, such as ["2 mm/s", "0 mm/s"], within +-most. Throws InputError.
+/// Reads a vector such as ["2 mm/s", "0 mm/s"], whose components must be within +-most. Throws InputError.
 Vec2 read_vector(const ConfigValue& value, const char* key, Dimension dimension, double most,
                  const SampledParameters& figures);
 

@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char* kFamilies[] = {"tree", "cycles", "grid"};
 constexpr Direction kDirections[] = {Direction::east, Direction::south, Direction::west, Direction::north};
-constexpr unsigned kLeastPitch = 3;  // cells between lattice lines, and around the map
-constexpr unsigned kPitches = 2;     // number of different ones
+constexpr unsigned kLeastPitch = 3;  // cells: smallest distance of lattice lines, and margin around the map
+constexpr unsigned kPitches = 2;     // number of different distances
 
 class Chance {
  public:
   Chance(Family family, std::uint64_t seed) : noise_(seed, 0, "generator", name_of(family)) {}
-  /// Returns 0 to n - 1
+  /// Returns a random number from 0 to n - 1.
   std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(noise_.bits(drawn_++) % n); }
   bool one_in(std::size_t n) { return below(n) == 0; }
 
@@ -72,9 +72,10 @@ class Lattice {
   std::vector<std::uint8_t> arms_;  // bit 1 << Direction
 };
 
-// Grows a tree, from the middle outward. A new node on a dead end lengthens it; elsewhere it adds one dead
-// end, so that any number of them is met exactly. One time in four the newest node grows, which makes lines
-// with bends; else any. Returns false if the lattice is full before.
+// Grows a tree from the middle outward. A new node at a dead end lengthens the line; elsewhere it adds one
+// dead end. Any number of dead ends can therefore be reached exactly. One step in four extends the newest
+// node, which makes lines with bends. The other steps extend a random node. Returns false if the lattice
+// fills up first.
 bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, Chance& chance) {
   std::vector<std::uint32_t> growing{lattice.index(lattice.width() / 2, lattice.height() / 2)};
   std::size_t nodes = 1;
@@ -104,7 +105,7 @@ bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, 
   return true;
 }
 
-// Returns a lattice with a tree that has room to spare.
+// Returns a lattice with a tree. Enlarges the lattice until the tree fits.
 Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   for (double room = 6.0;; room *= 1.5) {
     const int side =
@@ -114,7 +115,8 @@ Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   }
 }
 
-// Connects neighbours on the lattice that are not dead ends, one pair in four, and at least one.
+// Connects one in four pairs of lattice neighbours that are not dead ends, and at least one pair. Returns
+// false if there is no such pair.
 bool close_cycles(Lattice& lattice, Chance& chance) {
   const auto inner = [&](std::uint32_t i) { return lattice.degree(i) >= 2; };
   std::vector<std::pair<std::uint32_t, Direction>> pairs;
@@ -137,11 +139,11 @@ Lattice cycles(std::size_t stations, Chance& chance) {
   }
 }
 
-// The groups of connected crossings of a city.
+// Groups of connected crossings in a city.
 class Groups {
  public:
   explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  /// Returns false if they were in one group already.
+  /// Merges two groups. Returns false if they were already one group.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -157,9 +159,9 @@ class Groups {
   std::vector<std::uint32_t> parent_;
 };
 
-// Crossings are on even rows and columns of the lattice; a block between four of them has its middle on odd
-// ones. A station may be there, connected to the middle of one of the block's four sides. A side is a street
-// of two steps.
+// A city with crossings on the even rows and columns of the lattice. The middle of a block is on an odd row
+// and column. It may be a station, connected to the middle of one of the block's four sides. Each side is a
+// street of two steps.
 class City {
  public:
   City(std::size_t stations, Chance& chance)
@@ -192,7 +194,7 @@ class City {
     }
   }
 
-  // Selected so that all choices are equally likely (Knuth's selection sampling).
+  // Selects the blocks with stations. All selections are equally likely (Knuth's selection sampling).
   void build_stations(std::size_t stations) {
     std::size_t blocks = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     for (int y = 1; y < 2 * rows_; y += 2)
@@ -203,7 +205,8 @@ class City {
       }
   }
 
-  // Removes a third of the streets without stations and outside a spanning tree (Kruskal's, in random order).
+  // Removes a third of the streets that have no station and are outside a spanning tree (Kruskal's, in random
+  // order).
   void remove_streets() {
     for (std::size_t n = streets_.size(); n > 1; --n) std::swap(streets_[n - 1], streets_[chance_.below(n)]);
     Groups connected(lattice_.size());
@@ -219,15 +222,14 @@ class City {
 
   std::uint32_t middle(const Street& street) const { return *lattice_.beside(street.from, street.to); }
 
-  int columns_;  // of blocks
+  int columns_;  // number of columns of blocks
   int rows_;
   Lattice lattice_;
   Chance& chance_;
   std::vector<Street> streets_;
 };
 
-// Returns the places of the lattice's lines: cells, by number of the line, from the first used one to the
-// last.
+// Returns the coordinate, in cells, of each lattice line from `first` to `last`, by the number of the line.
 std::vector<int> spread(int first, int last, Chance& chance) {
   std::vector<int> at(static_cast<std::size_t>(last) + 1, 0);
   int cell = static_cast<int>(kLeastPitch);

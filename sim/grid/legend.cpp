@@ -85,7 +85,7 @@ class Reader {
   Legend legend_;
 };
 
-// Writes the format of read_legend.
+// Returns the meaning of a digit in the format that read_legend() reads.
 std::string meaning_text(Cell cell, const SurfaceFigures* surface) {
   if (!surface) return fmt::format("\"{}\"", cell_word(cell));
   for (const SurfaceKind& kind : kSurfaces)

@@ -27,7 +27,7 @@ struct Legend {
   std::vector<SurfaceFigures> surfaces;           ///< as Map::legend_surfaces
 };
 
-/// Returns the front matter's name of such a cell.
+/// Returns the name of a kind of cell in the front matter.
 const char* cell_word(Cell cell);
 
 /// Reads [legend]. Throws InputError.
@@ -39,7 +39,7 @@ class LegendWriter {
   /// Assigns the digits. Throws std::invalid_argument if seven digits are not enough.
   explicit LegendWriter(const Map& map);
 
-  /// Returns the digit of such a cell; 0 = none, it has a character.
+  /// Returns the digit for a kind of cell and a surface; 0 = none, since the cell has a character.
   char digit(Cell cell, std::size_t surface) const { return digit_[index(cell, surface)]; }
   /// Returns the table [legend], or "".
   const std::string& text() const { return text_; }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kChunk = 256 * 1024;  // stays in the second-level cache
+constexpr std::size_t kChunk = 256 * 1024;  // fits into the second-level cache
 
 class MapFile {
  public:
@@ -32,17 +32,17 @@ class MapFile {
 
   std::size_t size() const { return size_; }
 
-  /// Returns a buffer for all of it or, if it is larger, for this much at a time. A part that read() does not
-  /// fill is at the file's end.
+  /// Returns a buffer for the whole file, limited to `most` bytes. read() fills it completely except at the
+  /// file's end.
   std::vector<char> buffer_of(std::size_t most) const { return std::vector<char>(std::min(size_ + 1, most)); }
 
-  /// Returns the beginning, which includes all front matter.
+  /// Returns the beginning of the file, including all front matter.
   std::string beginning() {
     std::vector<char> buffer = buffer_of(MapParser::kMaxFrontMatter + 1024);
     return std::string(read(buffer));
   }
 
-  /// Fills the buffer as far as the file reaches; only at the file's end it is not full.
+  /// Fills the buffer; returns a shorter view only at the file's end.
   std::string_view read(std::vector<char>& buffer) {
     std::size_t got = 0;
     while (got < buffer.size()) {

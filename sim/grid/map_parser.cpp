@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kFence = "+++";
 
-// Reads a row of floor, line and wall only; returns false for anything else. Written so that compilers
-// vectorise it: large maps are read at the speed of memory.
+// Reads a row that contains only floor, line and wall; returns false for any other row. Compilers vectorise
+// the loop, so that large maps are read at the speed of memory.
 bool read_plain(std::string_view row, Cell* out) {
   unsigned char strange = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -32,7 +32,8 @@ bool read_plain(std::string_view row, Cell* out) {
   return strange == 0;
 }
 
-// Counts like std::count, but vectorised: each block's sum fits a byte.
+// Counts a character as std::count does. Each block's sum fits into a byte, so that compilers vectorise the
+// loop.
 std::size_t count(std::string_view row, char c) {
   constexpr std::size_t kBlock = 128;
   std::size_t total = 0;

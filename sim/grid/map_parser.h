@@ -1,4 +1,4 @@
-// Parses the text of a map file, fed in pieces of any size, to a Map. read_map and parse_map use it.
+// Parses the text of a map file, fed in pieces of any size, into a Map. Used by read_map() and parse_map().
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@ namespace robosim::grid {
 
 class MapParser {
  public:
-  /// `size_hint` is the number of bytes to be fed, if known; it reserves memory for the cells. `picture` has
-  /// the bytes of the floor's picture, unless that is next to the file.
+  /// `size_hint` is the number of bytes to be fed, if known; the parser reserves memory accordingly.
+  /// `picture` contains the bytes of the floor's picture; "" = read the picture from the file's folder.
   MapParser(std::string file, std::size_t size_hint, std::string picture = "", Draw draw = {});
   MapParser(const MapParser&) = delete;
   MapParser& operator=(const MapParser&) = delete;
 
   static constexpr std::size_t kMaxFrontMatter = 1 << 20;  ///< bytes
-  /// Returns the picture that the front matter names; "" = none. `beginning` is the beginning of the map's
+  /// Returns the name of the front matter's picture; "" = none. `beginning` is the beginning of the map's
   /// text.
   static std::string picture_named_in(std::string_view beginning, const std::string& file);
 
   /// Parses bytes. Throws InputError at the first error.
   void feed(std::string_view bytes);
-  /// Returns the map, once everything is fed. Throws InputError.
+  /// Returns the map, after all bytes are fed. Throws InputError.
   Map finish();
 
  private:
@@ -47,9 +47,9 @@ class MapParser {
   void limit_front_matter(std::size_t further) const;
   void end_front_matter();
   void take_row(std::string_view row);
-  /// Takes a row with characters other than floor, line and wall.
+  /// Reads a row with characters other than floor, line and wall.
   void take_any_row(std::string_view row);
-  /// Takes a row's surfaces. Rows without any are the usual floor.
+  /// Reads the surfaces of a row. Fills earlier rows without surfaces with the usual floor.
   void take_surfaces(std::string_view row);
   void mark(std::optional<CellAt>& which, CellAt cell, char c);
   void count_for_swap(std::string_view row);
@@ -69,19 +69,19 @@ class MapParser {
   FrontMatter front_;
   std::size_t size_hint_;
   std::array<std::uint8_t, 256>
-      meaning_;  // of each character: a Cell, its surface, kMark for S, G; or kNothing
+      meaning_;  // by character: a Cell, its surface, and kMark for S and G; or kNothing
   Section section_ = Section::beginning;
-  int line_ = 0;            // of the last line taken
-  int first_row_line_ = 0;  // the line of row 0
-  std::string picture_;     // its bytes
+  int line_ = 0;            // number of the last line read
+  int first_row_line_ = 0;  // line number of row 0
+  std::string picture_;     // bytes of the picture's file
   Draw draw_;
   bool differs_ = false;
-  std::string carry_;  // a line whose end has not been fed yet
+  std::string carry_;  // beginning of a line whose end has not been fed yet
   std::string front_text_;
   std::vector<Cell> row_;
   std::optional<CellAt> start_mark_;
   std::optional<CellAt> goal_mark_;
-  std::size_t dots_ = 0;   // cells written `.`
+  std::size_t dots_ = 0;   // number of cells written `.`
   bool has_hash_ = false;  // some cell is written `#`
 };
 

@@ -26,23 +26,23 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-// Returns `1` for lines if `.` next to `#` would look swapped: see docs/reference/maps.md.
+// Returns the character for lines: `1` if `.` next to `#` would look swapped (docs/reference/maps.md).
 char line_character(const Map& map) {
   const auto lines = static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), Cell::line));
   return lines * 2 > map.cells.size() ? '1' : '.';
 }
 
-// Rounds to micrometres.
+// Rounds a length to micrometres.
 double rounded(double m) { return std::round(m * 1e6) / 1e6; }
 
-// Returns whether it is written without rows.
+// Returns whether the map is written without rows.
 bool is_bare(const Map& map) {
   return (!map.course.paths.empty() || map.image) &&
          std::all_of(map.cells.begin(), map.cells.end(), [](Cell c) { return c == Cell::floor; }) &&
          map.surface_of_cell.empty();
 }
 
-// Returns keys of the top level, then tables; "" if everything has its default.
+// Returns the top-level keys, then the tables; "" if all values are defaults.
 std::string front_matter(const Map& map, bool mark_goal, const std::string& legend) {
   const Map defaults;
   std::string text;

@@ -42,8 +42,8 @@ class Walk {
   }
 
  private:
-  // Depth first, the rightmost way first: on a tree, the order in which v1 meets its stations. Ways to cells
-  // reached meanwhile are dropped, so that cycles and crossings end.
+  // Walks depth first and takes the rightmost way first. On a tree, v1 meets the stations in the same order.
+  // Drops ways to cells that were reached in the meantime, so that cycles end.
   void explore(const Start& start) {
     struct Way {
       CellAt to;
@@ -73,7 +73,7 @@ class Walk {
       if (map_.at(ahead(cell, static_cast<Direction>(d))) == Cell::obstacle) only_loops_ = false;
   }
 
-  // On a loop: straight where possible at the start, straight over crossings, round bends.
+  // Returns the first direction on a loop: the first possible of straight ahead, right, left and back.
   Direction first_step(const Start& start) const {
     const unsigned lines = line_neighbours(map_, start.cell);
     for (const Direction d :
@@ -106,7 +106,7 @@ std::vector<CellAt> unreached_dead_ends(const Map& map, const Walk& walk) {
   return cells;
 }
 
-// Returns the lap of a closed path, from the start on.
+// Returns the points of a lap on a closed path, beginning at the start.
 std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   const Path& path = map.course.paths[static_cast<std::size_t>(on.path)];
   if (!path.is_closed(map.line_m)) return {};
@@ -119,7 +119,7 @@ std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   return points;
 }
 
-// Returns stations, junctions and loop.
+// Returns the network with stations, junctions and loop only.
 Network network_of(const Map& map, const Start& start, const Walk& walk) {
   Network network;
   const auto add = [&](CellAt cell, std::string name) {

@@ -1,4 +1,4 @@
-// The line network of a map: line cells are nodes, and 4-adjacent ones are connected.
+// The line network of a map. Line cells are nodes; 4-adjacent line cells are connected.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace robosim::grid {
 
 struct Station {
-  int id = 0;        ///< from 1, in the order of the right-hand walk from the start, as v1 numbers them
-  std::string name;  ///< the map's, else the id as text
+  int id = 0;        ///< from 1, in the order of the right-hand walk from the start, as in v1
+  std::string name;  ///< from the map, else the id as text
   CellAt cell;
 };
 
@@ -18,11 +18,12 @@ struct Station {
 struct Network {
   std::vector<Station> stations;  ///< dead ends in numbering order, then named places that are not dead ends
   std::vector<CellAt> junctions;  ///< nodes of degree 3 or 4, in the order of the walk
-  std::vector<CellAt> unreachable;  ///< dead ends that no line (free of obstacles) joins to the start
-  /// If the reachable network is one closed loop (every node of degree 2, or of degree 4 and crossed
-  /// straight): its nodes in the order of travel from the start. Otherwise empty.
+  std::vector<CellAt> unreachable;  ///< dead ends and named places without an obstacle-free line to the start
+  /// The nodes in the order of travel from the start, if the reachable network is one closed loop; else
+  /// empty. Each node of a loop has degree 2, or has degree 4 and is crossed straight.
   std::vector<CellAt> loop;
-  /// If the start is on a closed path: points along it, close together, in the order of travel, m.
+  /// Closely spaced points along the path in the order of travel, m, if the start is on a closed path; else
+  /// empty.
   std::vector<Vec2> lap;
 
   bool has_laps() const { return !loop.empty() || !lap.empty(); }
@@ -30,8 +31,8 @@ struct Network {
 
 Network trace_network(const Map& map, const Start& start);
 
-/// Returns the network without `unreachable`, which takes a scan of the whole map: for many starts on one
-/// map.
+/// Returns the network without `unreachable`, which requires a scan of the whole map. Use this for many
+/// starts on one map.
 Network trace_reachable(const Map& map, const Start& start);
 
 }  // namespace robosim::grid

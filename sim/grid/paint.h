@@ -1,5 +1,5 @@
-// The paint of lines, where it differs from the map's usual one. [[path]], its segments and [[mark]] may have
-// their own width, colour, wear and gloss (docs/reference/maps.md).
+// The paint of lines and marks. [[path]], its segments and [[mark]] may have their own width, colour, wear
+// and gloss (docs/reference/maps.md).
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@ struct Map;
 
 struct Paint {
   double width = 0.0;            ///< m, of a line
-  std::optional<Colour> colour;  ///< none: the map's line, black or white
-  double worn = 0.0;             ///< the share of it that is gone, in patches, 0..1
-  double gloss = 0.0;            ///< what it mirrors, as a share of what white paper sends back, 0..1
+  std::optional<Colour> colour;  ///< nullopt = the colour of the map's lines, black or white
+  double worn = 0.0;             ///< share of the paint that is worn off, in patches, 0..1
+  double gloss = 0.0;  ///< specular reflection, relative to the light that white paper returns, 0..1
   bool operator==(const Paint&) const = default;
 
-  /// The limit of paints of a course that differ from the map's.
+  /// Maximum number of a course's paints that differ from the map's default.
   static constexpr std::size_t kMost = 32;
 };
 
 /// Returns the default paint of the map's lines.
 Paint usual_paint(const Map& map);
 
-/// Returns the paints by the numbers in stripes and marks: first the default, then those of the course. Each
+/// Returns the paints by their indices in stripes and marks: the default first, then the course's. Each paint
 /// has a colour.
 std::vector<Paint> paints_of(const Map& map);
 

@@ -8,7 +8,7 @@
 namespace robosim::grid {
 namespace {
 
-constexpr double kLeastCosine = 0.99619469809174555;  // of 5 degrees
+constexpr double kLeastCosine = 0.99619469809174555;  // cosine of 5 degrees
 
 }  // namespace
 

@@ -1,5 +1,6 @@
-// Lines that do not follow cells: straights, arcs and corners. Each begins where the previous one ends, in
-// its direction. A map's [[path]] (docs/reference/maps.md) is such a line, as in most competitions' courses.
+// A line that does not follow cells: a sequence of straights, arcs and corners. Each piece begins where the
+// previous one ends, and in its direction. Courses of most competitions consist of such lines: [[path]] of a
+// map (docs/reference/maps.md).
 #pragma once
 
 #include <vector>
@@ -11,22 +12,22 @@ namespace robosim::grid {
 
 /// A straight, an arc of a circle, or a corner, which has no length.
 struct PathPiece {
-  Pose begin;           ///< world frame, m; the heading is that of travel
+  Pose begin;           ///< world frame, m; heading in the direction of travel
   double length = 0;    ///< m, along the centre line
   double turn = 0;      ///< rad, positive to the left; 0 = straight
   double radius = 0;    ///< m; 0 = straight, or a corner
   bool is_gap = false;  ///< followed, but not painted
-  int paint = 0;        ///< its number in paints_of
+  int paint = 0;        ///< index in paints_of()
 
   /// Returns the centre of an arc.
   Vec2 centre() const { return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius : radius); }
-  /// Returns the position and heading at a distance along it, m.
+  /// Returns the position and heading at a distance along the piece, m.
   Pose at(double along) const;
 };
 
 class Path {
  public:
-  /// The longest path, m.
+  /// Maximum length of a path, m.
   static constexpr double kMost = 10'000.0;
 
   explicit Path(Pose begin) : end_(begin) {}
@@ -35,7 +36,7 @@ class Path {
   /// Adds an arc; `turn` is in rad, positive to the left.
   void add_arc(double radius, double turn, bool is_gap = false);
   void add_corner(double turn);
-  /// Paints the last piece, by a number in paints_of.
+  /// Sets the paint of the last piece, an index in paints_of().
   void paint_last(int paint) { pieces_.back().paint = paint; }
 
   const std::vector<PathPiece>& pieces() const { return pieces_; }
@@ -48,13 +49,13 @@ class Path {
   /// stops at its ends.
   Pose at(double along, bool closed) const;
 
-  Place place;  ///< where the map's file has it
+  Place place;  ///< place of the path in the map's file
 
  private:
   void add(double length, double turn, double radius, bool is_gap);
 
   std::vector<PathPiece> pieces_;
-  std::vector<double> begins_;  // of each piece, m along
+  std::vector<double> begins_;  // m along the path, by piece
   Pose end_;
   double length_ = 0.0;
 };

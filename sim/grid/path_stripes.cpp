@@ -15,7 +15,8 @@ struct Unpainted {
   double to;
 };
 
-// Paint reaches half its width beyond a stripe's end: `half_widths` are those of the pieces.
+// Returns the unpainted intervals. `half_widths` contains half the paint's width of each piece, which is the
+// length of paint beyond a stripe's end.
 std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half_widths) {
   std::vector<Unpainted> gaps;
   double along = 0.0;
@@ -34,7 +35,7 @@ std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half
   return gaps;
 }
 
-// Adds a part of a piece that turns by a quarter at most.
+// Adds a part of a piece. The part turns by at most a quarter of a circle.
 void add_part(const PathPiece& piece, double from, double to, bool painted, std::vector<Stripe>& stripes) {
   Vec2 a = piece.at(from).position, b = piece.at(to).position;
   if (piece.turn == 0.0) {

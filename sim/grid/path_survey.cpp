@@ -21,14 +21,14 @@ std::vector<Vec2> points_along(const Path& path) {
   return points;
 }
 
-// Half open, so that a crossing at a common point is counted once.
+// Returns whether two chords cross. Chords are half open, so that a crossing at a common point counts once.
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto left = [](Vec2 from, Vec2 to, Vec2 p) { return cross(to - from, p - from) > 0.0; };
   return left(a, b, c) != left(a, b, d) && left(c, d, a) != left(c, d, b);
 }
 
 int crossings_of(const std::vector<Vec2>& points, bool closed) {
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> boxes;  // only used for counting, never listed
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> boxes;  // only looked up, never iterated
   const auto number = [](double x) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(x / kBox)));
   };

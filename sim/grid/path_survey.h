@@ -1,4 +1,4 @@
-// Describes a path for people and programs: its length, crossings, smallest radius.
+// Measures a path: its length, its crossings, its smallest radius.
 #pragma once
 
 #include "sim/grid/path.h"
@@ -8,15 +8,15 @@ namespace robosim::grid {
 struct PathSurvey {
   double length_m = 0.0;
   bool is_closed = false;
-  double gap_m = 0.0;              ///< from the end to the beginning, straight, where it is not closed
-  int crossings = 0;               ///< places where it crosses itself
-  int corners = 0;                 ///< sharp ones
-  double smallest_radius_m = 0.0;  ///< of its arcs; 0 = it has none
+  double gap_m = 0.0;              ///< straight distance from the end to the beginning
+  int crossings = 0;               ///< places where the path crosses itself
+  int corners = 0;                 ///< number of sharp corners
+  double smallest_radius_m = 0.0;  ///< of all arcs; 0 = no arcs
 };
 
-/// Surveys a path. `closed_within` is the distance of both ends, m, up to which it counts as closed.
-/// Crossings are found between chords of 5 mm. Two crossings that are closer, or a touch without crossing,
-/// may not count.
+/// Surveys a path. A path counts as closed if its ends are within `closed_within` m of each other. Crossings
+/// are found between chords of 5 mm. Crossings that are closer together, and places where the path only
+/// touches itself, may be missed.
 PathSurvey survey_path(const Path& path, double closed_within);
 
 }  // namespace robosim::grid

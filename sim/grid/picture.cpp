@@ -9,7 +9,7 @@
 namespace robosim::grid {
 namespace {
 
-// The signs, lines by their neighbours: bit 1 east, 2 south, 4 west, 8 north.
+// The characters of a picture. Lines are indexed by their neighbours: bit 1 east, 2 south, 4 west, 8 north.
 struct Signs {
   const char* square[16];
   const char* round[16];
@@ -43,7 +43,7 @@ struct Span {
   bool holds(int n) const { return n >= from && n < from + count; }
 };
 
-// Returns the part of `size` that fits, around `middle`.
+// Returns a span of at most `most` columns or rows around `middle`, within 0 to `size` - 1.
 Span fit(int size, int most, int middle) {
   const int count = std::clamp(most, 1, size);
   return {std::clamp(middle - count / 2, 0, size - count), count};
@@ -66,7 +66,7 @@ class Picture {
 
   void label(const Station& station) {
     const std::string text = std::to_string(station.id);
-    const bool beside = station.cell == start_.cell;  // the arrow stands on the cell
+    const bool beside = station.cell == start_.cell;  // the start's arrow occupies the cell
     const bool line_east = has(line_neighbours(map_, station.cell), Direction::east);
     const int at = (station.cell.x - columns_.from) * per_cell_;
     const int length = static_cast<int>(text.size());
@@ -124,7 +124,7 @@ class Picture {
     write(cell, (cell.x - columns_.from) * per_cell_ + 1, joint);
   }
 
-  // Writes one sign, or ASCII text, at a character of the cell's row; cut at the edge.
+  // Writes one sign, or ASCII text, to column `at` of the cell's row. Clips text at the edge.
   void write(CellAt cell, int at, const std::string& text) {
     if (!rows_.holds(cell.y) || !columns_.holds(cell.x)) return;
     auto& row = canvas_[static_cast<std::size_t>(cell.y - rows_.from)];
@@ -136,7 +136,7 @@ class Picture {
     }
   }
 
-  // Returns numbers above every fifth column, at a distance of their length.
+  // Returns a line with the numbers of every fifth column, or of fewer columns if the numbers are too long.
   std::string ruler() const {
     const int widest = static_cast<int>(std::to_string(columns_.from + columns_.count).size());
     int step = 5;

@@ -9,14 +9,14 @@
 namespace robosim::grid {
 
 struct PictureOptions {
-  int columns = 100;   ///< characters a line may have
-  int rows = 200;      ///< lines the picture may have, its rulers included
-  bool ascii = false;  ///< no characters beyond ASCII
+  int columns = 100;   ///< maximum number of characters per line
+  int rows = 200;      ///< maximum number of lines, including the rulers
+  bool ascii = false;  ///< use only ASCII characters
 };
 
-/// Draws lines as box drawing, with station numbers and an arrow at the start. Adds rulers with column and
-/// row numbers, and a legend. A cell takes two characters if that fits, else one. A map that is too large
-/// is clipped to a part around the start, and a sentence reports that.
+/// Draws lines with box-drawing characters, station numbers and an arrow at the start. Adds rulers with
+/// column and row numbers, and a legend. A cell is two characters wide if the map fits, else one. A map that
+/// is too large is clipped to a part around the start, and a sentence states this.
 std::string draw(const Map& map, const Network& network, const Start& start, const PictureOptions& options);
 
 }  // namespace robosim::grid

@@ -12,7 +12,7 @@ namespace robosim::grid {
 namespace {
 
 constexpr double kUndecided_cells = 0.6;
-constexpr int kSearched_cells = 3;  // around a point that is not on a line
+constexpr int kSearched_cells = 3;  // searched on each side of a point off the line
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Places::Places(const Map& map, const Start& start) : map_(map), near_(map.cells.
   spread(landmarks);
 }
 
-// Breadth first from all at once; each cell takes the first two that arrive.
+// Searches breadth first from all landmarks at once. Each cell stores the first two landmarks that reach it.
 void Places::spread(const std::vector<CellAt>& landmarks) {
   struct Step {
     CellAt cell;
@@ -72,7 +72,7 @@ CellAt Places::line_cell_near(Vec2 point) const {
   return best;
 }
 
-// Returns the piece of line to the neighbour that is nearest to the point, and the point's position along it.
+// Returns the piece of line nearest to the point, and the point's position along the piece.
 Places::OnLine Places::nearest(Vec2 point) const {
   OnLine found;
   found.cell = found.next = line_cell_near(point);

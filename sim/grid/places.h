@@ -1,4 +1,4 @@
-// Finds the landmark of a map that a robot is at: the nearest station or junction, measured along the line.
+// Finds the landmark at which a robot is: the nearest station or junction, measured along the line.
 //
 // A robot within 0.3 cells of the middle between two landmarks is at neither.
 #pragma once
@@ -15,13 +15,14 @@ namespace robosim::grid {
 
 class Places {
  public:
-  /// Finds the stations and junctions that are reachable from `start`. The map must outlive this.
+  /// Finds the stations and junctions that are reachable from `start`. The map must outlive this object.
   Places(const Map& map, const Start& start);
 
-  /// Returns "station 3", "station dock", "junction 2"; empty if the point (world frame, m) is between two,
-  /// or there are no landmarks.
+  /// Returns "station 3", "station dock", "junction 2"; empty if the point (world frame, m) is between two
+  /// landmarks, or there are no landmarks.
   std::string at(Vec2 point) const;
-  /// Returns the cells between the point and the nearest piece of line, with bends as square corners.
+  /// Returns the distance in cells from the point to the nearest piece of line. Treats bends as square
+  /// corners.
   double cells_off(Vec2 point) const;
 
  private:
@@ -34,7 +35,7 @@ class Places {
 
   void spread(const std::vector<CellAt>& landmarks);
   CellAt line_cell_near(Vec2 point) const;
-  /// A place on the line: on a cell, or between two, at a share of their distance (0..1).
+  /// A place on the line: on a cell, or at a share of the distance between two cells (0..1).
   struct OnLine {
     CellAt cell{-1, -1};
     CellAt next{-1, -1};

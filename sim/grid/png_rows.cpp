@@ -14,9 +14,9 @@ namespace robosim::grid {
 namespace {
 
 constexpr png_uint_32 kMostSide_pixels = 100'000;
-constexpr png_alloc_size_t kMostChunk_bytes = 1 << 20;  // of chunks that libpng stores: not the picture
+constexpr png_alloc_size_t kMostChunk_bytes = 1 << 20;  // for chunks that libpng stores; not for the picture
 
-// libpng exits by longjmp: nothing between that and setjmp() may have a destructor.
+// libpng reports errors by longjmp(). No object between setjmp() and longjmp() may have a destructor.
 struct Decoder {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -71,7 +71,7 @@ bool end_reading(Decoder& decoder) {
   return true;
 }
 
-// Blends over white.
+// Returns the grey value of a pixel, blended over white.
 unsigned char value_of(const unsigned char* pixel, int channels) {
   unsigned value = pixel[0];
   if (channels >= 3) value = (2126u * pixel[0] + 7152u * pixel[1] + 722u * pixel[2] + 5000u) / 10000u;

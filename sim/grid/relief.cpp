@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::size_t kMostHills = 64, kMostSurfaces = 256, kMostJoints = 128, kMostHeights = 33;
 constexpr double kMostHeight = 0.5;                     // m
-constexpr double kSteepest = 0.75;                      // sine: 48.6 degrees
+constexpr double kSteepest = 0.75;                      // sine of the slope angle: 48.6 degrees
 constexpr double kMostSlope = 0.25 * std::numbers::pi;  // 45°
-constexpr double kMostTilt = 0.5;                       // sine, of a seesaw: 30 degrees
+constexpr double kMostTilt = 0.5;                       // sine of a seesaw's angle: 30 degrees
 constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
-// `shortest`: the minimum of its length, m.
+// Reads the heights of a hill; `shortest` is the minimum of the hill's length, m.
 std::vector<double> read_heights(const ConfigValue& value, double shortest,
                                  const SampledParameters& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)

@@ -1,5 +1,5 @@
-// Parameters of a map with a spread, such as slope = { value = "15 deg", spread = "2 deg" }. Each seed draws
-// its own value.
+// Parameters of a map with a spread, such as slope = { value = "15 deg", spread = "2 deg" }. A different
+// value is drawn for each seed.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@ namespace robosim::grid {
 /// The seed and profile for which values are drawn.
 struct Draw {
   std::uint64_t seed = 0;
-  Profile profile = Profile::ideal;  ///< `ideal` draws nothing: all values are those of the file
+  Profile profile = Profile::ideal;  ///< `ideal` draws nothing and uses the file's values
   bool* differs = nullptr;           ///< set to true if another seed would draw another value; may be null
 };
 
-/// Reads the parameters of one table, which `table` names: "[[hill]] 2".
+/// Reads the parameters of one table; `table` is its name, such as "[[hill]] 2".
 class SampledParameters {
  public:
   SampledParameters(Draw draw, std::string table) : draw_(draw), table_(std::move(table)) {}
 
-  /// Returns the seed's value. `key` distinguishes it from the table's others.
+  /// Returns the value drawn for the seed. `key` distinguishes the parameters of a table.
   double drawn(const Parameter& number, const std::string& key) const {
     if (draw_.profile == Profile::ideal) return number.value;
     if (draw_.differs && number.in(draw_.profile).spread != 0.0) *draw_.differs = true;
@@ -33,7 +33,7 @@ class SampledParameters {
               double most) const {
     return drawn(read_parameter(table, key, dimension, {usual, 0.0}, least, most), key);
   }
-  /// Reads a value. Throws InputError if its whole range is not within the bounds.
+  /// Reads a value. Throws InputError unless its whole range is within the bounds.
   double read(const ConfigValue& value, const char* key, Dimension dimension, double least,
               double most) const {
     return drawn(as_parameter(value, key, dimension, least, most), key);

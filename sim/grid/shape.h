@@ -1,4 +1,4 @@
-// A rectangle or a disc on the floor, as [[area]], [[hill]], [[surface]] and [[joint]] of a map have it.
+// A rectangle or a disc on the floor: the shape of [[area]], [[hill]], [[surface]] and [[joint]] in a map.
 #pragma once
 
 #include <cmath>
@@ -14,14 +14,14 @@ struct Course;
 struct Map;
 
 struct Shape {
-  Pose middle;               ///< m; the heading is that of a rectangle's length
+  Pose middle;               ///< m; heading along a rectangle's length
   double half_length = 0.0;  ///< m, of a rectangle
   double half_width = 0.0;   ///< m, of a rectangle
   double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
-  Place place;               ///< where the map's file has it
-  Vec2 least, most;          ///< m, corners of where its middle may be, whatever is drawn
+  Place place;               ///< place of the table in the map's file
+  Vec2 least, most;          ///< m, corners of the region of the middle for all draws
 
-  /// Returns the distance from its centre to its farthest point, m.
+  /// Returns the distance from the centre to the farthest point, m.
   double reach() const {
     return radius > 0.0 ? radius : std::sqrt(half_length * half_length + half_width * half_width);
   }
@@ -32,9 +32,9 @@ struct Shape {
   }
 };
 
-/// Reads at, or along, path, away and side, and size and angle, or radius, of a table. Messages call the
-/// table "[[NAME]]", and its object "a NAME". `course` has the paths read before. `length`, if given, limits
-/// a rectangle's length. Throws InputError.
+/// Reads a shape from a table. The place is `at`, or `along`, `path`, `away` and `side`. The size is `size`
+/// and `angle`, or `radius`. Messages contain `name`, as in "[[NAME]]" and "a NAME". `course` contains the
+/// paths read before. `length`, if not null, receives a rectangle's length and its spread. Throws InputError.
 Shape read_shape(TableReader& table, const Course& course, const char* name, const SampledParameters& figures,
                  Parameter* length = nullptr);
 
@@ -42,7 +42,7 @@ Shape read_shape(TableReader& table, const Course& course, const char* name, con
 /// Throws InputError.
 void check_shapes(const Map& map);
 
-/// Writes at and size, angle, or radius as read_shape reads them.
+/// Returns `at`, and `size` and `angle` or `radius`, in the format that read_shape() reads.
 std::string shape_text(const Shape& shape);
 
 }  // namespace robosim::grid

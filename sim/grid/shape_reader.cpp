@@ -31,7 +31,7 @@ Numbers read_pair(const ConfigValue& value, const char* key, const char* example
           as_parameter(value.items[1], key, Dimension::length, least, most)};
 }
 
-// A place next to a path, `along` it and `away` to its left.
+// A place next to a path: `along` the path, and `away` from it on the left or right.
 class Beside {
  public:
   Beside(TableReader& table, const Path& path, const ConfigValue& along)
@@ -65,7 +65,7 @@ class Beside {
   const double to_left_;
 };
 
-// Reads the place: `at`, or `along` a path, and next to it.
+// Reads the middle of a shape: `at`, or `along` and the other keys of a place next to a path.
 void read_middle(Shape& shape, TableReader& table, const Course& course, const char* name,
                  const SampledParameters& figures) {
   const ConfigValue* const at = table.find("at");

@@ -12,7 +12,7 @@
 namespace robosim::grid {
 namespace {
 
-// Takes "12" from the front of the text.
+// Removes a number such as "12" from the front of the text, and returns it.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -19,7 +19,8 @@ struct Box {
   }
 };
 
-// An arc may bulge beyond its two ends: to the north, say, where it passes due north of its centre.
+// Returns the bounding box of a stripe. An arc may extend beyond its ends, for example to the north if it
+// passes due north of its centre.
 Box box_of(const Stripe& s) {
   Box box{s.a.x, s.a.x, s.a.y, s.a.y};
   box.hold(s.b);
@@ -79,7 +80,7 @@ StripeIndex::StripeIndex(const Map& map, std::span<const Stripe> stripes, double
   if (total >= kEmpty || stripes.size() >= kEmpty)
     throw InputError({map.file}, "the map has too much line to drive on; robosim classic can still walk it");
 
-  // Counts become ends, and filling from the back turns ends into beginnings.
+  // Converts the counts to ends. Filling from the back then turns the ends into beginnings.
   std::uint32_t end = 0;
   for (std::uint32_t& slot : first_) slot = end += slot;
   first_.push_back(end);

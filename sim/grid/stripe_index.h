@@ -1,4 +1,4 @@
-// Stores the stripes near each cell of a map. Cells without any take almost no memory.
+// Stores the stripes near each cell of a map. Cells without stripes use almost no memory.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ class StripeIndex {
   /// Builds the index. Throws InputError beyond 2^32 entries.
   StripeIndex(const Map& map, std::span<const Stripe> stripes, double reach_m);
 
-  /// Returns the numbers of all stripes within reach of any point of the cell, ascending; empty outside the
+  /// Returns the indices of all stripes within reach of any point of the cell, ascending; empty outside the
   /// map.
   std::span<const std::uint32_t> near(CellAt c) const {
     if (c.x < 0 || c.y < 0 || c.x >= width_ || c.y >= height_) return {};
@@ -45,8 +45,8 @@ class StripeIndex {
   int width_ = 0;
   int height_ = 0;
   std::size_t block_columns_ = 0;
-  std::vector<std::uint32_t> blocks_;  // per block: which group of slots, or kEmpty
-  std::vector<std::uint32_t> first_;   // per slot: where its entries begin; one more at the end
+  std::vector<std::uint32_t> blocks_;  // per block: its group of slots, or kEmpty
+  std::vector<std::uint32_t> first_;  // per slot: beginning of its entries; at the end, the number of entries
   std::vector<std::uint32_t> entries_;
 };
 

@@ -14,7 +14,7 @@ struct Gap {
   double to;
 };
 
-// The first point of a leg plus a direction: cells counted from 0, distances in metres.
+// A leg, from its first cell in a direction. Cells are counted from 0; distances are in metres.
 struct Leg {
   const Map& map;
   CellAt first;
@@ -26,9 +26,9 @@ struct Leg {
   }
   Vec2 point(double t) const { return map.centre(first) + heading(d) * t; }
 
-  /// Returns the gaps among its first `count` cells, sorted, not overlapping. Paint reaches line/2 beyond a
-  /// stripe's end, so a gap takes that much from the neighbouring stripes. A single painted cell always
-  /// leaves a part.
+  /// Returns the gaps among the first `count` cells, sorted and without overlap. Paint reaches line/2 beyond
+  /// a stripe's end, so a gap shortens the neighbouring stripes by that length. A part of a single painted
+  /// cell always remains.
   std::vector<Gap> gaps(int count) const {
     const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
     std::vector<Gap> found;
@@ -65,7 +65,7 @@ class Builder {
  public:
   Builder(const Map& map, std::vector<Stripe>& stripes) : map_(map), stripes_(stripes) {}
 
-  // Adds the run of line cells that begins at `first` and goes east or north, less the arcs at its ends.
+  // Adds the run of line cells from `first` to the east or north, without the arcs at its ends.
   void add_run(CellAt first, Direction d) {
     const Leg leg{map_, first, d};
     int last = 1;
@@ -93,7 +93,7 @@ class Builder {
         stripes_.push_back({a, b, centre, r, painted});
     };
 
-    // A half of the arc is next to each leg and is painted where the leg is. At distance t from the corner,
+    // Half of the arc is next to each leg, and is painted where that leg is. At distance t from the corner,
     // the arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
     const auto at = [&](const Leg& leg, const Leg& other, double t) {
       const double side = r - std::sqrt(std::max(r * r - (r - t) * (r - t), 0.0));

@@ -15,21 +15,22 @@ namespace robosim::grid {
 
 /// A piece of centre line, in the world frame (m).
 ///
-/// A segment goes from its smaller to its larger x, or y if x is the same; a and b are equal if a line is a
-/// single cell. Segments of cells are parallel to an axis. An arc is at most a quarter of a circle, from a
-/// to b counter-clockwise. It is tangent to the segments that it joins.
+/// A segment goes from its smaller to its larger x, or y if both x are equal. If a line is a single cell, a
+/// and b are equal. Segments of cells are parallel to an axis. An arc runs counter-clockwise from a to b, for
+/// at most a quarter of a circle. It is tangent to the segments that it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
   Vec2 centre;          ///< of the arc's circle
   double radius = 0.0;  ///< of the arc; 0 = a straight segment
-  /// False across gap cells, where the line is not visible but still counts as line. A gap is as long as its
-  /// cells: the neighbouring stripes end line/2 earlier, as the paint around an end reaches line/2 beyond it.
+  /// False across gap cells, where the line is invisible and still counts as line. A gap is as long as its
+  /// cells: neighbouring stripes end line/2 earlier, since paint reaches line/2 beyond a stripe's end.
   bool painted = true;
-  std::uint8_t paint = 0;  ///< its number in paints_of
+  std::uint8_t paint = 0;  ///< index in paints_of()
 };
 
-/// Returns the distance from p to the nearest point of a stripe, m. No trigonometry: safe inside a tick.
+/// Returns the distance from p to the nearest point of a stripe, m. Uses no trigonometry, and is therefore
+/// safe inside a tick.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
     if (s.a.x != s.b.x && s.a.y != s.b.y) {
@@ -49,31 +50,32 @@ inline double distance(const Stripe& s, Vec2 p) {
   return std::sqrt(std::min(dot(pa, pa), dot(pb, pb)));
 }
 
-/// A bend whose legs are too short for the map's corner radius, and which has a smaller one.
+/// A bend with a reduced radius, because its legs are too short for the map's corner radius.
 struct TightBend {
   CellAt cell;
-  double radius_m;  ///< what fits: a leg between two bends is shared equally
+  double radius_m;  ///< reduced radius; two bends share the leg between them equally
 };
 
 /// Returns the tight bends of a map in row order, without building its stripes.
 std::vector<TightBend> tight_bends(const Map& map);
 
-/// All stripes, and for each cell those within reach of it. Time and memory are proportional to the length of
-/// line, so they are built for driven robots only.
+/// All stripes of a map, and an index of the stripes within reach of each cell. Time and memory are
+/// proportional to the length of line, so stripes are built for driven robots only.
 class Stripes {
  public:
-  /// Builds all stripes. A query point in a cell finds every stripe within `reach_m` of it. The map must
-  /// outlive this. Throws InputError if the map has too much line for one index (2^32 entries).
+  /// Builds all stripes. A query in a cell finds every stripe within `reach_m` of any point of the cell. The
+  /// map must outlive this object. Throws InputError if the map has too much line for one index (2^32
+  /// entries).
   Stripes(const Map& map, double reach_m);
 
   std::span<const Stripe> all() const { return stripes_; }
   /// Returns indices into all(), ascending, of the stripes within reach of any point of the cell; empty
   /// outside the map.
   std::span<const std::uint32_t> near(CellAt cell) const { return index_.near(cell); }
-  /// Returns the point of the centre line that represents a line cell: its centre, or, where an arc cuts the
-  /// corner, the arc's nearest point to it.
+  /// Returns the point of the centre line that represents a line cell. It is the cell's centre or, where an
+  /// arc cuts the corner, the arc's point nearest to the centre.
   Vec2 point_of(CellAt cell) const;
-  /// Returns the pose of a robot that starts there.
+  /// Returns the pose of a robot at `start`.
   Pose pose_of(const Start& start) const;
   const std::vector<TightBend>& tight_bends() const { return tight_; }
 

@@ -27,9 +27,9 @@ std::vector<Direction> slots_from(unsigned lines, Direction zero) {
   return slots;
 }
 
-// The robot's place after it has followed a line to its end.
+// The place of a robot that has followed a line to its end.
 struct Arrival {
-  Behind met = Behind::nothing;  // nothing: back at the beginning, without having met anything
+  Behind met = Behind::nothing;  // nothing = back at the beginning without having met a node or an obstacle
   CellAt cell;
   Direction facing = Direction::east;
   int moves = 0;
@@ -75,11 +75,11 @@ class Survey {
   TrueGraph take() { return std::move(graph_); }
 
  private:
-  // A node with arms that are not walked yet.
+  // A node with arms that have not been walked yet.
   struct Open {
     Behind kind;
     int id;
-    std::size_t next;  // slots 1, 2, …, and then 0
+    std::size_t next;  // next slot to walk: 1, 2, …, then 0
   };
 
   void find_root(const Start& start) {
@@ -107,7 +107,8 @@ class Survey {
     }
   }
 
-  // A node takes some 400 bytes, and its text as much; a cell is one byte of the map.
+  // Throws InputError if there are too many nodes. A node uses about 400 bytes, and as much again in text. A
+  // cell of the map uses one byte.
   void check_count() const {
     constexpr std::size_t kAlways = 100'000, kCellsEach = 8, kMost = 300'000;
     const std::size_t most = std::min(kAlways + map_.cells.size() / kCellsEach, kMost);
@@ -189,7 +190,7 @@ class Survey {
 
   const Map& map_;
   TrueGraph graph_;
-  std::unordered_map<std::size_t, int> known_;  // numbers of nodes by cell; a cell is either kind, never both
+  std::unordered_map<std::size_t, int> known_;  // numbers of nodes by cell; no cell is a node of both kinds
   std::vector<Open> open_;
 };
 
@@ -252,7 +253,7 @@ std::vector<int> distances_from(const TrueGraph& graph, int station) {
 
 namespace {
 
-// An arm without numbers.
+// An arm without the numbers of nodes and slots.
 struct PlacedArm {
   CellAt from;
   Direction out;

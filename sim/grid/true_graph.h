@@ -1,11 +1,10 @@
-// The true graph of a map's line, which an explorer that starts at a given place must find. It is derived
-// from the cells. It shares no code with the navigator in firmware/src/nav, so that the two can check each
-// other.
+// The true graph of a map's line, which an explorer must find from a given start. The graph is derived from
+// the cells. The code is independent of the navigator in firmware/src/nav, so that each can check the other.
 //
-// Nodes are stations (dead ends) and junctions (three or four arms). Line runs between them; its bends are
+// Nodes are stations (dead ends) and junctions (three or four arms). Lines connect nodes; their bends are
 // irrelevant. Stations and junctions are numbered from 1 in the order in which a right-hand walk from the
 // start first meets them (network.h). At each junction the walk takes the rightmost way not yet walked. It
-// turns round at a dead end, before an obstacle and at a known junction.
+// turns around at a dead end, before an obstacle and at a known junction.
 #pragma once
 
 #include <cstdint>
@@ -20,27 +19,27 @@ namespace robosim::grid {
 struct Arm {
   enum class Behind : std::uint8_t { nothing, station, junction, blocked };
 
-  Direction out = Direction::east;  ///< the direction in which it leaves the node
-  Behind behind = Behind::nothing;  ///< what is at its other end
-  int id = 0;                       ///< of the station or junction there
-  int slot = 0;                     ///< of this line at that junction
+  Direction out = Direction::east;  ///< direction in which the line leaves the node
+  Behind behind = Behind::nothing;  ///< kind of the line's other end
+  int id = 0;                       ///< number of the station or junction at the other end
+  int slot = 0;                     ///< slot of this line at the junction at the other end
   int length = 0;        ///< moves from node to node, or until the robot stands before the obstacle
-  CellAt obstacle = {};  ///< where it is, if behind is `blocked`
+  CellAt obstacle = {};  ///< cell of the obstacle, if behind is `blocked`
   bool operator==(const Arm&) const = default;
 };
 
 struct GraphStation {
   CellAt cell;
   std::string name;  ///< from the map; "" = none
-  Arm arm;           ///< behind it is nothing if the station is a single cell
+  Arm arm;           ///< arm.behind is `nothing` if the station is a single cell
   bool operator==(const GraphStation&) const = default;
 };
 
 struct GraphJunction {
   CellAt cell;
-  /// Its slots: 0 is the arm by which the walk first came. The others follow counter-clockwise: right,
-  /// straight, left. At a start on a junction, 0 is the arm that the walk takes last (of right, straight,
-  /// left, back).
+  /// The arms by slot. Slot 0 is the arm by which the walk first arrives. The other slots follow
+  /// counter-clockwise: right, straight, left. If the walk starts on the junction, slot 0 is the arm that the
+  /// walk takes last (of right, straight, left, back).
   std::vector<Arm> arms;
   bool operator==(const GraphJunction&) const = default;
 };
@@ -52,18 +51,18 @@ struct TrueGraph {
   bool operator==(const TrueGraph&) const = default;
 };
 
-/// Builds the graph. Time is proportional to the map, memory to the graph. A line without any node (a ring,
-/// or a piece between two obstacles) gives an empty graph.
+/// Builds the graph. Takes time proportional to the size of the map, and memory proportional to the size of
+/// the graph. A line without any node (a ring, or a piece between two obstacles) gives an empty graph.
 TrueGraph true_graph(const Map& map, const Start& start);
 
 /// Returns the number of lines, including blocked ones; a line blocked from both ends counts twice.
 std::size_t line_count(const TrueGraph& graph);
-/// Returns the number of independent cycles: the lines to remove for a tree. Blocked lines do not close
-/// cycles.
+/// Returns the number of independent cycles: the number of lines to remove to get a tree. Blocked lines do
+/// not close cycles.
 std::size_t cycle_count(const TrueGraph& graph);
 
-/// Returns the moves of a shortest path from a station (its number) to each station: result[0] is for number
-/// 1. -1 if unreachable. Dijkstra's algorithm.
+/// Returns the number of moves on a shortest path from station number `station` to each station; -1 =
+/// unreachable. result[0] is for station 1. Uses Dijkstra's algorithm.
 std::vector<int> distances_from(const TrueGraph& graph, int station);
 
 /// Compares graphs by cells and directions, ignoring numbering and order of slots. Returns "" if they are
