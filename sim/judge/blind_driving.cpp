@@ -9,9 +9,9 @@ namespace robosim::judge {
 namespace {
 
 constexpr double kSamePower = 0.02;
-// The time in which a sketch converts a reading to commands of its motors.
+// The number of ticks in which a sketch converts a reading to motor commands.
 constexpr int kTicksToSteer = 3;
-// A sketch with one read or none does not steer by the line.
+// A sketch with fewer reads does not steer by the line.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
 

@@ -18,22 +18,22 @@ struct Goal;
 
 class Contest {
  public:
-  /// Selects the rules; none if the goal is not a competition's. Throws InputError if this map lacks what its
-  /// rules need. `start`: where the robot begins.
+  /// Selects the rules, if the goal is a competition. Throws InputError if the map lacks anything that the
+  /// rules require. `start` is the robot's position at the start.
   Contest(const Goal& goal, const grid::Map& map, Vec2 start);
 
   explicit operator bool() const { return !std::holds_alternative<std::monostate>(rules_); }
   void look(const RulesInput& now, Events& events);
   bool reached() const;
-  /// Returns whether the time limit of the rules is over.
+  /// Returns whether the time limit of the rules has expired.
   bool over(SimTime t) const;
-  /// Handles a robot that is lost or stuck. Returns true if the rules continue; then a manual move follows.
+  /// Handles a robot that is lost or stuck. Returns true if the contest continues with a manual move.
   bool give_up(Events& events);
-  /// Returns the target of a manual move now, once.
+  /// Returns the target of a pending manual move, and clears it.
   std::optional<Pose> take_hand();
-  /// Returns one clause: the progress, or the score.
+  /// Returns one clause with the progress or the score.
   std::string summary() const;
-  /// Sets score, its parts and the run's time, as far as they exist.
+  /// Sets the score, its parts and the run's time, if they exist.
   void score(wire::Metrics& metrics) const;
 
  private:

@@ -1,10 +1,11 @@
-// A drag race, by UKMARS' rules of August 2022 (ukmars.org, contest rules): along a straight line as fast as
-// possible, over the finish line, and to a stop within the braking distance.
+// Scores a drag race by UKMARS' rules of August 2022 (ukmars.org, contest rules). The robot drives along a
+// straight line and over the finish line as fast as possible. It then stops within the braking distance.
 //
-// The clock starts at the starting signal ([race] signal), or, without one, when the robot has moved by 1 cm.
-// It stops when the robot's outline first covers the middle of the finish line. 5 s are added for overrunning
-// the braking distance, for each touch of a barrier, and for a manual touch. A robot that starts before the
-// signal is disqualified. The race is over when the robot has rested after the finish line for 0.5 s.
+// The clock starts at the starting signal ([race] signal). Without a signal, it starts when the robot has
+// moved by 1 cm. The clock stops when the robot's outline first covers the middle of the finish line. The
+// penalty is 5 s for overrunning the braking distance, for each touch of a barrier, and for each manual
+// touch. A robot that starts before the signal is disqualified. The race ends when the robot has been at rest
+// for 0.5 s after the finish line.
 //
 // Not modelled: the other lane.
 #pragma once
@@ -31,9 +32,9 @@ class DragRace {
   double time_s() const { return static_cast<double>(passed_ - began_) / 1e9; }
   double score_s() const;
 
-  Vec2 finish_;     ///< the middle of the line, m
-  Vec2 limit_;      ///< the end of the braking distance
-  Vec2 direction_;  ///< a unit vector
+  Vec2 finish_;     ///< middle of the finish line, m
+  Vec2 limit_;      ///< end of the braking distance, m
+  Vec2 direction_;  ///< unit vector along the lane
   std::optional<Vec2> origin_;
   SimTime began_ = kNever, passed_ = kNever, at_rest_since_ = kNever;
   SimTime signal_ = kNever;

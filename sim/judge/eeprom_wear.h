@@ -3,20 +3,21 @@
 //   void loop() { …  EEPROM.write(0, speed); }
 //
 // A byte of an ATmega's EEPROM lasts for 100,000 writes (ATmega328P, DS40002061B, 8.4: "an endurance of at
-// least 100,000 write/erase cycles"). A sketch that writes in each pass of loop() reaches that in six
-// minutes, since a write takes 3.4 ms. On the bench it goes unnoticed. Weeks later the robot has lost its
-// settings, and cannot store new ones.
+// least 100,000 write/erase cycles"). A sketch that writes in each pass of loop() reaches this number in six
+// minutes, since a write takes 3.4 ms. The wear goes unnoticed on the bench. Weeks later the robot has lost
+// its settings, and cannot store new ones.
 //
 // A finding is the first byte that, since the last power-on,
 //
 //   - was written 10 times, over at least a second, with the value that it already had, or
 //   - was written 20 times, over at least five seconds, so often that it would wear out within a day.
 //
-// So a sketch that saves when a button is pressed, or by update() when a value has changed, is not reported.
-// To fix it, use EEPROM.update(), which writes only what differs, save rarely, or rotate over several bytes.
+// Sketches that save when a button is pressed, or by update() when a value has changed, are not reported. To
+// fix a finding, use EEPROM.update(), which writes only changed bytes, save rarely, or rotate over several
+// bytes.
 //
-// Not detected: the sum of years of rare writes; writes of earlier runs; other memories such as flash; which
-// of two lines that write the same byte is to blame (the one that exceeded the limit is reported).
+// Not detected: wear from years of rare writes; writes of earlier runs; wear of other memories such as flash.
+// If two lines write the same byte, the finding names the line that exceeded the limit.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +33,9 @@ class EepromWear {
  public:
   static constexpr const char* kName = "eeprom_wear";
 
-  /// Notes that the firmware has started.
+  /// Clears all counts when the firmware starts.
   void powered_on() { cells_.clear(); }
-  /// Handles a write. `executor` returns the line if this write makes a finding.
+  /// Handles a write. `executor` provides the source line if the write makes a finding.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
   std::vector<exec::Detected> found() const;
@@ -43,7 +44,7 @@ class EepromWear {
   struct Cell {
     SimTime began = 0, last = 0;
     std::int64_t writes = 0, needless = 0;
-    double lasts_s() const;  ///< time until it is worn out at this rate
+    double lasts_s() const;  ///< time until the byte is worn out at this rate
   };
   struct Found {
     std::uint16_t address = 0;

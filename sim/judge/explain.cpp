@@ -11,7 +11,7 @@ namespace {
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
 
-// A robot that is in one place for this long is reported to be there.
+// A robot that stays in one place for this long is reported as being there.
 constexpr SimTime kInOnePlaceAfter = 5 * kSecond;
 
 std::string cell_of(const grid::Map& map, Vec2 p) {
@@ -41,12 +41,12 @@ std::string pin_name(const Evidence& e, Pin pin) {
   return fmt::format("pin {} (nothing is wired to it)", name);
 }
 
-// Returns whether the last call was a read, so that the sketch is at that read.
+// Returns whether the sketch's last call was a read of a pin.
 bool is_at_read(const exec::Activity& a) {
   return a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
 }
 
-// Returns the pin for which the sketch seems to wait: the one it read last, if it does nothing else.
+// Returns the pin for which the sketch seems to wait: the pin that it read last, if it does nothing else.
 Pin awaited_pin(const Evidence& e) {
   if (is_at_read(e.activity)) return e.activity.pin;
   const bool drives = e.left_command != 0.0 || e.right_command != 0.0;
@@ -59,7 +59,8 @@ bool drives_in_one_place(const Evidence& e) {
          e.t - e.judge->last_driven() < kPause;
 }
 
-// Returns "; the sketch waits …", for a run whose time is up.
+// Returns a clause on the sketch's activity, such as "; the sketch was last in …", for a run whose time is
+// up.
 std::string waiting(const Evidence& e) {
   if (!e.power.on) return "";
   const exec::Activity& a = e.activity;
@@ -79,8 +80,8 @@ std::string waiting(const Evidence& e) {
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
-// Returns "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw it in the half second before
-// `t`.
+// Returns "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw the line in the half second
+// before `t`.
 std::string left_line(const Evidence& e, SimTime t) {
   constexpr SimTime kJustNow = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
@@ -88,8 +89,8 @@ std::string left_line(const Evidence& e, SimTime t) {
   return fmt::format("left the line at {} near {}", seconds(seen->at), cell_of(*e.map, seen->position));
 }
 
-// Returns "; the robot left the line at …, and has stood near … since …": what happened before its time was
-// up.
+// Returns the robot's history for a run whose time is up: "; the robot left the line at …, and has stood near
+// … since …".
 std::string whereabouts(const Evidence& e) {
   std::string text = left_line(e, e.t);
   const bool drives = drives_in_one_place(e);
@@ -118,7 +119,7 @@ std::string list_of_pins(const std::vector<int>& pins) {
   return text;
 }
 
-// Returns "S2 was stuck at 1023 by the script"
+// Returns "S2 was stuck at 1023 by the script".
 std::string told(const ScriptFault& fault) {
   using robot::Failure;
   const std::string value = fault.arguments.size() > 1 ? fault.arguments[1] : "";
@@ -141,7 +142,7 @@ std::string told(const ScriptFault& fault) {
   return fmt::format("{} {} by the script", fault.part, happened());
 }
 
-// Returns the script's fault that was active at `t`, or had just ended; the last to begin of several.
+// Returns the last script fault that was active at `t` or had just ended; null = none.
 const ScriptFault* fault_at(const Evidence& e, SimTime t) {
   constexpr SimTime kAfterEffect = kSecond;
   const ScriptFault* last = nullptr;
@@ -150,14 +151,14 @@ const ScriptFault* fault_at(const Evidence& e, SimTime t) {
   return last;
 }
 
-// Returns ", 0.30 s after S2 was stuck at 1023 by the script"; empty without a fault then.
+// Returns ", 0.30 s after S2 was stuck at 1023 by the script"; empty if there was no fault.
 std::string after_fault(const Evidence& e, SimTime t) {
   const ScriptFault* fault = fault_at(e, t);
   return fault ? fmt::format(", {} after {}", seconds(t - fault->began), told(*fault)) : "";
 }
 
-// Returns "; the board has had no power since 7.28 s: its battery is empty"; empty if that does not explain
-// the verdict.
+// Returns "; the board has had no power since 7.28 s: its battery is empty"; empty if the supply does not
+// explain the verdict.
 std::string for_want_of_power(const Evidence& e) {
   const bool ran_down = e.power.charge && (e.power.empty() || (!e.power.on && e.power.switched_on));
   const bool may_come_of_it = e.verdict == Verdict::lost || e.verdict == Verdict::stuck ||
@@ -167,7 +168,7 @@ std::string for_want_of_power(const Evidence& e) {
   return text.empty() ? "" : "; " + text;
 }
 
-// Returns further causes for the end of a sentence.
+// Returns further causes to append to a sentence.
 std::string causes(const Evidence& e) {
   const std::string power = for_want_of_power(e);
   if (e.verdict == Verdict::lost || e.verdict == Verdict::reached) return power;
@@ -258,7 +259,8 @@ bool turns_wheel(const robot::WiredPin& wired) {
   return wired.type == "motor" || wired.type == "motors" || wired.type == "wheel-servo";
 }
 
-// For a motor that is driven in one direction, the input for the other one is low.
+// Returns whether a motor's pin may stay low. If a motor turns in one direction only, one of its inputs stays
+// low.
 bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   if (wired.role == "phase") return true;
   if (wired.role != "in1" && wired.role != "in2") return false;
@@ -268,8 +270,8 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups affect some drivers'
-// inputs.
+// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups switch on the inputs of
+// some drivers.
 std::string forgotten_outputs(const Evidence& e) {
   std::vector<int> pins;
   for (const robot::WiredPin& wired : e.wiring) {
@@ -298,7 +300,7 @@ constexpr const char* kTryWirings =
     "the order of the sensors, their values over black, or a motor's side or direction may differ from the "
     "robot file: robosim wire tries the alternatives";
 
-// Returns N of the delay(N) that the sketch is in, if it is long; else 0.
+// Returns N if the sketch is in a long delay(N); else 0.
 int long_delay(const Evidence& e) {
   constexpr int kLong_ms = 50;
   int ms = 0;
@@ -306,14 +308,15 @@ int long_delay(const Evidence& e) {
   return ms >= kLong_ms ? ms : 0;
 }
 
-// Returns whether its sensors were not read for half a second before it lost the line, nor later.
+// Returns whether the sketch stopped reading its sensors at least half a second before the robot lost the
+// line.
 bool reads_no_more(const Evidence& e) {
   constexpr SimTime kLong = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// Returns whether it steered away before it lost the line, without any fault of the script to blame.
+// Returns whether the robot steered away from the line before losing it, in a run without script faults.
 bool steered_away(const Evidence& e) {
   constexpr double kClearly = 0.1;
   return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e);

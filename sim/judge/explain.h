@@ -29,9 +29,9 @@ struct Evidence {
   exec::Activity activity;
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
-  int int_bits = 32;                 ///< of the firmware's int
+  int int_bits = 32;                 ///< size of the firmware's int
   std::string exceeded;              ///< the exceeded budget
-  const BoardSpec* board = nullptr;  ///< for the names of pins; null = their numbers
+  const BoardSpec* board = nullptr;  ///< provides the names of pins; null = use their numbers
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once
@@ -40,18 +40,18 @@ struct Evidence {
   bool pin_level = false;   ///< the present level of the pin that the sketch reads
   bool in_contact = false;  ///< the body touches an obstruction
   std::string stopped_by = "a wall or the map's edge";  ///< the obstruction that the body touches
-  double left_command = 0.0, right_command = 0.0;       ///< of the motors, -1..1, at the end
+  double left_command = 0.0, right_command = 0.0;       ///< motor commands at the end, -1..1
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
-  double line_side = 0.0;         ///< the line's last position off the middle: left of it, m
-  double steered = 0.0;  ///< then: the mean difference of the commands, towards the line; below 0: away
-  bool moved = false;    ///< a wheel turned
+  double line_side = 0.0;  ///< m, the line's last position off the robot's middle, positive to the left
+  double steered = 0.0;    ///< mean difference of the commands then; positive = towards the line
+  bool moved = false;      ///< a wheel turned
   world::Toppled toppled = world::Toppled::no;
-  Vec2 at;                          ///< the robot's place
-  std::vector<ScriptFault> faults;  ///< of the script so far, by time
+  Vec2 at;                          ///< the robot's position
+  std::vector<ScriptFault> faults;  ///< the script's faults so far, by time
   SupplySummary power;
 };
 
-/// Returns one sentence on why the run ended as it did.
+/// Returns one sentence that explains why the run ended.
 std::string explain(const Evidence& evidence);
 NextStep next_step(const Evidence& evidence);
 Decisive decisive_moment(const Evidence& evidence);

@@ -1,5 +1,5 @@
-// Records when firmware reads floor sensors, and what the robot does meanwhile: the input of the steering
-// detectors, once a tick.
+// Provides the input of the steering detectors in each tick: the firmware's reads of floor sensors, and the
+// robot's motion.
 #pragma once
 
 #include <string>
@@ -13,15 +13,15 @@ namespace robosim::judge {
 struct Steering {
   SimTime t = 0;
   SimTime sent_at = -1;     ///< time of Serial's last byte; -1 = none
-  double distance_m = 0.0;  ///< path of its axle so far
-  double travel_m = 0.0;    ///< of its wheels, so far
+  double distance_m = 0.0;  ///< distance that the axle has travelled
+  double travel_m = 0.0;    ///< distance that the wheels have turned
   double left = 0.0, right = 0.0;
   bool sees_line = false;
   bool on_its_own = true;   ///< switched on, and not moved manually
   bool asks_floor = false;  ///< firmware has read a floor sensor in this tick
 };
 
-/// Returns the call in which firmware waits; empty if there is none, or it returns at once.
+/// Returns the call in which firmware waits; empty if the current call never waits, or there is none.
 std::string waiting_call(const exec::Activity& activity);
 
 /// The fix for a sketch that waits while it prints.
@@ -33,9 +33,10 @@ class FloorLooks {
  public:
   FloorLooks(const robot::Robot& robot, exec::Executor& executor);
 
-  /// Returns whether reads are visible: there are floor sensors, and each is on a pin of the board.
+  /// Returns whether reads are visible: the robot has floor sensors, and each is wired to a pin of the board.
   bool are_known() const { return !pins_.empty(); }
-  /// Returns when firmware last read one, as of `now`; now if interrupts wait for their edges. -1 = never.
+  /// Returns the time of the firmware's last read of a floor sensor; -1 = never. Returns `now` if an
+  /// interrupt waits for a sensor's edges.
   SimTime last(SimTime now) const;
 
  private:

@@ -1,18 +1,19 @@
-// Finds a pin that should drive something, and was never set to OUTPUT.
+// Finds a pin that should drive a part and was never set to OUTPUT.
 //
 //   digitalWrite(13, HIGH);   PORTB |= 1 << 5;      // both only switch on the pull-up of an input
 //
 // The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2). An LED gets a tenth of a milliampere and
-// hardly glows; a buzzer and a servo stay silent. A motor driver's input may or may not be high enough,
-// depending on the module. Here drivers read it as high, so that the run goes well. The LED on an Uno R3
-// itself, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. Those on a Nano and on
-// many clones have none.
+// hardly glows; a buzzer and a servo stay silent. A motor driver may or may not read the level as high,
+// depending on the module. Simulated drivers read it as high, so that the run succeeds. The built-in LED of
+// an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. A Nano and many
+// clones have no amplifier.
 //
-// A finding is a pin that was an input with its pull-up and never an output. The run lasted 0.1 s or more.
-// The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment digit or shift
-// register.
-// A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: that is accepted. To fix a
-// finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
+// A finding is a pin that was an input with its pull-up on and never an output. The run must go on for 0.1 s
+// or more after that. The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment
+// digit or shift register.
+//
+// A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: this is not reported. To
+// fix a finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
 //
 // Not detected: pins that were only written LOW, which changes nothing; displays, radios and other parts on a
 // bus; pins without wiring.
@@ -33,7 +34,7 @@ class ForgottenOutput {
 
   ForgottenOutput(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring);
 
-  /// Handles changes of every pin, while `executor` runs.
+  /// Handles a change of any pin while `executor` runs.
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t, exec::Executor& executor);
   /// Returns the findings at the end of the run, `now`.
   std::vector<exec::Detected> found(SimTime now) const;
@@ -42,8 +43,8 @@ class ForgottenOutput {
   struct Driven {
     robot::WiredPin wired;
     bool was_output = false;
-    std::optional<SimTime> pulled_up;  ///< first time
-    wire::SourceLine where;            ///< at that time
+    std::optional<SimTime> pulled_up;  ///< when the pull-up was first switched on
+    wire::SourceLine where;            ///< source line that switched it on
   };
 
   std::vector<Driven> pins_;

@@ -214,7 +214,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
   if (may_depart(pose)) {
-    // Except where it returns to the start.
+    // Restarts the clock of each lap, except when the body returns to the start.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }
@@ -239,8 +239,8 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   search_places(body);
 }
 
-// Computes how far it may move before it can cover any of its remaining places: most checks are between two
-// of them.
+// Computes how far the body may move before it can cover any remaining place. Most checks happen between two
+// places and then end early.
 void Progress::search_places(const world::Body& body) {
   constexpr double kSure = 1e-3;  // m, for rounding errors
   searched_at_ = body.pose().position;

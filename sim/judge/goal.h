@@ -20,8 +20,8 @@ struct Goal {
     tour,         ///< all reachable stations visited, then the start's centre covered again
     laps,         ///< every node of the loop passed in order, `laps` times, either way round
     station,      ///< `station` visited, and at rest there for 0.5 s
-    robotrace,    ///< from the start line to the goal line of the map's [race], and to rest between them
-    ukmars,       ///< as robotrace, over the goal line only
+    robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between them
+    ukmars,       ///< as robotrace, without coming to rest
     drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
     line_maze,    ///< to the disc, `tries` times
@@ -36,7 +36,7 @@ struct Goal {
 };
 
 /// Parses "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",
-/// "line-maze:3", "still" or "none". Throws InputError naming those.
+/// "line-maze:3", "still" or "none". Throws InputError with a list of these.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
 /// Returns the map's own goal; else laps:1 on a single loop, else tour.
@@ -57,13 +57,14 @@ class Progress {
   Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes, const grid::Network& network,
            const grid::Start& start);
 
-  /// Called once per tick with the time at its end. Appends visited stations and completed laps to `events`.
-  /// Unless the rules need more, places are checked only once the body has moved some distance.
+  /// Updates the progress. Called once per tick with the time at the tick's end. Appends visited stations and
+  /// completed laps to `events`. Checks places only after the body has moved some distance, unless the rules
+  /// require a check in each tick.
   void update(const world::Body& body, SimTime t, Events& events) {
     if (!passes_by(body)) look(body, t, events);
   }
 
-  /// Updates for a body that does not pass by.
+  /// Updates the progress when passes_by() is false.
   void look(const world::Body& body, SimTime t, Events& events);
   /// Returns whether an update would change nothing. Called in each tick, and therefore inline.
   [[gnu::always_inline]] bool passes_by(const world::Body& body) const {
@@ -79,12 +80,12 @@ class Progress {
   const std::vector<Waypoint>& stations() const { return stations_; }
   /// Returns indices into stations() in the order of the first visit.
   const std::vector<int>& visited() const { return visited_; }
-  /// Returns the duration of each complete lap, s. The first begins when the body leaves its start by 1 cm:
-  /// waiting and calibrating on the spot do not count.
+  /// Returns the duration of each complete lap, s. The first lap begins when the body has left its start by 1
+  /// cm: waiting and calibrating on the spot do not count.
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
-  /// Returns the competition's rules, if it is one.
+  /// Returns the contest, which is false unless the goal is a competition.
   Contest& contest() { return contest_; }
   const Contest& contest() const { return contest_; }
   /// Adds the present score of a competition.
@@ -101,7 +102,7 @@ class Progress {
   // Places are checked when the body has moved by kCheckEvery, m, has turned by acos of kCheckTurn (1.1
   // degrees), or has stopped. The first lap begins at the distance kDeparture from the start, m.
   static constexpr double kCheckEvery = 4e-3, kCheckTurn = 0.9998, kDeparture = 0.01;
-  // Slower counts as at rest, m/s and rad/s.
+  // A body below both speeds counts as at rest, m/s and rad/s.
   static constexpr double kRestSpeed = 1e-3, kRestTurn = 0.01;
 
   static double square(Vec2 a) { return dot(a, a); }
@@ -115,7 +116,7 @@ class Progress {
   bool may_depart(const Pose& pose) const {
     return laps_s_.empty() && square(pose.position - *origin_) < kDeparture * kDeparture;
   }
-  /// Returns whether the body covers none of its remaining places.
+  /// Returns whether the body covers none of the remaining places.
   bool is_far_from_places(Vec2 position) const {
     return square(position - searched_at_) < free_reach_ * free_reach_;
   }
@@ -144,13 +145,13 @@ class Progress {
   Contest contest_;
   SimTime at_rest_since_ = kNever;
   bool has_moved_ = false;
-  std::optional<Vec2> origin_;  ///< the body's first place
-  Vec2 checked_at_{1e9, 1e9};   ///< far away, before the first check
+  std::optional<Vec2> origin_;  ///< the body's first position
+  Vec2 checked_at_{1e9, 1e9};   ///< far away before the first check
   Vec2 checked_heading_;
   bool takes_time_;               ///< rules or goal need a check in each tick
-  bool is_around_origin_ = true;  ///< it may depart before the next check
-  Vec2 searched_at_;              ///< while the body is less than free_reach_, m, from there,
-  double free_reach_ = 0.0;       ///< it covers none of its remaining places
+  bool is_around_origin_ = true;  ///< the body may depart before the next check
+  Vec2 searched_at_;              ///< the body's position in the last search
+  double free_reach_ = 0.0;       ///< m from searched_at_, within which the body covers no remaining place
   bool reached_ = false;
 };
 

@@ -14,9 +14,9 @@ constexpr double kLostAfter = 1.0;                     ///< m of wheel travel wi
 constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
 constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
-constexpr double kSamePlace = 0.1;             ///< m, radius in which a robot may turn and is in one place
+constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts as being in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
-/// Sketches pulse their motors; a shorter pause does not end "driven".
+/// The longest pause between pulses of a motor that still counts as driven.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 
 /// The judge's input, once a tick.
@@ -27,19 +27,19 @@ struct Situation {
   bool sees_line = false;       ///< any reflectance sensor's footprint on a line
   bool driven = false;          ///< a motor is commanded
   bool lifted = false;          ///< picked up: neither lost nor stuck
-  bool toppled = false;         ///< it lies on its side
+  bool toppled = false;         ///< the robot lies on its side
   bool powered = true;
   SimTime last_call = 0;  ///< the firmware's last API call
-  bool hangs = false;     ///< it will never call again (Executor::hangs)
+  bool hangs = false;     ///< the firmware will never call the API again (Executor::hangs)
 };
 
 class Judge {
  public:
-  /// `senses`: whether the robot has reflectance sensors; without any it cannot be lost.
+  /// `senses`: the robot has reflectance sensors. A robot without reflectance sensors cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
-  /// Returns toppled, lost, stuck, hung or ended; nothing in a normal state. A silent sketch that may
-  /// continue is normal. Called in each tick, and therefore inline.
+  /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A silent sketch that may
+  /// continue is in a normal state. Called in each tick, and therefore inline.
   [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);
     if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]
@@ -47,17 +47,17 @@ class Judge {
     return std::nullopt;
   }
 
-  /// When a sensor last saw the line, and the robot's place then; nothing if none has seen one yet.
+  /// The time at which a sensor last saw the line, and the robot's position then.
   struct Seen {
     SimTime at = 0;
     Vec2 position;
   };
   const std::optional<Seen>& line_last_seen() const { return line_seen_; }
-  /// Returns since when it has moved less than kStuckMove and turned less than a degree, or has not been
-  /// driven.
+  /// Returns the time since which the robot has been driven without moving by kStuckMove or turning by a
+  /// degree.
   SimTime stuck_since() const { return anchored_at_; }
-  /// Return since when the robot's axle has been within kSamePlace of a place, that place, and when a motor
-  /// was last driven.
+  /// Return the time since which the axle has been in one place, that place, and the last time a motor was
+  /// driven.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
   SimTime last_driven() const { return last_driven_; }
@@ -65,7 +65,7 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
-  /// Takes the situation by value: without pointers to it, it stays in registers.
+  /// Accepts the situation by value, so that it stays in registers.
   static std::optional<Verdict> verdict(Situation now, bool is_lost, bool is_stuck);
 
   bool senses_;

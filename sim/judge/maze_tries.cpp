@@ -12,10 +12,10 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kLeft = 0.01;            // m from its start: a try begins
-constexpr double kAtStart = 0.05;         // m: within it, the robot is on the start
-constexpr double kByHand = 0.02;          // m in a tick: a manual move
-constexpr SimTime kStopped = kSecond;     // on the disc
+constexpr double kLeft = 0.01;            // m from the start, at which a try begins
+constexpr double kAtStart = 0.05;         // m from the start, within which the robot is on the start
+constexpr double kByHand = 0.02;          // m in a tick: the least manual move
+constexpr SimTime kStopped = kSecond;     // at rest on the disc
 constexpr double kOffForStopping = 10.0;  // s
 
 std::vector<Vec2> points_of(const grid::Area& disc) {

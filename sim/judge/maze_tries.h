@@ -1,12 +1,13 @@
-// A line maze, by LVBots' rules (lvbots.org, line maze rules): from the start to the disc at the maze's end
-// in the shortest time. The best of up to three tries counts, and a robot that stops on the disc gains 10 s.
+// Scores a line maze by LVBots' rules (lvbots.org, line maze rules). The robot drives from the start to the
+// disc at the maze's end in the shortest time. The best of up to three tries counts. If the robot stops on
+// the disc, 10 s are deducted.
 //
-// A try begins when the robot leaves the start, by 1 cm. Its clock stops when the robot's outline first
-// touches the disc. The try is over once the robot has rested there for 1 s, or has left the disc. The next
-// one begins once a manual move has put the robot back on the start. A manual move to any other place ends
-// the try without a result.
+// A try begins when the robot has left the start by 1 cm. The clock stops when the robot's outline first
+// touches the disc. The try ends when the robot has been at rest on the disc for 1 s, or has left the disc.
+// The next try requires a manual move back to the start. A manual move to any other place ends the try
+// without a result.
 //
-// The limit of 10 minutes for all tries is left to the run's limit.
+// The rules' limit of 10 minutes for all tries is not checked here: the run has its own time limit.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ class MazeTries {
  public:
   static constexpr int kMost = 3;
 
-  /// Throws InputError if the map has no goal, or no disc there.
+  /// Throws InputError if the map has no goal, or no disc at the goal.
   MazeTries(const grid::Map& map, Vec2 start, int tries);
 
   void look(const RulesInput& now, Events& events);
@@ -34,7 +35,7 @@ class MazeTries {
   enum class Phase {
     waiting,  ///< on the start
     driving,
-    on_disc,  ///< has touched it
+    on_disc,  ///< has touched the disc
     over,
   };
   struct Try {
@@ -48,7 +49,7 @@ class MazeTries {
 
   Vec2 start_;
   int tries_;
-  std::vector<Vec2> disc_;  ///< points of it
+  std::vector<Vec2> disc_;  ///< points of the disc
   Phase phase_ = Phase::waiting;
   int done_ = 0;  ///< completed tries
   std::vector<Try> finished_;

@@ -1,12 +1,13 @@
-// Finds a sketch that stops steering but not its motors, which keep their last commands.
+// Finds a sketch that stops steering without stopping its motors, which keep their last commands.
 //
 //   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }      // and the robot drives
 //                                                                                   on
 //
-// It shows on the day that the robot loses its line: someone touches a wheel, the floor is dirty. A finding
-// is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For at least the last
-// half of it, its motor commands were the same and no floor sensor was read. Nor was the sketch waiting in a
-// call (BlindDriving covers that). To fix it, stop or brake the motors wherever steering ends.
+// The fault shows only when the robot loses its line: when someone touches a wheel, or the floor is dirty. A
+// finding is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For at least
+// the last half metre, the motor commands were unchanged and no floor sensor was read. The sketch was not
+// waiting in a call, which BlindDriving would find. To fix a finding, stop or brake the motors wherever
+// steering ends.
 //
 // Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by luck.
 #pragma once
@@ -26,12 +27,12 @@ class MotorsLeftOn {
   const std::vector<exec::Detected>& found() const { return found_; }
 
  private:
-  /// The drive since the last time that the line was seen.
+  /// The drive since a sensor last saw the line.
   struct Stretch {
-    bool counts = false;  ///< it was seen, no manual move followed, and it is not reported yet
+    bool counts = false;  ///< the line was seen, no manual move followed, and there is no report yet
     SimTime began = 0;
     double from_m = 0.0;
-    double unchanged_from_m = 0.0;  ///< since when commands are unchanged and no sensor is read
+    double unchanged_from_m = 0.0;  ///< travel since which commands are unchanged and no sensor was read
     double left = 0.0, right = 0.0;
   };
 

@@ -1,16 +1,15 @@
-// Finds a record in EEPROM of which each byte overwrites the previous one.
+// Finds a record in EEPROM in which each byte overwrites the previous byte.
 //
 //   void put(uint8_t byte) { EEPROM.update(at, byte); }        // at++ was forgotten
 //
-// A map, a log or a set of numbers is stored, and only its last byte remains. It goes unnoticed until the
-// robot is switched on again and reads.
+// Only the last byte of a stored map, log or set of numbers remains. The fault goes unnoticed until the
+// sketch reads the record after the next power-on.
 //
-// A finding is the first byte that was written 8 times in immediate succession, with different values and
-// without other writes in between. No other firmware could have read it so fast.
+// A finding is the first byte that was written 8 times in immediate succession. The values differ, and no
+// other byte is written in between. Nothing could have read the earlier values in such a short time.
 //
-// A sketch that stores one number in each pass of loop() does so for longer. That is wear (eeprom_wear.h), so
-// bursts of more than 5 s are not reported here. Not detected: shorter records, and those whose bytes are
-// equal.
+// Bursts of more than 5 s are not reported here. A sketch that stores a number in each pass of loop() causes
+// wear (eeprom_wear.h). Not detected: shorter records, and records whose bytes are equal.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +24,10 @@ class OverwrittenRecord {
  public:
   static constexpr const char* kName = "overwritten_record";
 
-  /// Notes that the firmware has started.
+  /// Ends the series of writes when the firmware starts.
   void powered_on() { row_ = {}; }
-  /// Handles each byte whose write begins at `t`; `executor` returns the line if it makes a finding.
+  /// Handles a byte whose write begins at `t`. `executor` provides the source line if the write makes a
+  /// finding.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
   std::vector<exec::Detected> found() const;
@@ -37,7 +37,7 @@ class OverwrittenRecord {
     std::uint16_t address = 0;
     SimTime began = 0, last = 0;
     std::int64_t writes = 0;
-    wire::SourceLine where = {};  ///< of the write that made it a finding
+    wire::SourceLine where = {};  ///< source line of the write that made a finding
     SimTime found = 0;
   };
 

@@ -1,7 +1,7 @@
-// A timed lap, from the start line of the map's [race] to its goal line.
+// Times a lap from the start line of the map's [race] to its goal line.
 //
 //   robotrace  NTF, rules 1-7 and 2-8: the robot must also come to rest between the two lines
-//   ukmars     UK line follower: over the finish line, and 2 s further, so that the sketch can report it
+//   ukmars     UK line follower: the run ends 2 s after the finish line, so that the sketch can report it
 //
 // The time between the lines is the score.
 #pragma once
@@ -22,22 +22,22 @@ class Race {
   Race(const grid::Map& map, Finish finish);
 
   void look(const RulesInput& now, Events& events);
-  /// Returns whether it has passed the goal line and, if required, rested in the area for 2 s; else the run
-  /// ends 2 s later.
+  /// Returns whether the robot has passed the goal line and, if required, rested in the area for 2 s. If rest
+  /// is not required, the run ends 2 s after the goal line.
   bool reached() const { return rested_; }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;
 
  private:
-  /// Returns the time from the start line to the goal line, s: the score. A line is passed when the body's
-  /// outline first covers its middle, as in a light gate.
+  /// Returns the score: the time from the start line to the goal line, s. A line is passed when the body's
+  /// outline first covers the line's middle, as in a light gate.
   double time_s() const { return static_cast<double>(ended_ - began_) * 1e-9; }
   void advance(const RulesInput& now, Events& events);
   bool rests(const RulesInput& now);
 
   struct Course {
-    std::vector<Vec2> points;  ///< from the start line to the goal line, close together
-    std::vector<Vec2> area;    ///< from the goal line to the start line
+    std::vector<Vec2> points;  ///< closely spaced points from the start line to the goal line
+    std::vector<Vec2> area;    ///< closely spaced points from the goal line to the start line
     double length = 0.0;       ///< m
   };
   Finish finish_;
@@ -45,7 +45,7 @@ class Race {
   std::size_t next_ = 0;
   SimTime began_ = 0, ended_ = kNever;
   SimTime at_rest_since_ = kNever;
-  bool rested_ = false;  ///< everything is done
+  bool rested_ = false;  ///< the race is complete
 };
 
 }  // namespace robosim::judge

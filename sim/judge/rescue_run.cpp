@@ -12,20 +12,20 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kAlong = 0.005;            // m between two points of the path
-constexpr double kLeastStep = 0.01;         // m of path on a tile, for a visit
-constexpr double kCrossing = 0.1;           // m along the path between two points of a crossing, at least
-constexpr double kRoundObstacle = 1.5;      // tiles
-constexpr double kOffTheStart = 0.01;       // m
+constexpr double kAlong = 0.005;        // m between two points of the path
+constexpr double kLeastStep = 0.01;     // m, least length of path on a tile for a visit
+constexpr double kCrossing = 0.1;       // m, least distance along the path between two points of a crossing
+constexpr double kRoundObstacle = 1.5;  // tiles
+constexpr double kOffTheStart = 0.01;   // m
 constexpr double kMostOfAllPaths = 1000.0;  // m
 constexpr SimTime kRestAtEnd = 5 * kSecond;
 constexpr int kLacksToGoOn = 3;
 constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
 constexpr int kThingPoints = 10, kLineObstaclePoints = 20, kSeesawPoints = 20;
-constexpr double kUneven = 0.003, kBump = 0.010;  // m, the upper limits
+constexpr double kUneven = 0.003, kBump = 0.010;  // m, upper limits
 constexpr double kRounding = 1e-6;                // m
 
-// The places of paths, in squares of kAlong.
+// Stores points of all paths, sorted by squares with sides of kAlong.
 class PathPoints {
  public:
   explicit PathPoints(const grid::Map& map) {
@@ -44,7 +44,7 @@ class PathPoints {
     std::sort(points_.begin(), points_.end(), before);
   }
 
-  /// Returns whether another path is at p, or the first one at another place than `along`.
+  /// Returns whether another path passes through p, or the first path does at a place other than `along`.
   bool meet(Vec2 p, double along) const {
     for (std::int64_t x = square(p.x) - 1; x <= square(p.x) + 1; ++x)
       for (std::int64_t y = square(p.y) - 1; y <= square(p.y) + 1; ++y)
@@ -186,7 +186,7 @@ void RescueRun::count(const char* part, int points, int times, Events& events) {
                                 static_cast<double>(points * times), "points"});
 }
 
-// Handles the arrival on this tile, after those before it.
+// Handles the robot's arrival on a tile. Counts the elements of the tiles before it.
 void RescueRun::arrive(std::size_t step, Events& events) {
   for (std::size_t i = at_; i < step; ++i) {
     Step& passed = steps_[i];
@@ -258,7 +258,7 @@ void RescueRun::look(const RulesInput& now, Events& events) {
     else if (!is_in(steps_[at_], at) && !(at_ > 0 && is_in(steps_[at_ - 1], at)) && !is_near_obstacle(at))
       give_up(events);
     else if (is_near_obstacle(at))
-      // Around an obstacle it may return to the line a tile farther on.
+      // Around an obstacle, the robot may return to the line one or two tiles farther on.
       for (std::size_t i = at_ + 2; i <= std::min(at_ + 3, last); ++i)
         if (is_in(steps_[i], at)) {
           arrive(i, events);

@@ -1,11 +1,11 @@
-// RoboCupJunior Rescue Line, or Line Entry ([rescue] league): along the whole first path, tile by tile.
-// Points are those of the organisers' scoring software for 2025 and 2026 (rcj-rescue-cms,
-// scoreCalculatorRules), and for Entry those of its rules (rescue-line-entry-rules, May 2026, 4.7). n is the
-// number of lacks of progress:
+// Scores RoboCupJunior Rescue Line, or Line Entry ([rescue] league). The robot follows the whole first path,
+// tile by tile. The points for Line are those of the organisers' scoring software for 2025 and 2026
+// (rcj-rescue-cms, scoreCalculatorRules). The points for Entry are those of its rules
+// (rescue-line-entry-rules, May 2026, 4.7). n is the number of lacks of progress:
 //
 //                                Line           Entry
 //   start tile left              5              -
-//   each tile up to a checkpoint, or up to the end, once that is reached
+//   each tile up to a checkpoint or the end, when the robot reaches it
 //                                5 - 2 n, not below 0; n since the previous checkpoint
 //   tile with one or more gaps   10             10
 //   tile with one or more speed bumps
@@ -17,20 +17,21 @@
 //   end tile, at rest for 5 s (from memory)
 //                                60 - 5 n >= 0  -
 //
-// If the path ends at the evacuation zone there is no end tile, and no rest. The elements of a tile count
+// If the path ends at the evacuation zone, there is no end tile and no rest. The elements of a tile count
 // when the middle of the robot's axle is on the next tile. A gap is an unpainted stretch of the path; an
 // obstacle is a wall on the path; an intersection is a place where the path crosses itself or another path.
 //
-// A [[hill]] on the path is a seesaw if it has a pivot. It is a speed bump if it is up to 10 mm high, and
-// higher than the 3 mm that tiles may differ by. If a higher one rises or falls by 10 mm on a tile, that is a
-// ramp.
+// A [[hill]] on the path is a seesaw if it has a pivot. A hill is a speed bump if it is more than 3 mm and up
+// to 10 mm high: tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by more than 10
+// mm on the tile.
 //
-// A lack of progress occurs when the robot is neither on its last tile nor on its neighbours on the path.
-// It also occurs when the robot would be lost or stuck (verdicts.md), or when a script picks it up. Around an
-// obstacle it may be anywhere within 1.5 tiles. The captain then puts it on the last checkpoint, or the
-// start. After the third lack in a row it goes to the next checkpoint; the tiles in between do not count.
+// A lack of progress occurs when the robot leaves its last tile and the tile's neighbours on the path. Around
+// an obstacle, the robot may be anywhere within 1.5 tiles. A lack also occurs when the robot would be lost or
+// stuck (verdicts.md), or when a script picks it up. The captain then puts the robot on the last checkpoint,
+// or on the start. After the third lack in a row, the captain puts it on the next checkpoint; the tiles in
+// between do not count.
 //
-// Time is up after 8 min, Entry 6 min, from the beginning of the run. Not modelled: evacuation zone and
+// The time limit is 8 min (Entry: 6 min) from the beginning of the run. Not modelled: evacuation zone and
 // victims.
 #pragma once
 
@@ -45,7 +46,7 @@ namespace robosim::judge {
 
 class RescueRun {
  public:
-  /// Throws InputError if the map has no [rescue], or its path has less than two tiles.
+  /// Throws InputError if the map has no [rescue], or its path covers fewer than two tiles.
   RescueRun(const grid::Map& map, Vec2 start);
 
   void look(const RulesInput& now, Events& events);
@@ -53,20 +54,20 @@ class RescueRun {
   bool over(SimTime t) const { return t >= time_limit_; }
   /// Counts a lost or stuck robot as a lack of progress.
   void give_up(Events& events);
-  /// Returns the captain's new place for the robot now, once.
+  /// Returns the place where the captain will put the robot, if any, and clears it.
   std::optional<Pose> take_hand();
   std::string summary() const;
   void score(wire::Metrics& metrics) const;
 
  private:
-  /// A visit of a tile by the path.
+  /// A visit of the path to a tile.
   struct Step {
     int column = 0, row = 0;
     double from = 0.0, to = 0.0;  ///< m along the path
     int intersections = 0, obstacles = 0, seesaws = 0;
     bool gap = false, bump = false, ramp = false;
     bool checkpoint = false;
-    bool done = false;  ///< its elements have counted
+    bool done = false;  ///< the tile's elements have counted
   };
   void make_steps();
   int column_of(Vec2 at) const;
@@ -88,10 +89,10 @@ class RescueRun {
   SimTime time_limit_;
   std::vector<Step> steps_;
   std::vector<Vec2> obstacles_;
-  std::size_t at_ = 0;              ///< the last step it was on
-  std::size_t counted_to_ = 0;      ///< earlier tiles have counted, or never will
-  std::size_t checkpoint_ = 0;      ///< the last one: 0 = the start
-  int lacks_here_ = 0, lacks_ = 0;  ///< since the last checkpoint, and in all
+  std::size_t at_ = 0;              ///< the robot's last step
+  std::size_t counted_to_ = 0;      ///< the tiles before this step have counted, or never will
+  std::size_t checkpoint_ = 0;      ///< the last checkpoint; 0 = the start
+  int lacks_here_ = 0, lacks_ = 0;  ///< lacks of progress since the last checkpoint, and in total
   std::vector<wire::ScorePart> parts_;
   std::optional<Pose> hand_;
   SimTime began_ = kNever, ended_ = kNever, at_rest_since_ = kNever;

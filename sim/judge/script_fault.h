@@ -1,4 +1,4 @@
-// A fault that a script has caused. A verdict names it if it was the cause.
+// A fault that a script has caused. A verdict names the fault if it was the cause.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ScriptFault {
   std::vector<std::string> arguments;     ///< the kind of fault, then its arguments: {"stuck", "1023"}
   std::optional<robot::Failure> failure;  ///< of a part; unset for a fault of the board
   SimTime began = 0;
-  SimTime ended = kNever;  ///< repaired, or replaced by another fault of the same part
+  SimTime ended = kNever;  ///< when the fault was repaired, or replaced by another fault of the same part
 };
 
 }  // namespace robosim::judge

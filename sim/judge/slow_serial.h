@@ -1,15 +1,15 @@
-// Finds a robot that reads its line only as often as Serial permits. At 9600 baud a byte takes 1 ms, and a
-// print waits for what does not fit into Serial's buffer of 64 bytes. A line of 40 bytes in each step makes
+// Finds a robot that reads its line only as often as Serial permits. At 9600 baud a byte takes 1 ms. A print
+// waits until its last byte fits into Serial's buffer of 64 bytes. A line of 40 bytes in each step makes
 // steps of 40 ms, whatever the sketch assumes.
 //
-//   Serial.print("error "); Serial.print(error); …          // in each round of loop(), or each step
+//   Serial.print("error "); Serial.print(error); …          // in each pass of loop(), or in each step
 //
-// It may well keep its line, as its rounds are regular. But the derivative differs, and so do all times that
-// are counted in rounds. Without Serial, or on a narrower line, it drives like another robot.
+// The robot may still follow its line, since its passes are regular. However, the derivative and all times
+// that are counted in passes change. Without Serial, or on a narrower line, the robot drives differently.
 //
-// A finding is a sketch that spends 30 % of its driving time in stretches of at least 15 ms without reading a
-// floor sensor. There must be ten of them or more, in each of which a call of Serial was waiting. So a sketch
-// that occasionally prints much, or drives without a line, is not reported. To fix it, print fewer bytes,
+// A finding is a sketch that spends 30 % of its driving time in stretches without reading a floor sensor.
+// There are ten stretches or more. Each takes at least 15 ms, in which a call of Serial waits. Sketches that
+// occasionally print much, or drive without a line, are not reported. To fix a finding, print fewer bytes,
 // print less often (if (millis() - told_at > 500)), or use a faster Serial.begin().
 #pragma once
 
@@ -34,7 +34,7 @@ class SlowSerial {
   SimTime began_ = 0;  ///< tick of the last read of a floor sensor
   double from_m_ = 0.0;
   bool waits_ = false;               ///< a call of Serial has waited in this stretch
-  SimTime driven_ = 0, waited_ = 0;  ///< of all stretches
+  SimTime driven_ = 0, waited_ = 0;  ///< total time of driving, and of all stretches
   int asked_ = 0, times_ = 0;
   double longest_s_ = 0.0, furthest_m_ = 0.0;
   exec::Activity first_;

@@ -10,7 +10,7 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kNoticed = 8.0 / 1024.0;  // of the supply
+constexpr double kNoticed = 8.0 / 1024.0;  // share of the supply
 constexpr std::int64_t kManyTimes = 3;
 
 }  // namespace
@@ -29,7 +29,7 @@ void SlowSource::converted(Pin pin, double volts, SimTime t, exec::Executor& exe
     if (std::abs(last_.volts) > std::abs(here.worst.volts)) here.worst = last_;
   }
   last_ = {std::abs(volts) >= kNoticed * board_->supply_volts ? pin : kNoPin, volts, t};
-  if (last_.pin != kNoPin) of(last_, executor);  // while it is at the place of the read
+  if (last_.pin != kNoPin) of(last_, executor);  // stores the source line of the read
 }
 
 std::vector<exec::Detected> SlowSource::found() const {

@@ -1,18 +1,19 @@
-// Finds a pin whose source is too weak for the ADC, so that the previous reading shows in the next one.
+// Finds a pin whose source is too weak for the ADC. The voltage of the previous pin then distorts its
+// readings.
 //
 //   left = analogRead(A0);  right = analogRead(A1);        // A1: a photo diode with 2.2 MOhm to 5 V
 //
 // "The ADC is optimized for analog signals with an output impedance of approximately 10 kOhm or less"
-// (ATmega328P, DS40002061B, 24.6.1): a higher impedance does not charge the converter's capacitor in time
-// (hal/board/adc_capacitor.h). A finding is readings of one pin that
+// (ATmega328P, DS40002061B, 24.6.1): a source of higher impedance does not charge the converter's capacitor
+// in time (hal/board/adc_capacitor.h). A finding consists of readings of one pin that
 //
 //   - are off by 0.8 % of the supply (8 of 1024) or more for this reason,
 //   - occur three times or more,
-//   - and are each followed by a reading of another pin. So a sketch that reads twice and drops the first
-//     reading is not reported, nor one that averages.
+//   - and are each followed by a reading of another pin. Sketches that average, or that read twice and drop
+//     the first reading, are not reported.
 //
-// It covers only sources whose `source_ohms` is in the robot file. To fix it, read a second time, add 100 nF
-// between the pin and ground, or use a source of lower resistance.
+// Only sources with `source_ohms` in the robot file are examined. To fix a finding, read the pin twice, add
+// 100 nF to ground, or use a source of lower resistance.
 #pragma once
 
 #include <vector>
@@ -25,14 +26,14 @@ class SlowSource {
  public:
   explicit SlowSource(const BoardSpec& board) : board_(&board) {}
 
-  /// Handles every conversion of a pin, while `executor` runs: RobotPort::watch_adc.
+  /// Handles a conversion of any pin while `executor` runs (RobotPort::watch_adc).
   void converted(Pin pin, double volts, SimTime t, exec::Executor& executor);
   std::vector<exec::Detected> found() const;
 
  private:
   struct Reading {
     Pin pin = kNoPin;
-    double volts = 0.0;  ///< its error
+    double volts = 0.0;  ///< error of the reading
     SimTime at = 0;
   };
   struct Found {
@@ -44,7 +45,7 @@ class SlowSource {
   Found& of(const Reading& reading, exec::Executor& executor);
 
   const BoardSpec* board_;
-  Reading last_;              ///< kNoPin = it was right
+  Reading last_;              ///< the last reading; kNoPin = it was correct
   std::vector<Found> found_;  ///< by pin
 };
 

@@ -11,14 +11,14 @@ namespace robosim::judge {
 
 class SteeringDetectors {
  public:
-  /// lever_m: distance of its sensors ahead of its axle.
+  /// `lever_m` is the distance of the robot's sensors ahead of its axle; `line_m` is the width of the line.
   SteeringDetectors(const robot::Robot& robot, exec::Executor& executor, double lever_m, double line_m)
       : floor_(robot, executor),
         blind_driving_(executor, lever_m, line_m),
         left_on_(executor),
         serial_(executor) {}
 
-  /// Called once per tick. Nothing is found if reads of the floor are not visible.
+  /// Examines a tick. Does nothing if reads of the floor are not visible.
   void look(Steering now) {
     if (!floor_.are_known()) return;
     now.asks_floor = floor_.last(now.t) >= before_;
@@ -37,7 +37,7 @@ class SteeringDetectors {
 
  private:
   FloorLooks floor_;
-  SimTime before_ = 0;  ///< the last tick
+  SimTime before_ = 0;  ///< time of the previous tick
   BlindDriving blind_driving_;
   MotorsLeftOn left_on_;
   SlowSerial serial_;

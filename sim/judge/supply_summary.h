@@ -1,4 +1,4 @@
-// The history of the board's supply. A verdict names it if a robot stands still or gets lost because of it.
+// The history of the board's supply. A verdict mentions the supply if it caused a robot to stop or get lost.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@ namespace robosim::judge {
 
 struct SupplySummary {
   bool on = true;                ///< the chip runs
-  bool switched_on = true;       ///< by the script
-  SimTime since = 0;             ///< the last change
-  int resets = 0;                ///< because of low voltage
-  std::optional<double> charge;  ///< of a [battery], 0..1; below 0 it collapses
-  double volts = 0.0;            ///< V of the battery, under load
-  double needed = 0.0;           ///< V of the battery that the chip needs to run
+  bool switched_on = true;       ///< the script has not switched it off
+  SimTime since = 0;             ///< time of the last change
+  int resets = 0;                ///< number of resets because of low voltage
+  std::optional<double> charge;  ///< of a [battery], 0..1; below 0 its voltage collapses
+  double volts = 0.0;            ///< V, of the battery under load
+  double needed = 0.0;           ///< V, of the battery, required for the chip to run
 
   bool empty() const { return charge && *charge <= 0.0; }
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint16_t kMostBytes = 4;
 constexpr std::uint8_t kErased = 0xFF;
-constexpr SimTime kPause = 20 * kMillisecond;  // without a write, which separates the next ones
+constexpr SimTime kPause = 20 * kMillisecond;  // without a write, which separates two bursts
 
 }  // namespace
 

@@ -1,23 +1,23 @@
 // Finds a record in EEPROM that a power cut can leave half old and half new.
 //
-//   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01) it is 0 in
-//                          // between, and setup() reads that if the power was cut just then
+//   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01), it is 0 in
+//                          // between. setup() reads 0 if the power was cut just then
 //
 // A finding is a number of two to four bytes, written by one line, of which
 //
 //   - at least two bytes changed at once, over an older record that was not completely erased. A cut between
 //     them leaves neither the old nor the new number;
-//   - a single byte changed at other times. So none of the others is a checksum, which would have changed,
+//   - only a single byte changed at other times. No other byte is a checksum, which would have changed,
 //     too;
 //   - nothing else was written just before or after, such as a mark that names the valid record.
 //
-// The finding has the time during which a cut would tear the record, and a script line
-// (docs/reference/scripts.md) that cuts there. To fix it, store a checksum after the number and check it when
-// reading. Or write two records alternately, each with a number and a checksum, so that the older one
-// survives.
+// The finding contains the period in which a cut would tear the record. It also contains a script line that
+// cuts the power then (docs/reference/scripts.md). To fix a finding, store a checksum after the number and
+// check it when reading. Or write two records alternately, each with a number and a checksum, so that the
+// older one survives.
 //
-// Not detected: larger records; numbers of which all bytes change each time, such as floats; sketches that
-// check the number by its range, or never read it.
+// Not detected: larger records; numbers whose bytes all change each time, such as floats; sketches that check
+// the number by its range, or never read it.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +35,9 @@ class TornRecord {
  public:
   static constexpr const char* kName = "torn_record";
 
-  /// Notes that the firmware has started.
+  /// Ends the current burst when the firmware starts.
   void powered_on() { end_of_burst(); }
-  /// Handles each byte whose write begins at `t`, since the run began.
+  /// Handles a byte whose write begins at `t`, measured from the beginning of the run.
   void written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t,
                exec::Executor& executor);
   /// Returns the findings at the end of the run.
@@ -50,12 +50,12 @@ class TornRecord {
     std::uint8_t before = 0, value = 0;
     SimTime at = 0;
   };
-  /// The writes of one line.
+  /// The writes of one source line.
   struct Record {
     wire::SourceLine where;
     std::uint16_t first = 0, last = 0;  ///< addresses
     bool changed_singly = false;
-    bool is_other = false;    ///< not a candidate: large, or written along with others
+    bool is_other = false;    ///< not a candidate: too large, or written along with other records
     std::vector<Write> torn;  ///< the first consecutive writes that a cut can separate
     std::int64_t times = 0;
   };
@@ -66,7 +66,7 @@ class TornRecord {
 
   std::map<Line, Record> records_;
   std::vector<Write> burst_;  ///< consecutive writes
-  std::optional<Line> by_;    ///< their line; unset: several
+  std::optional<Line> by_;    ///< source line of the burst; nullopt = several lines
   std::uint64_t writes_ = 0;
 };
 

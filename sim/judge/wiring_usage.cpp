@@ -43,7 +43,7 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
   return units;
 }
 
-// Returns whether its serial line may have used it.
+// Returns whether the board's serial line may have used the pin.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
 std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {
