@@ -164,8 +164,8 @@ std::string sha256_of(const Map& map);
 /// InputError.
 std::string sha256_of_map(const std::filesystem::path& path);
 
-/// Finds a map by what users type: a path if it contains '/' or '.', else the sample map of that name. Throws
-/// InputError naming the available samples.
+/// Finds a map by a path, which contains '/' or '.', or by the name of a sample map. Throws InputError with a
+/// list of the sample maps.
 std::filesystem::path find_map(const std::string& name);
 
 /// Returns the directions in which a cell has a neighbouring line cell: bit 1 << Direction.

@@ -56,8 +56,7 @@ class Judge {
   /// Returns the time since which the robot has been driven without moving by kStuckMove or turning by a
   /// degree.
   SimTime stuck_since() const { return anchored_at_; }
-  /// Return the time since which the axle has been in one place, that place, and the last time a motor was
-  /// driven.
+  /// Return the time since which the axle has been in one place, the place, and the last time of motor drive.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
   SimTime last_driven() const { return last_driven_; }

@@ -1,20 +1,22 @@
-// [battery]: cells that sag under load, and discharge. Without this table the motors' voltage is always the
-// `supply` of [motors].
+// [battery]: cells that discharge, and whose voltage sags under load. Without this table, the motors' voltage
+// is always `supply` of [motors].
 //
 //   V = cells OCV(charge) - R I
 //   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (its ohms)
 //   d charge / dt = - I / capacity
 //
 // V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). For example, let E
-// be the voltage at rest, and R_m the resistance of a motor with its driver. Two stalled motors lower E to
+// be the voltage at rest, and R_m the resistance of a motor with its driver. Two stalled motors lower the
+// voltage to
 //
 //   V = (E + R (2 drop / R_m - board)) / (1 + 2 R / R_m)
 //
 // Below a charge of 0 the cells collapse: the voltage falls linearly to 0 V at -2 %.
 //
-// Open-circuit volts of a cell (battery.cpp): li-ion as measured by github.com/little-porter,
-// battery_health_inference_RJ; nimh and alkaline are estimates from makers' discharge curves at 0.2 C. If the
-// file gives no `resistance`, each cell has a usual value of its kind: not measured, and equal at any charge.
+// battery.cpp has the open-circuit voltages of a cell. Those of li-ion were measured by
+// github.com/little-porter, battery_health_inference_RJ. Those of nimh and alkaline are estimates from
+// makers' discharge curves at 0.2 C. Without `resistance`, each cell has a typical value of its kind. This
+// value is not measured, and is the same at any charge.
 //
 // Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current that flows
 // back into the battery requires motors with an inductance.
@@ -33,7 +35,7 @@ struct BatteryKind {
 };
 
 struct Battery {
-  const BatteryKind* kind = nullptr;  ///< null: the robot has no battery
+  const BatteryKind* kind = nullptr;  ///< null = the robot has no battery
   double cells = 0.0;
   Parameter resistance;   ///< ohm, of all cells and their leads
   Parameter capacity_as;  ///< A s
@@ -51,7 +53,7 @@ struct Cells {
 
   /// Returns the voltage at rest.
   double rest_volts(double charge) const;
-  /// The voltage under a load, and the share of the charge (0..1) that one tick takes.
+  /// The voltage under a load, and the share of the charge (0..1) that one tick uses.
   struct Load {
     double volts, taken;
   };

@@ -109,10 +109,10 @@ const std::vector<DriverChip>& driver_chips() {
   using enum Bridge;
   // Sources: the makers' datasheets. L298N (ST DS0218): 2.55 V at 1 A, 3.7 V at 2 A, typical; L293D (TI
   // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
-  // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two are bipolar: the drop is there at
-  // any current. Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's sheet
-  // requires. L293D has an internal clamp, 1.3 V; TB6612FNG 1 V typical. The others use a MOSFET's body
-  // diode, estimated at 0.8 V.
+  // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two chips are bipolar: the drop occurs
+  // at any current. Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's data
+  // sheet requires. L293D has an internal clamp of 1.3 V; TB6612FNG has 1 V, typical. The other chips use a
+  // MOSFET's body diode, estimated at 0.8 V.
   static const std::vector<DriverChip> chips = {
       // EN low: open. EN high: the two half bridges follow IN1 and IN2.
       {"l298n",
@@ -155,8 +155,8 @@ const std::vector<DriverChip>& driver_chips() {
        0.8,
        true,
        {{{open, open}, {open, open}}, {{forward, forward}, {forward, forward}}}},
-      // The driver inside a wheel servo, whose data sheet gives values for servo and driver together. Other
-      // motors cannot use it.
+      // The driver inside a wheel servo. The servo's data sheet gives values for motor and driver together.
+      // Other motors cannot use this driver.
       {"servo", 0.0, 0.0, 0.8, true, {{{open, open}, {open, open}}, {{open, open}, {open, open}}}},
   };
   return chips;

@@ -20,14 +20,14 @@ struct PartSummary {
   std::vector<std::pair<std::string, Pin>> pins;  ///< role and wire (netlist.h)
 };
 
-/// Wheels that a servo steers, for drawing them.
+/// Wheels that a servo steers, for drawing.
 struct SteeredWheels {
-  std::string servo;    ///< name of the servo that turns them
+  std::string servo;    ///< name of the steering servo
   double base = 0.0;    ///< m, from the driven axle
-  int wheels = 1;       ///< two stand `track` apart
-  double middle = 0.0;  ///< rad, the servo's reading with the wheels ahead
-  double ratio = 0.0;   ///< rad to the left of the wheels' middle for each of the reading
-  double limit = 0.0;   ///< rad, of the wheels' middle to each side
+  int wheels = 1;       ///< 1, or 2 that are `track` apart
+  double middle = 0.0;  ///< rad, the servo's reading when the wheels point ahead
+  double ratio = 0.0;   ///< rad of steering to the left per rad of the reading
+  double limit = 0.0;   ///< rad, largest steering angle to each side
 };
 
 struct Summary {
@@ -48,8 +48,7 @@ struct Summary {
 
 Summary describe(const Description&);
 
-/// Returns the body of one robot of this description. In the profile `typical`, (seed, number) draws its
-/// parameters.
+/// Returns the body parameters of one robot. In the profile `typical`, they are drawn from (seed, number).
 world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 }  // namespace robosim::robot

@@ -129,7 +129,8 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.downforce = read_parameter(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   if (const ConfigValue* const steering = reader.find("steering")) {
     chassis.steering = read_steering(*steering, reader);
-    read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);  // steered: the rest
+    // The steered wheels carry the rest of the weight.
+    read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);
   }
   read_outline(reader, chassis);
   reader.finish();
@@ -192,7 +193,7 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   return driver;
 }
 
-// Returns the names of registers before any part is read, since a part may name a register further down.
+// Returns all registers before any part is read, since a part may refer to a register further down.
 std::vector<Register> registers_of(const ConfigValue* parts) {
   std::vector<Register> registers;
   if (!parts) return registers;
@@ -282,7 +283,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
   }
 }
 
-// Rejects mounts and a steering that name a servo which the robot does not have.
+// Rejects mounts and steering that refer to a missing servo.
 void check_mounts(const Description& robot) {
   std::vector<std::string> servos;
   for (const auto& part : robot.parts)

@@ -26,13 +26,13 @@ class PartContext;
 /// The wheel that a motor turns or an encoder counts.
 using world::Side;
 
-/// steering of [chassis]: front wheels that a servo steers. sim/world/body_steer.cpp.
+/// `steering` of [chassis]: front wheels that a servo steers (sim/world/body_steer.cpp).
 struct Steering {
-  std::string servo;       ///< its name
-  Place place;             ///< where the file says so
-  Parameter base;          ///< m, from the driven axle to the steered wheels; 0 = none are steered
-  Parameter limit;         ///< rad, of the steered wheel; of two, of the inner one
-  Parameter ratio;         ///< rad of the wheels for each rad of the servo
+  std::string servo;       ///< name of the servo
+  Place place;             ///< place of the key in the file
+  Parameter base;          ///< m, from the driven axle to the steered wheels; 0 = no steered wheels
+  Parameter limit;         ///< rad, largest angle of the steered wheel, or of the inner of two
+  Parameter ratio;         ///< rad of the wheels per rad of the servo
   bool ackermann = false;  ///< two steered wheels, `track` apart; else one
 
   bool exists() const { return base.value > 0.0; }
@@ -43,7 +43,7 @@ struct Chassis {
   Parameter mass;        ///< kg, of the whole robot
   Parameter inertia;     ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform
                          ///< plate of the outline's shape
-  Parameter load_share;  ///< 0..1 of the weight on the driven wheels
+  Parameter load_share;  ///< 0..1, share of the weight on the driven wheels
   Parameter track;       ///< m, between the two wheels' contact points
   Parameter wheel;       ///< m, a wheel's diameter; drawn for each wheel
   Parameter wheel_inertia;  ///< kg m2 of a wheel with its tyre
@@ -52,39 +52,39 @@ struct Chassis {
   Parameter wall_friction;  ///< coefficient of friction between outline and wall
   Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the usual place
   Parameter caster_radius;  ///< m
-  Parameter height;         ///< m, of the mass's centre; 0 = loads do not shift
-  Parameter wheelbase;      ///< m, of four wheels, or of tracks as wheels; 0 = two wheels and a caster
-  Parameter downforce;      ///< kg whose weight a fan presses it down with
+  Parameter height;         ///< m, of the centre of mass; 0 = loads do not shift
+  Parameter wheelbase;  ///< m, of four wheels, or of wheels equivalent to tracks; 0 = two wheels and a caster
+  Parameter downforce;  ///< kg, mass whose weight equals a fan's downforce
   Steering steering;
-  Vec2 circle_centre;         ///< m; the outline, if it is a circle
+  Vec2 circle_centre;         ///< m, centre of a circular outline
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`
   std::vector<Vec2> polygon;  ///< m, counter-clockwise, convex
 };
 
 /// [motors]: both motors with their gears. sim/world/body.h has the formulas for these parameters.
 struct Motors {
-  Parameter voltage;          ///< V, at which the following four hold
+  Parameter voltage;          ///< V, to which the next four values refer
   Parameter no_load;          ///< rad/s at the wheel, drawn for each motor
   Parameter no_load_current;  ///< A: friction in motor and gear; drawn for each motor
   Parameter stall_torque;     ///< N m at the wheel, drawn for each motor
   Parameter stall_current;    ///< A, drawn for each motor
   Parameter static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
-  Parameter gear;             ///< motor turns for each turn of the wheel
+  Parameter gear;             ///< motor turns per turn of the wheel
   Parameter rotor_inertia;    ///< kg m2 of the motor's rotor
-  Parameter inductance;       ///< H of the winding, drawn for each motor; 0 = it does not matter
+  Parameter inductance;       ///< H of the winding, drawn for each motor; 0 = negligible
   Parameter supply;           ///< V of the battery
 };
 
 /// The effect of one combination of a driver's inputs on the motor.
 enum class Bridge : unsigned char { open, shorted, forward, reverse };
 
-/// A motor driver chip, as data. `action[en][in1][in2]`.
+/// A motor driver chip. Its effects are action[en][in1][in2].
 struct DriverChip {
-  const char* name;   ///< as robot files write it
+  const char* name;   ///< name in robot files
   double drop;        ///< V lost in the bridge at small currents
   double resistance;  ///< ohm of the bridge, in series with the motor
-  double diode;       ///< V lost in a diode that carries on the winding's current
-  bool both_ways;     ///< its switches conduct both ways, as MOSFETs do
+  double diode;       ///< V lost in a freewheeling diode
+  bool both_ways;     ///< the switches conduct both ways, as MOSFETs do
   Bridge action[2][2][2];
 };
 
@@ -99,31 +99,31 @@ struct Driver {
 
 /// One wire between a part and the board.
 struct Wire {
-  std::string role;  ///< what the part calls it: "en", "pin"; of an array the element's name
+  std::string role;  ///< the part's name for the wire: "en", "pin"; in an array, the element's name
   Pin pin = kNoPin;
-  Place place;          ///< where the file says so
-  bool shared = false;  ///< of a bus: others may be on it too
+  Place place;          ///< place of the key in the file
+  bool shared = false;  ///< wire of a bus, which other parts may share
 };
 
-/// The place of a sensor that looks at the floor, for people and pages.
+/// The place of a sensor that looks at the floor, for display.
 struct SensorPlace {
   std::string name;
   Vec2 at;                 ///< m, in the body's frame
-  double footprint = 0.0;  ///< m: side of the square of floor that it sees
+  double footprint = 0.0;  ///< m, side of the square of floor that affects the sensor
 };
 
-/// A reading that is a number with a unit, for people and pages. Other readings are levels, or on and off.
+/// A displayed reading that is a number with a unit. Other readings are levels, or on and off.
 struct Gauge {
   std::string name;
-  const char* unit;  ///< "deg", "cm", "V", "A", "Hz"; "" of a bare number
+  const char* unit;  ///< "deg", "cm", "V", "A", "Hz"; "" = none
 };
 
 struct MountSpec;
 
-/// The wheel of a motor that drives both wheels through a differential.
+/// The result of driven_wheel() for a motor that drives both wheels through a differential.
 constexpr int kBothWheels = 2;
 
-/// One [[part]], as its type's reader returns it. Immutable; all robots of the description share it.
+/// One [[part]], as read from the file. Immutable; shared by all robots of a description.
 class PartSpec {
  public:
   std::string name;
@@ -134,22 +134,22 @@ class PartSpec {
   virtual ~PartSpec() = default;
   /// Makes the part of one robot.
   virtual std::unique_ptr<Part> make(PartContext&) const = 0;
-  /// Returns the floor sensors that the part brings.
+  /// Returns the part's floor sensors.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
-  /// Returns those of its readings that are numbers.
+  /// Returns the part's readings that are numbers.
   virtual std::vector<Gauge> gauges() const { return {}; }
-  /// Returns how the part is mounted, if it may sit on a servo; else null.
+  /// Returns the part's mount, if the part can be mounted on a servo; else null.
   virtual const MountSpec* mounted() const { return nullptr; }
-  /// The wheel it sits on, if it is a motor: left or right, or kBothWheels; else -1.
+  /// Returns the wheel that a motor drives: left, right or kBothWheels. Returns -1 for other parts.
   virtual int driven_wheel() const { return -1; }
 };
 
-/// [budget]: limits of firmware on the board's chip. `robosim build` fails if a sketch takes more flash or
-/// RAM. A run on a chip ends as over_budget if it takes more stack or time.
+/// [budget]: limits of firmware on the board's chip. `robosim build` fails if a sketch exceeds the flash or
+/// RAM. A run on a chip ends as over_budget if the sketch exceeds the stack or time.
 struct Budget {
-  std::int64_t flash_bytes = 0;  ///< 0 = all there is
-  std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = all there is
-  std::int64_t stack_bytes = 0;  ///< the most in use while it runs; 0 = all there is
+  std::int64_t flash_bytes = 0;  ///< 0 = the chip's limit
+  std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = the chip's limit
+  std::int64_t stack_bytes = 0;  ///< maximum during a run; 0 = the chip's limit
   double loop_s = 0.0;           ///< the longest pass of loop(); 0 = any
 };
 
@@ -160,9 +160,9 @@ struct SourceText {
 };
 
 struct Description {
-  std::string name;  ///< the file's stem, with another board's name behind an @
+  std::string name;  ///< the file's stem; if the board is replaced, with @ and the board's name
   std::filesystem::path file;
-  std::string sha256;  ///< of the file's bytes, followed by those of its bases and by "@" and another board
+  std::string sha256;  ///< of the bytes of the file and its bases, and of "@" and a replaced board's name
   const BoardSpec* board = nullptr;
   Budget budget;
   Chassis chassis;
@@ -170,13 +170,13 @@ struct Description {
   Driver driver;
   Electronics electronics;
   Battery battery;
-  std::vector<Register> registers;  ///< of shift registers and PWM drivers, as netlist.h numbers them
-  std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, the base's first
-  std::vector<SourceText> texts;                       ///< the file, and those of its bases
+  std::vector<Register> registers;  ///< of shift registers and PWM drivers, numbered as in netlist.h
+  std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, after those of the base
+  std::vector<SourceText> texts;                       ///< the file and its bases
 };
 
-/// Finds a robot's file by what users type: a path if it contains '/' or '.', else the stock robot of that
-/// name. Throws InputError naming the stock robots.
+/// Finds a robot's file by a path, which contains '/' or '.', or by the name of a stock robot. Throws
+/// InputError with a list of the stock robots.
 std::filesystem::path find_robot(const std::string& name_or_path);
 
 /// Returns the names of the stock robots, sorted.
@@ -186,20 +186,20 @@ std::vector<std::string> stock_robots();
 /// Throws InputError with file and line.
 Description load_description(const std::string& robot_name);
 
-/// Returns a robot's file merged with those that it is based on, as one file without a base and without
-/// defaults. Lines from other files have a comment with their place. Throws InputError.
+/// Returns a robot's file merged with its bases, as one file without a base and without defaults. Lines from
+/// bases have a comment with their place. Throws InputError.
 std::string full_text(const std::string& robot_name);
 
-/// Parses a robot from text; `file` is for messages, and `base` is next to it. The board `instead`, if given,
-/// replaces the file's own: pins keep their names (5, A0), the voltages of sensors their share of the supply.
-/// A budget is for the file's own board, and does not apply then.
+/// Parses a robot from text. `file` is for messages, and locates the file's `base`. The board `instead`, if
+/// not null, replaces the file's own board. Pins then keep their names (5, A0), and voltages of sensors keep
+/// their share of the supply. The budget does not apply to another board.
 Description parse_description(std::string_view text, const std::filesystem::path& file,
                               const BoardSpec* instead = nullptr);
 
-/// Returns a wire's name as robot files write it: "5", "A0", "REG1.Q4".
+/// Returns a wire's name in robot files: "5", "A0", "REG1.Q4".
 std::string pin_text(const Description&, Pin);
 
-/// Returns the driver chips that exist.
+/// Returns all driver chips.
 const std::vector<DriverChip>& driver_chips();
 
 }  // namespace robosim::robot

@@ -21,7 +21,7 @@ class AnalogInputs::Input final : public PinSource {
   double volts(SimTime t) override {
     double volts = source_.volts(t);
     if (scale_ == Scale::volts) volts /= all_.supply_.share;
-    // Every pin has noise samples of its own.
+    // Each pin has its own noise samples.
     if (all_.noise_volts_ > 0.0)
       volts += all_.noise_volts_ * all_.noise_.gauss(state_.samples++ * kMaxPins + pin_);
     return std::clamp(volts, 0.0, nominal_);

@@ -1,18 +1,19 @@
-// [electronics]: the path from the battery over the board's supply to its ADC. Without it the supply is
-// constant and the ADC exact.
+// [electronics]: the path from the battery through the board's supply to its ADC. Without this table, the
+// supply is constant and the ADC is exact.
 //
 //   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery; also the ADC's
 //                                                                     reference
 //   code   = volts / supply * steps + adc_noise g                     g: standard normal, new per conversion
 //
 // A sensor that outputs volts (a battery's divider, an infra-red distance sensor) therefore reads higher when
-// the supply drops. One that outputs a share of the supply (a reflectance sensor's divider, a current sensor
-// around its half) reads the same. But emitters get darker, with the current through their resistor:
+// the supply drops. A sensor that outputs a share of the supply (a reflectance sensor's divider, a current
+// sensor around its half) reads the same. The brightness of emitters drops with the current through their
+// resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets
 //
-// Other references (INTERNAL) and the bandgap do not drop. An AVR measures by them itself, as it knows the
-// supply's share of the nominal voltage (RobotPort::feed). Not modelled: a reset of the chip by low supply;
-// an STM32's VREFINT.
+// Other references (INTERNAL) and the bandgap do not drop. An AVR applies these references itself, since it
+// receives the supply's share of the nominal voltage (RobotPort::feed). Not modelled: a reset of the chip by
+// low supply; an STM32's VREFINT.
 #pragma once
 
 #include <memory>
@@ -28,7 +29,7 @@ namespace robosim::robot {
 
 struct Electronics {
   Parameter adc_noise;          ///< standard deviation of a conversion, in steps of the ADC
-  bool fed_by_battery = false;  ///< the board's supply sinks with the motors' battery; else it never does
+  bool fed_by_battery = false;  ///< the board's supply drops with the motors' battery; else it is constant
 };
 
 /// Reads [electronics]. Throws InputError.
@@ -36,26 +37,27 @@ Electronics read_electronics(const ConfigValue& table);
 
 /// The current state of a board's supply.
 struct Supply {
-  double share = 1.0;  ///< of the nominal one
-  double led = 1.0;    ///< brightness of an infra-red LED with its resistor, against that at the nominal one
+  double share = 1.0;  ///< relative to the nominal voltage
+  double led = 1.0;    ///< brightness of an infra-red LED with a resistor, relative to nominal voltage
 };
 Supply supply_at(double battery_volts, const BoardSpec& board);
 
 /// The reference of a sensor's volts.
 enum class Scale {
-  volts,            ///< nothing: it gives volts
-  share_of_supply,  ///< the board's supply: as it sinks, so do they
+  volts,            ///< none: the sensor outputs volts
+  share_of_supply,  ///< the board's supply: the volts are proportional to it
 };
 
 /// The ADC's inputs of a robot with [electronics].
 class AnalogInputs {
  public:
-  /// `noise_volts`: standard deviation of a conversion. `supply` and `snapshots` outlive this.
+  /// `noise_volts` is the standard deviation of a conversion. `supply` and `snapshots` must outlive this
+  /// object.
   AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts, const NoiseStream& noise,
                SnapshotRegistry& snapshots);
   ~AnalogInputs();
 
-  /// Connects as RobotPort::connect() does.
+  /// Connects a source to a pin, as RobotPort::connect() does.
   void connect(Pin pin, PinSource& source, Scale scale);
 
  private:

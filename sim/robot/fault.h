@@ -28,7 +28,7 @@ struct Fault {
   Sensor* sensor = nullptr;
 };
 
-/// A fault and its part. Valid as long as the robot.
+/// A fault and its part. Valid during the lifetime of the robot.
 struct PartFault {
   Breakable* part = nullptr;
   Fault fault;

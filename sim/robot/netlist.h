@@ -1,12 +1,12 @@
 // The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
-// registers and PWM drivers. A part that follows a level does not need to know which kind it is wired to.
+// registers and PWM drivers. A part that follows a level works with wires of both kinds.
 //
 //   number                 wire
 //   0 .. kMaxPins - 1      the board's pin of that number
 //   kMaxPins + 8 r + q     output q of the robot's register number r, in the file's order
 //
-// A shift register is one register, a PWM driver of 16 channels is two. Their outputs are named "REG1.Q0" to
-// "REG1.Q7" and "pwm.0" to "pwm.15".
+// A shift register counts as one register, and a PWM driver of 16 channels as two. Their outputs are named
+// "REG1.Q0" to "REG1.Q7" and "pwm.0" to "pwm.15".
 #pragma once
 
 #include <optional>
@@ -24,20 +24,21 @@ constexpr int kMostRegisters = 16;   ///< of one robot
 /// Eight outputs of a part.
 struct Register {
   std::string part;
-  int first_channel = -1;  ///< of a PWM driver: the number of its first output; else -1
+  int first_channel = -1;  ///< number of the first output of a PWM driver; else -1
 
   friend bool operator==(const Register&, const Register&) = default;
 };
 
-/// Returns the wire at output `q` of register number `index`; `q` may exceed one register, and continue in
-/// the next.
+/// Returns the wire at output `q` of register number `index`; `q` may exceed the register, and then continues
+/// in the next register.
 constexpr Pin output_pin(int index, int q) {
   return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
 }
 constexpr bool is_output(Pin pin) { return pin >= kMaxPins && pin != kNoPin; }
-/// Returns its name as robot files write it, "REG1.Q4"; `registers` are the robot's, in their order.
+/// Returns an output's name in robot files, such as "REG1.Q4". `registers` are the robot's registers, in
+/// order.
 std::string output_name(const std::vector<Register>& registers, Pin output);
-/// Returns the number of the part's first register; nothing if it has none.
+/// Returns the number of a part's first register; nullopt if the part has none.
 std::optional<int> register_of(const std::vector<Register>& registers, const std::string& part);
 static_assert(output_pin(kMostRegisters, 0) < kNoPin);
 
@@ -49,13 +50,13 @@ class Netlist {
     snapshots.add(state_);
   }
 
-  /// How a wire is driven. A shift register's output that is switched off is not driven.
+  /// Returns the drive of a wire. An output of a shift register is not driven while it is switched off.
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? state_.outputs[index_of(pin)] : board_.drive(pin);
   }
-  /// Watches as RobotPort::watch() does.
+  /// Watches a wire, as RobotPort::watch() does.
   void watch(Pin pin, PinWatcher& watcher);
-  /// For shift registers and PWM drivers: drives an output. Notifies watchers if it has changed.
+  /// Drives an output of a shift register or PWM driver. Notifies the watchers if the drive has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);
 
  private:

@@ -24,7 +24,7 @@ class Breakable {
  public:
   virtual const std::string& name() const = 0;
   virtual std::span<const FaultKind> fault_kinds() const = 0;
-  /// Applies a fault, which replaces an earlier one. `fault.failure` is one of fault_kinds().
+  /// Applies a fault, which replaces any earlier fault. `fault.failure` is one of fault_kinds().
   virtual void fail(const Fault& fault) = 0;
 
  protected:
@@ -35,9 +35,9 @@ class Breakable {
 class Pressable {
  public:
   virtual const std::string& name() const = 0;
-  /// Presses or releases it from `t` on.
+  /// Presses or releases the object from `t` on.
   virtual void hold(bool down, SimTime t) = 0;
-  /// Returns the button that then needs begin_tick until it has settled; null = none.
+  /// Returns the button that needs begin_tick() after hold() until it has settled; null = none.
   virtual ButtonPart* bounces() { return nullptr; }
 
  protected:
@@ -61,7 +61,7 @@ class Receiver {
 class TextOutput {
  public:
   virtual const std::string& name() const = 0;
-  /// Returns new text by `t`, the end of a tick; "" = none. Called once a tick.
+  /// Returns the new text at `t`, the end of a tick; "" = none. Called once per tick.
   virtual std::string poll_text(SimTime t) = 0;
 
  protected:
@@ -73,14 +73,14 @@ class Part;
 /// A sensor that detects other robots.
 struct Sightline {
   const Mount* mount;
-  double reach;  ///< m from there
+  double reach;  ///< m from the mount
 };
 
 /// The interfaces of the robot's parts. Each part registers itself.
 struct PartRegistry {
-  std::vector<Part*> ticking;  ///< want begin_tick in every tick
-  /// Parts that need begin_tick only while the board wants edges, and in the first tick after: most firmware
-  /// polls.
+  std::vector<Part*> ticking;  ///< parts that need begin_tick() in every tick
+  /// Parts that need begin_tick() only while the board requests edges, and in the first tick after that. Most
+  /// firmware polls, and needs no edges.
   std::vector<Part*> edge_makers;
   std::vector<Sensor*> sensors;  ///< floor sensors, in the file's order
   std::vector<Breakable*> breakable;
@@ -90,10 +90,10 @@ struct PartRegistry {
   std::vector<ServoPart*> servos;
   std::vector<FanPart*> fans;
   std::vector<Sightline> sightlines;
-  bool has_radio = false;                     ///< hears other robots, wherever they are
-  std::vector<Part*> supplied;                ///< have the board's supply, and want power()
+  bool has_radio = false;                     ///< the robot receives messages of other robots at any distance
+  std::vector<Part*> supplied;                ///< parts on the board's supply, which need power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
-  bool differential = false;                  ///< the left one drives both wheels
+  bool differential = false;                  ///< the left motor drives both wheels
 
   /// Returns Robot::sight().
   double sight() const;
@@ -106,7 +106,7 @@ class Part {
   virtual ~Part() = default;
   /// Registers the part. Called once, when all parts exist.
   virtual void register_with(PartRegistry&) = 0;
-  /// Finds the part that this one is mounted on. Called once, when all are registered.
+  /// Finds the part on which this part is mounted. Called once, when all parts are registered.
   virtual void resolve_mounts(const PartRegistry&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
@@ -114,7 +114,7 @@ class Part {
   virtual bool idles() const { return false; }
   /// Reports that the board's supply is switched off or on again.
   virtual void power(bool on, SimTime) { static_cast<void>(on); }
-  /// Appends its displayed readings, except those of floor sensors. Consumes no noise.
+  /// Appends the part's displayed readings, except those of floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}
 };
 

@@ -17,8 +17,8 @@
 
 namespace robosim::robot {
 
-/// Draws the parameters and the noise of one robot from (seed, number, part name). In the profile
-/// `ideal` every parameter is the file's, and there is no noise.
+/// Draws the parameters and the noise of one robot from (seed, number, part name). In the profile `ideal`,
+/// every parameter has the file's value, and there is no noise.
 class ParameterSampler {
  public:
   ParameterSampler(std::uint64_t seed, Profile profile, std::uint32_t number)
@@ -45,14 +45,14 @@ struct View {
   const world::Floor* floor = nullptr;
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
-  double battery = 1.0;  ///< its voltage, as a share of what this robot's has
+  double battery = 1.0;  ///< battery voltage, relative to the robot's healthy battery
   Supply supply;         ///< the supply of the board
   const world::World* world = nullptr;
-  std::size_t body_number = 0;  ///< of `body` in it
+  std::size_t body_number = 0;  ///< number of `body` in `world`
   world::RadioChannel* radio = nullptr;
 
-  /// Returns the pose at `t`, a time inside the current tick. Inlined, so that the caller need not wait for
-  /// it in memory.
+  /// Returns the pose at `t`, a time inside the current tick. Inlined, so that the result need not pass
+  /// through memory.
   [[gnu::always_inline]] Pose pose_at(SimTime t) const {
     const bool stands = body->speed() == 0.0 && body->side_speed() == 0.0 && body->turn_rate() == 0.0;
     return stands ? body->standing_pose() : body->pose_after(static_cast<double>(t - tick_start) * 1e-9);
@@ -72,7 +72,7 @@ class PartContext {
         snapshots(snapshots_),
         analog_(analog) {}
 
-  /// Connects a source that an ADC converts, as RobotPort::connect does.
+  /// Connects a source that an ADC converts, as RobotPort::connect() does.
   void connect_analog(Pin pin, PinSource& source, Scale scale) {
     if (analog_)
       analog_->connect(pin, source, scale);
@@ -82,13 +82,13 @@ class PartContext {
 
   const Description& description;
   RobotPort& board;
-  Netlist& netlist;  ///< how a part sees what the firmware drives
+  Netlist& netlist;  ///< shows a part how the firmware drives wires
   const View& view;
   const ParameterSampler& sampler;
-  SnapshotRegistry& snapshots;  ///< a part adds all of it that changes during a run, its State
+  SnapshotRegistry& snapshots;  ///< a part adds its State, which is everything that changes during a run
 
  private:
-  AnalogInputs* const analog_;  // null: there is nothing between the pins and the ADC
+  AnalogInputs* const analog_;  // null = nothing is between the pins and the ADC
 };
 
 }  // namespace robosim::robot

@@ -16,27 +16,27 @@ namespace robosim::robot {
 
 constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
-/// The function that a wire needs of its pin.
+/// The function that a wire requires of its pin.
 enum class PinUse {
   digital,  ///< any pin except one that is only an analog input
-  driven,   ///< what the part follows: a digital pin, or an output of a shift register or PWM driver
+  driven,   ///< followed by the part: a digital pin, or an output of a shift register or PWM driver
   analog,   ///< a pin with an ADC channel
 };
 
 /// The terminals that wires may be connected to.
 struct Terminals {
   const BoardSpec* board;
-  const BoardSpec* written_for;     ///< the file's own board, which its pins and volts refer to
+  const BoardSpec* written_for;     ///< the file's own board, to which its pins and volts refer
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the file's order
 };
 
-/// Reads ["70 mm", "0 mm"]. Throws InputError.
+/// Reads a point such as ["70 mm", "0 mm"]. Throws InputError.
 Vec2 as_point(const ConfigValue& value, const char* key);
-/// Reads a pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if there is
-/// no such pin, or it does not support `use`.
+/// Reads a pin by number or name, or an output such as "REG1.Q4" or "pwm.12". Throws InputError if the pin
+/// does not exist, or does not support `use`.
 Pin as_pin(const ConfigValue& value, const char* key, const Terminals&, PinUse use);
 
-/// A table reader that knows board and motor driver, and records the part's wires.
+/// A table reader with access to the board and the motor driver. Records the part's wires.
 class PartReader {
  public:
   PartReader(const ConfigValue& table, const Terminals&, const Driver&);
@@ -50,10 +50,11 @@ class PartReader {
   Parameter figure(const char* key, Dimension dimension, Parameter fallback, double least, double most) {
     return read_parameter(table_, key, dimension, fallback, least, most);
   }
-  /// Reads a voltage between 0 and the supply, or `most` if that is less; `fallback` is a share of the
-  /// supply. With a replaced board, it keeps its share of the supply.
+  /// Reads a voltage from 0 to the supply, or to `most` if that is less. `fallback` is a share of the supply.
+  /// If the board is replaced, the voltage keeps its share of the supply.
   Parameter volts(const char* key, Parameter fallback = {}, double most = 1e3);
-  /// Reads the parameter of each of `count` elements: one for all of them, or a list of that length.
+  /// Reads the parameter of each of `count` elements: one value for all elements, or a list of `count`
+  /// values.
   std::vector<Parameter> figures(const char* key, Dimension dimension, Parameter fallback, double least,
                                  double most, std::size_t count);
   /// Reads a voltage of each of `count` elements, as volts() does.
@@ -64,26 +65,26 @@ class PartReader {
   /// Reads an angle in rad; the bounds are inclusive.
   double angle(const char* key, double fallback = 0.0, double least = -2.0 * std::numbers::pi,
                double most = 2.0 * std::numbers::pi);
-  /// Reads the wire of that key, which is required.
+  /// Reads the wire of a required key.
   Pin pin(const char* key, PinUse use);
-  /// Reads a wire, or returns kNoPin.
+  /// Reads the wire of an optional key, or returns kNoPin.
   Pin optional_pin(const char* key, PinUse use);
   /// Wires the board's SDA and SCL, which several parts may share. Throws InputError for a board without
   /// them.
   void take_two_wire();
-  /// Reads key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
+  /// Reads the key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
   std::vector<Pin> pin_list(PinUse use, std::size_t most, const char* key = "pins", const char* role = "");
-  /// Reads key `pins` as a table of roles, which must be exactly one of `groups`. The pins are in the group's
-  /// order; `chosen` is its index.
+  /// Reads the key `pins` as a table of roles, which must match one of `groups` exactly. Returns the pins in
+  /// the group's order. Sets `chosen` to the group's index.
   std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen,
                              PinUse use = PinUse::digital);
 
   /// Reads the key `wheel`, or else the part's name: left or right.
   Side wheel();
-  /// Reads key `key`, "high" or "low", and returns whether it is "high".
+  /// Reads the key `key`, "high" or "low", and returns whether it is "high".
   bool high(const char* key, bool fallback);
 
-  /// Finishes reading (unknown keys throw), and fills in what all parts share.
+  /// Fills in the members that all parts share. Throws InputError for unknown keys.
   std::shared_ptr<const PartSpec> finish(std::shared_ptr<PartSpec> spec);
 
  private:

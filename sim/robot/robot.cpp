@@ -122,7 +122,7 @@ struct Robot::Impl {
     world::WheelCommand command[2];
     std::size_t last_seen = 0;  // the sensor that saw the line last
     double charge = 0.0;        // of a battery, 0..1
-    bool is_forced = false;     // a script sets its voltage
+    bool is_forced = false;     // a script sets the battery's voltage
   };
 
   const Description& description;

@@ -29,9 +29,9 @@ struct Description;
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& robot_name);
 
-/// A level for display. It has no noise, and does not consume a sample of it.
+/// A level for display. The level has no noise, and does not consume a sample of noise.
 struct Reading {
-  std::string_view part;  ///< "S1" … for elements of an array, else the part's name; the robot keeps it
+  std::string_view part;  ///< "S1" … for elements of an array, else the part's name; owned by the robot
   double value;           ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
@@ -66,33 +66,34 @@ class Robot {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Takes step (1) of a tick: parts schedule their edges from the state at `t`.
+  /// Performs step (1) of a tick: parts schedule their edges from the state at `t`.
   void begin_tick(SimTime t);
-  /// Takes step (3): motor commands become the time average of their pins over the tick that ends at `t`.
-  /// Returns whether one has changed.
+  /// Performs step (3) of a tick: averages the motor commands over the tick that ends at `t`. Returns whether
+  /// a command has changed.
   bool end_tick(SimTime t);
-  /// Returns whether both steps would do nothing in further ticks. Nothing may touch the body, firmware must
-  /// not access the board, and no script may act. Then only begin_idle_tick() is needed.
+  /// Returns whether both steps would do nothing in further ticks, so that only begin_idle_tick() is needed.
+  /// This ends when anything touches the body, firmware accesses the board, or a script acts.
   bool idles() const;
   void begin_idle_tick(SimTime t);
 
   /// Returns whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
-  /// Returns the lateral position of those sensors whose footprints touch the line, to the left of the body's
-  /// middle: their mean, weighted by the share of each on the line, m. 0 if there is none.
+  /// Returns the mean lateral position of the sensors that touch the line, m to the left of the body's
+  /// middle. The weight of a sensor is the share of its footprint on the line. Returns 0 if no footprint
+  /// touches the line.
   double line_side() const;
-  /// Returns whether it has any reflectance sensor.
+  /// Returns whether the robot has any reflectance sensor.
   bool has_line_sensors() const;
   /// Returns the midpoint of the reflectance sensors in the body's frame, m, where the cross-track error is
-  /// measured. (0, 0) without any.
+  /// measured. (0, 0) without such sensors.
   Vec2 sensor_midpoint() const;
-  /// Returns the distance from its axle's centre within which it may notice another robot, m: 0 without
-  /// distance sensors. It is infinite with a radio. It is infinite with a fan, too, since that changes its
-  /// grip, and so its possible speed.
+  /// Returns the distance from the axle's centre within which the robot may detect another robot, m; 0
+  /// without distance sensors. The distance is infinite with a radio. It is also infinite with a fan, which
+  /// changes the robot's grip, and therefore its possible speed.
   double sight() const;
-  /// Returns whether it has parts that report text.
+  /// Returns whether the robot has parts that report text.
   bool has_text_outputs() const { return has_text_outputs_; }
-  /// Collects the text that its parts report at `t`, the end of a tick.
+  /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
   /// Returns whether the last tick's commands drive a motor.
   bool driven() const { return command_[0].drive != 0.0 || command_[1].drive != 0.0; }
@@ -102,25 +103,26 @@ class Robot {
 
   /// Returns the voltage of a healthy battery ([motors] supply, as drawn for this robot).
   double battery() const;
-  /// Holds the battery at this voltage: it affects the motors, and the parts that measure it. Without a value
-  /// the healthy voltage returns; one of [battery] sags and discharges by itself.
+  /// Fixes the battery's voltage, which affects the motors and the parts that measure it. nullopt restores
+  /// the healthy voltage; a [battery] then sags and discharges by itself.
   void set_battery(std::optional<double> volts);
-  /// Returns the voltage of a [battery] under its present load; nothing if there is none, or a script sets
-  /// its volts.
+  /// Returns the voltage of a [battery] under its present load; nullopt without a [battery], or if a script
+  /// sets the voltage.
   std::optional<double> fed_volts() const;
-  /// Returns whether it has a [battery].
+  /// Returns whether the robot has a [battery].
   bool has_battery() const { return has_battery_; }
   /// Returns the present battery voltage.
   double volts() const;
-  /// Returns the charge of a [battery], 0..1, or below 0 when it collapses; nothing if there is none.
+  /// Returns the charge of a [battery], 0..1, or below 0 when its voltage collapses; nullopt without a
+  /// [battery].
   std::optional<double> charge() const;
 
-  /// Saves all state that changes during a run, except its body and its board.
+  /// Saves all state that changes during a run, except that of the body and the board.
   SnapshotRegistry::Snapshot save() const;
   /// Restores a result of this robot's save().
   void restore(const SnapshotRegistry::Snapshot& saved);
 
-  // Scripts. Each throws InputError naming the parts, or fault kinds, that exist.
+  // Functions for scripts. Each throws InputError with a list of the existing parts or fault kinds.
   /// Press and release a button from `t` on, which is not before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
@@ -131,7 +133,7 @@ class Robot {
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
   /// Kinds and arguments are in docs/reference/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
-  /// Do so in two steps: the words are read before the run, and the fault comes later.
+  /// Break a part in two steps: read_fault() before the run, and fault() when the fault occurs.
   PartFault read_fault(const std::string& part, const std::string& kind,
                        const std::vector<std::string>& arguments) const;
   void fault(const PartFault& fault);
@@ -139,10 +141,10 @@ class Robot {
   /// Returns the names that fault() accepts.
   std::vector<std::string> breakable() const;
 
-  // Check whether the calls above would be accepted: they throw the same InputError, and change nothing.
+  // Check whether the calls above would be accepted. They throw the same InputError, and change nothing.
   void check_press(const std::string& part) const;
   void check_send(const std::string& part, const Message& message) const;
-  /// Checks that a part of this name exists that may report text.
+  /// Checks that a part of this name exists and may report text.
   void check_tells(const std::string& part) const;
   void check_cover(const std::string& part) const;
 
@@ -153,7 +155,7 @@ class Robot {
     read(all);
     return all;
   }
-  /// Appends them.
+  /// Appends the readings to `readings`.
   void read(std::vector<Reading>& readings) const;
 
   /// Returns every wired pin, in the order of the robot file.

@@ -1,5 +1,5 @@
-// A robot file merged with those that it is based on, as one tree. The derived file takes precedence over
-// its base. It does so key by key in [chassis], [motors], [driver] and [budget], and part by part by names.
+// A robot file merged with its bases, as one tree. The derived file overrides its base key by key in
+// [chassis], [motors], [driver] and [budget]. It overrides parts by name.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,8 @@ namespace robosim::robot {
 
 struct RobotSource {
   ConfigValue tree;
-  std::vector<SourceText> texts;  ///< the file's own, then those of its bases
-  /// The place that names each base: the key "base" of the file that is based on it.
+  std::vector<SourceText> texts;  ///< texts of the file, then of its bases
+  /// The place that names each base: the key `base` of the derived file.
   std::map<std::string, Place> based_on;
 };
 
@@ -26,11 +26,11 @@ std::string bytes_of(const RobotSource& source);
 /// Returns "uno5.toml:12"; for a place in a base "uno5.toml:12, which my.toml:1 extends".
 std::string place_text(const RobotSource& source, const Place& place);
 
-/// Reads a robot with its bases. Throws InputError if it is not TOML, a base or a part to remove is missing,
-/// or there are more than 8 bases.
+/// Reads a robot with its bases. Throws InputError if the text is not TOML, or a base or a part to remove is
+/// missing. Also throws beyond 8 bases.
 RobotSource read_source(std::string_view text, const std::filesystem::path& file);
 
-/// Returns the text of a key in a table; empty if it has none.
+/// Returns the text of a key in a table; empty if the table has no such text.
 std::string text_of(const ConfigValue& table, const char* key);
 
 }  // namespace robosim::robot

@@ -6,7 +6,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr std::size_t kLongestLine = 200;
-constexpr std::size_t kMostLines = 100;            // that wait to be reported, one in each tick
+constexpr std::size_t kMostLines = 100;            // waiting to be reported, one in each tick
 constexpr SimTime kLineEnds = 200 * kMillisecond;  // without another byte
 
 constexpr FaultKind kBluetoothFaults[] = {

@@ -1,8 +1,8 @@
 // type = "bluetooth": a serial module (HC-05, HC-06 and similar). A script sends lines to the sketch through
 // it (`send bt "go\n"`), and what the sketch sends is reported line by line.
 //
-// Its line to the board: serial_line.h. A frame whose stop bit is low is reported as "?". 9600 baud is the
-// factory setting of such modules (HC-03/05 serial command set).
+// serial_line.h describes the line to the board. A frame whose stop bit is low is reported as "?". 9600 baud
+// is the factory setting of such modules (HC-03/05 serial command set).
 //
 // Not modelled: pairing, AT commands and radio transmission.
 #pragma once

@@ -1,12 +1,12 @@
 // type = "button": a push button between a pin and ground (active = "low") or the supply (active = "high").
 //
-// Pressed, it drives the pin. Released, its own resistor does (resistor = true), or the pin's pull-up.
-// Without either the pin floats: it reads low in the profile `ideal`, and a new random level every
-// millisecond in `typical`.
+// A pressed button drives the pin. When it is released, its own resistor (resistor = true) or the pin's
+// pull-up drives the pin. Without either, the pin floats: it reads low in the profile `ideal`, and a new
+// random level every millisecond in `typical`.
 //
-// In `typical` a contact bounces: after each press and release it opens and closes up to 4 more times within
-// `bounce`, which is drawn each time. 1.6 ms is the mean of 18 switches in J. Ganssle, "A Guide to
-// Debouncing".
+// In `typical`, the contact bounces: after each press and release, it opens and closes up to 4 more times
+// within `bounce`. The number and times of the bounces are random. 1.6 ms is the mean of 18 switches in J.
+// Ganssle, "A Guide to Debouncing".
 #pragma once
 
 #include "sim/base/noise.h"
@@ -28,7 +28,7 @@ class ButtonSpec : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Reads a button's table, into its own spec or that of a part that contains a button.
+/// Reads a button's keys into its own spec, or into the spec of a part that contains a button.
 std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
 
 class ButtonPart : public Part, public PinSource, public Pressable, public Breakable {
@@ -57,14 +57,14 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
   bool closed(SimTime t) const;
   /// Returns whether something drives the pin at `t`: the contact, or a fault.
   bool pulls(SimTime t) const;
-  /// Returns whether nothing does, including a resistor.
+  /// Returns whether nothing drives the pin, not even a resistor.
   bool floats(SimTime t) const;
 
   struct State {
     std::uint64_t moves = 0;
     bool down = false;
-    bool was_closed = false;     // before the first of flips
-    std::vector<SimTime> flips;  // when the contact changes, after the last hold
+    bool was_closed = false;     // before the first of `flips`
+    std::vector<SimTime> flips;  // times at which the contact changes after the last hold()
     std::size_t announced = 0;   // number of flips that have been scheduled
     Stuck stuck = Stuck::no;
   };

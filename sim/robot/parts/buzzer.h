@@ -1,6 +1,6 @@
-// type = "buzzer": a buzzer, which people hear; nothing else depends on it. An active one sounds while its
-// pin is high. A passive one follows its pin. Its pitch is that of tone(), or of the pin's last two rising
-// edges, and ends 50 ms after the last. PWM by a timer counts as 490 Hz, whatever the timer's frequency.
+// type = "buzzer": a buzzer, whose sound affects nothing else. An active buzzer sounds while its pin is high.
+// A passive buzzer follows its pin. Its pitch is that of tone(), or of the pin's last two rising edges until
+// 50 ms after the last edge. PWM by a timer counts as 490 Hz, whatever the timer's frequency.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -28,7 +28,7 @@ class BuzzerPart final : public Part, public PinWatcher {
 
   void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Reads the frequency of a passive buzzer in Hz, 0 if silent; 1 while an active one sounds.
+  /// Appends the frequency of a passive buzzer in Hz, or 1 for an active buzzer that sounds; 0 = silent.
   void read(std::vector<Reading>&) const override;
 
  private:

@@ -3,8 +3,8 @@
 // In quarter periods, with the wheel's angle a (rad) and `periods` per turn of the wheel:
 //   q = 4 periods a / (2 pi) + 1.5
 //   channel A is high where floor(q) mod 4 is 0 or 1, channel B where it is 1 or 2
-// So in forward motion A leads B, and a wheel that has never turned has both high. A wheel's rate is constant
-// within a tick, and every edge has its exact time, to the nanosecond.
+// In forward motion, A therefore leads B. Both are high if the wheel has never turned. A wheel's rate is
+// constant within a tick. Each edge is exact to the nanosecond.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -59,7 +59,7 @@ class EncoderPart final : public Part, public Breakable {
   void announce(std::int64_t from, std::int64_t to);
 
   struct State {
-    // q at the start of the tick looked_at, and its slope; updated when it is read.
+    // q at the start of the tick `looked_at`, and its slope. Updated when q is read.
     double at = 1.5;
     double per_ns = 0.0;
     SimTime looked_at = -1;

@@ -1,14 +1,14 @@
-// type = "fan": presses the robot down, as a ducted fan under a skirt or a propeller does. A transistor on
-// its pin switches it; firmware sets its speed by PWM.
+// type = "fan": a fan that presses the robot down: a ducted fan under a skirt, or a propeller. A transistor
+// on its pin switches the fan; firmware sets the speed by PWM.
 //
-//   du/dt = (s - u) / spin_up       s: the duty cycle of its pin; u: its speed, relative to full speed
+//   du/dt = (s - u) / spin_up       s: duty cycle of the pin; u: speed relative to full speed
 //   F     = downforce g u^2         half on each wheel, added to [chassis] downforce
 //
 // u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h has the effect
 // on grip and rolling resistance. Source: thrust and suction of a fan grow with the square of its speed.
 //
-// Not modelled: its current from the battery, and the slowdown by that; a controller (ESC) that needs servo
-// pulses; leaks on an uneven floor.
+// Not modelled: the fan's current from the battery, and the resulting slowdown; a controller (ESC) that needs
+// servo pulses; leaks on an uneven floor.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -22,13 +22,13 @@ std::shared_ptr<const PartSpec> read_fan(PartReader&);
 class FanSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Parameter downforce;  ///< kg, the weight of its downforce at full speed
+  Parameter downforce;  ///< kg, mass whose weight equals the downforce at full speed
   Parameter spin_up;    ///< s
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading is its speed, relative to full speed.
+/// A fan, whose reading is its speed relative to full speed.
 class FanPart final : public Part {
  public:
   FanPart(const FanSpec&, PartContext&);
@@ -37,20 +37,20 @@ class FanPart final : public Part {
   void begin_tick(SimTime) override;
   void power(bool on, SimTime) override { state_.powered = on; }
   void read(std::vector<Reading>&) const override;
-  /// Sets the body that it presses down. Called once.
+  /// Sets the body that the fan presses down. Called once.
   void press_on(world::Body& body) { body_ = &body; }
 
  private:
   struct State {
     double speed = 0.0;
-    double newtons = 0.0;  // its downforce
+    double newtons = 0.0;  // the current downforce
     bool powered = true;
   };
 
   const FanSpec& spec_;
   PartContext& context_;
   const double most_;   // N
-  const double share_;  // of the difference to the target speed, per tick
+  const double share_;  // share of the difference to the target speed, per tick
   world::Body* body_ = nullptr;
   State state_;
 };

@@ -30,14 +30,14 @@ void Hd44780::write(bool is_data, std::uint8_t lines, SimTime t) {
     instruct(byte);
 }
 
-// Decodes by the highest set bit: table 6 of the data sheet.
+// Executes an instruction. The highest set bit selects the instruction: table 6 of the data sheet.
 void Hd44780::instruct(std::uint8_t code) {
   if (code & 0x80) {  // address
     in_pictures_ = false;
     const int wanted = code & 0x7F;
     const int line = two_lines_ && wanted >= 0x40 ? kLine : 0;
     address_ = (line + (two_lines_ ? wanted & 0x3F : wanted)) % (2 * kLine);
-  } else if (code & 0x40) {  // picture of a character
+  } else if (code & 0x40) {  // address of a character's picture
     in_pictures_ = true;
   } else if (code & 0x20) {  // function set
     wide_ = code & 0x10;

@@ -1,5 +1,5 @@
-// The controller of character displays, HD44780U (Hitachi data sheet ADE-207-272): what is written to it, and
-// what it shows. The part that wires it, to pins or to a port expander, calls write() on E's falling edge.
+// The controller of character displays, HD44780U (Hitachi data sheet ADE-207-272). The part that contains the
+// controller, on pins or on a port expander, calls write() on E's falling edge.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
 //   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are
@@ -7,8 +7,8 @@
 //   memory                80 characters: lines of 40, at 0x00 and 0x40
 //
 // Modelled: clear, home, entry mode with shift, display on and off, cursor and display shift, function set,
-// set address, data. Of user-defined characters (codes 0 to 7) the code is known, not the picture. Not
-// modelled: reading back, the cursor's looks, fonts.
+// set address, data. For user-defined characters (codes 0 to 7), the code is stored, not the picture. Not
+// modelled: reading back, the appearance of the cursor, fonts.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ namespace robosim::robot {
 /// A display controller, as a copyable value.
 class Hd44780 {
  public:
-  /// Handles the falling edge of E at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring has the upper
+  /// Handles the falling edge of E at `t`; `lines` are DB0 to DB7, of which a 4-bit wiring uses the upper
   /// four.
   void write(bool is_data, std::uint8_t lines, SimTime t);
 
-  /// Returns the visible text of a display of that size, its lines joined by "|", without trailing spaces; ""
-  /// while it is off.
+  /// Returns the visible text of a display of this size, without trailing spaces. Joins lines by "|". Returns
+  /// "" while the display is off.
   std::string text(int columns, int rows) const;
-  /// Returns when text() last may have changed.
+  /// Returns the time at which text() may last have changed.
   SimTime changed_at() const { return changed_at_; }
-  /// Returns the number of writes that came while it was busy.
+  /// Returns the number of writes that were lost while the controller was busy.
   int lost() const { return lost_; }
 
  private:
@@ -43,7 +43,7 @@ class Hd44780 {
 
   std::array<std::uint8_t, 2 * kLine> memory_ = blank();
   int address_ = 0;    // index in memory_
-  int shift_ = 0;      // of the display, in columns
+  int shift_ = 0;      // shift of the display, in columns
   bool wide_ = true;   // 8 bits, as at power-on
   bool half_ = false;  // the high half of a 4-bit transfer has arrived
   std::uint8_t high_ = 0;

@@ -1,4 +1,4 @@
-// type = "led": a light, which people see; nothing else depends on it.
+// type = "led": an LED, whose light affects nothing else.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -17,7 +17,7 @@ class IndicatorSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading is its brightness.
+/// An LED, whose reading is its brightness.
 class IndicatorPart final : public Part {
  public:
   IndicatorPart(const IndicatorSpec& spec, PartContext& context) : spec_(spec), context_(context) {}

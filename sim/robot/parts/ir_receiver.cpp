@@ -20,7 +20,7 @@ constexpr FaultKind kIrReceiverFaults[] = {
     {Failure::dead, "nothing arrives"},
 };
 
-/// Adds light for `on`, then none for `off`.
+/// Adds light for `on`, then a pause for `off`. Returns the end of the pause.
 SimTime add_mark(PulseTrain& line, SimTime at, SimTime on, SimTime off) {
   line.flip(at);
   line.flip(at + on);

@@ -9,7 +9,7 @@
 // The bits are address, its inverse, command, its inverse, each with its lowest bit first. Source:
 // SB-Projects and Vishay application note 80071, "Data Formats for IR Remote Control".
 //
-// Not modelled: carrier, distance, sunlight, and the few 10 us by which a receiver stretches pulses.
+// Not modelled: carrier, distance, sunlight, and the stretching of pulses by the receiver (some 10 us).
 #pragma once
 
 #include "sim/robot/part.h"

@@ -75,7 +75,7 @@ void KeypadPart::hold(std::size_t key, bool down, SimTime t) {
 }
 
 bool KeypadPart::level(std::size_t lead) const {
-  // All leads that the pressed keys connect to it, one bit each.
+  // All leads that the pressed keys connect to `lead`, one bit each.
   std::uint32_t joined = 1u << lead;
   const std::size_t columns = spec_.columns.size();
   for (std::uint32_t before = 0; joined != before;) {

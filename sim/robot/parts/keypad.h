@@ -1,9 +1,10 @@
-// type = "keypad": a matrix of keys, each of which connects the wires of its row and its column: `press
-// keypad.5 100ms`.
+// type = "keypad": a matrix of keys. Each key connects the wires of its row and its column. Scripts press
+// keys: `press keypad.5 100ms`.
 //
-// It contains only keys. So a pin has the level of whatever drives one of the wires that the pressed keys
-// connect it to. Else it is high if it, or one of those, has a pull-up. Else it floats, and reads low. Three
-// keys on corners of a rectangle show a fourth, as in a matrix without diodes. Not modelled: bounce.
+// The matrix contains only keys. A pin has the level of any driven wire to which the pressed keys connect it.
+// If no such wire is driven, the pin is high if a connected wire has a pull-up. Otherwise it floats, and
+// reads low. Three pressed keys on corners of a rectangle simulate the fourth, as in a matrix without diodes.
+// Not modelled: bounce.
 #pragma once
 
 #include <array>
@@ -45,7 +46,7 @@ class KeypadPart final : public Part {
     const std::string name_;
     const std::size_t number_;
   };
-  /// One wire, rows first.
+  /// One wire; the rows come first.
   class Lead final : public PinSource {
    public:
     Lead(KeypadPart& keypad, std::size_t number) : keypad_(keypad), number_(number) {}

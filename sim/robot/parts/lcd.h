@@ -1,8 +1,10 @@
-// type = "lcd": a character display with an HD44780 (hd44780.h) on pins: 4 or 8 data lines, R/W to ground or
-// on a pin. Its text is reported as an event once it has stayed for 50 ms, its lines joined by "|". E must be
-// high for at least 230 ns. A sketch that reads the busy flag (R/W high) always finds it ready.
+// type = "lcd": a character display with an HD44780 (hd44780.h) on pins: 4 or 8 data lines, with R/W to
+// ground or on a pin. Text that has stayed for 50 ms is reported as an event, with its lines joined by "|". E
+// must be high for at least 230 ns. A sketch that reads the busy flag (R/W high) always finds the display
+// ready.
 //
-// Not modelled: contrast, backlight, and the first 40 ms after power-on, in which a real one ignores input.
+// Not modelled: contrast, backlight, and the first 40 ms after power-on, in which a real display ignores
+// input.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -19,7 +21,7 @@ class LcdSpec final : public PartSpec {
  public:
   Pin rs = kNoPin;
   Pin enable = kNoPin;
-  Pin rw = kNoPin;        ///< kNoPin = to ground
+  Pin rw = kNoPin;        ///< kNoPin = wired to ground
   std::vector<Pin> data;  ///< D4 to D7, or D0 to D7
   int columns = 16;
   int rows = 2;
@@ -35,7 +37,7 @@ class LcdPart final : public Part, public PinWatcher, public TextOutput {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// Reads 1 while the display shows text.
+  /// Appends 1 while the display shows text, else 0.
   void read(std::vector<Reading>&) const override;
 
  private:

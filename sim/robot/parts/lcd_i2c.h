@@ -3,9 +3,9 @@
 //
 //   P0 RS    P1 R/W    P2 E    P3 backlight    P4 to P7 D4 to D7
 //
-// Data is read on E's falling edge. Its text is reported like that of an `lcd`. Reading returns what was
-// written: libraries for such backpacks do not read the busy flag, since at 100 kHz a byte takes longer than
-// the display is busy.
+// Data is read on E's falling edge. Text is reported as for an `lcd`. Reading returns the byte that was
+// written. Libraries for such backpacks do not read the busy flag: at 100 kHz a byte takes longer than the
+// display is busy.
 #pragma once
 
 #include "sim/robot/parts/hd44780.h"
@@ -35,7 +35,7 @@ class LcdI2cPart final : public Part, public TwoWireDevice, public TextOutput {
   std::uint8_t read(SimTime) override { return state_.pins; }
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// 1 while it shows text.
+  /// Appends 1 while the display shows text, else 0.
   void read(std::vector<Reading>&) const override;
 
  private:

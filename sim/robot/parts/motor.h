@@ -13,7 +13,7 @@ std::shared_ptr<const PartSpec> read_motor(PartReader&);
 class MotorSpec final : public PartSpec {
  public:
   Side wheel = world::left;
-  bool both = false;      ///< it drives both wheels, through a differential; `wheel` is then left
+  bool both = false;      ///< the motor drives both wheels through a differential; `wheel` is then left
   bool reversed = false;  ///< the motor's two leads are swapped
   bool phase = false;     ///< PHASE/ENABLE: `in1` is PHASE
   Pin en = kNoPin;        ///< kNoPin = tied high
@@ -33,9 +33,9 @@ class MotorPart final : public WheelMotor, public PinWatcher {
 
  private:
   void take(Pin, const PinDrive&);
-  /// Returns the command by the present pins.
+  /// Returns the command for the present state of the pins.
   world::WheelCommand told() const;
-  /// Returns the period of their PWM in s, as bridge_command() takes it.
+  /// Returns the period of the pins' PWM in s, for bridge_command().
   double period() const;
 
   /// Shares of time at high level. A pin that is not wired keeps its initial value.

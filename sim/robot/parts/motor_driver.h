@@ -1,4 +1,4 @@
-// Motor drivers: the effect of their inputs on a motor, averaged over a PWM period.
+// Computes the effect of a motor driver's inputs on a motor, averaged over a PWM period.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline double high_share(const PinDrive& drive) {
   if (drive.pwm) return drive.duty;
   return drive.level ? 1.0 : 0.0;
 }
-/// Returns the period of its PWM, s; 0 if it has none, or it is unknown.
+/// Returns the period of a pin's PWM, s; 0 = no PWM, or an unknown period.
 double period_of(const PinDrive& drive);
 
 /// One half of a driver: shares of time for which its inputs are high.
@@ -25,14 +25,14 @@ struct BridgeInputs {
   double in1 = 0.0;
   double in2 = 0.0;
   bool phase = false;     ///< PHASE/ENABLE wiring: in1 is PHASE (high = forward), in2 is its complement
-  double period_s = 0.0;  ///< of their PWM; 0 = none, or unknown
+  double period_s = 0.0;  ///< period of the inputs' PWM; 0 = no PWM, or unknown
 };
 
-/// Returns the motor command for these inputs. Their PWM is assumed to be in phase: every input is high from
-/// the start of the period for its share of it, as for pins of one timer. With f, r, s the shares of forward,
-/// reverse, shorted by the chip's table:
+/// Returns the motor command for these inputs. Assumes that the inputs' PWM is in phase, as for pins of one
+/// timer: each input is high from the start of the period. Let f, r and s be the shares of forward, reverse
+/// and shorted by the chip's table:
 ///   drive = f - r,  brake = s + 2 min(f, r),  against = min(f, r)
-/// because equal forward and reverse shares hold the motor at 0 V, which brakes it.
+/// Equal forward and reverse shares hold the motor at 0 V, which brakes it.
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
 
 /// The durations of the chip's actions, as shares of time.
@@ -56,7 +56,7 @@ class BridgeShares {
   double share_[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// Returns bridge_command() if inputs other than the enable input divide the time, too.
+/// Returns bridge_command() for inputs of which in1 or in2 has PWM.
 world::WheelCommand divided_command(const DriverChip& chip, BridgeInputs inputs);
 
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {

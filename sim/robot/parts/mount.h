@@ -1,4 +1,5 @@
-// The place and direction of a sensor that looks along the floor, fixed to the body or on a servo's horn.
+// The place and direction of a sensor that looks along the floor. The sensor is fixed to the body, or to a
+// servo's horn.
 #pragma once
 
 #include <string>
@@ -9,12 +10,12 @@
 
 namespace robosim::robot {
 
-/// The keys `at`, `facing` and `on`. On a servo, place and direction apply to its middle position: `at`
-/// forward and left of its axis, `facing` relative to its own.
+/// The keys `at`, `facing` and `on`. On a servo, they apply to the servo's middle position: `at` is forward
+/// and left of the servo's axis, and `facing` is relative to the servo's direction.
 struct MountSpec {
   Vec2 at;              ///< m
   double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise
-  std::string servo;    ///< its name; "" = fixed to the body
+  std::string servo;    ///< name of the servo; "" = fixed to the body
   Place servo_place;    ///< in the file
 };
 
@@ -23,12 +24,12 @@ MountSpec read_mount(PartReader&);
 class Mount {
  public:
   Mount(const MountSpec& spec, const View& view);
-  /// Looks up its servo.
+  /// Looks up the servo.
   void resolve_mounts(const PartRegistry&);
 
   /// Returns the maximum distance from the axle's centre, m.
   double arm() const;
-  /// Returns its pose in the world, at `t`, a time inside the current tick.
+  /// Returns the sensor's pose in the world at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const;
 
  private:

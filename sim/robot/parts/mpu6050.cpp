@@ -22,7 +22,7 @@ constexpr double kCodeAt25 = (25.0 - 36.53) * 340.0;
 constexpr Parameter kBias{0.0, 20.0 * kDegree}, kGyroNoise{0.05 * kDegree, 0.0};
 constexpr Parameter kScale{1.0, 0.0, Spread{1.0, 0.03}}, kAccelBias{0.0, 0.0, Spread{0.0, 0.05}};
 
-// Returns the full scale, by bits 3 and 4 of the configuration.
+// Returns the LSB per unit that bits 3 and 4 of the configuration select.
 double scale(double finest, std::uint8_t config) { return finest / (1 << (config >> 3 & 3)); }
 
 }  // namespace
@@ -85,7 +85,7 @@ void Mpu6050Part::put(std::uint8_t number, double value) {
   at(static_cast<std::uint8_t>(number + 1)) = static_cast<std::uint8_t>(code);
 }
 
-// Takes the newest sample, if there is one since the last transfer.
+// Stores the newest sample, if there is one since the last transfer.
 void Mpu6050Part::hold(SimTime t) {
   if (asleep()) return;
   const bool filters = (at(kConfig) & 7) != 0 && (at(kConfig) & 7) != 7;

@@ -11,9 +11,9 @@
 //   accel_bias   +-50 mg from typical@2 on (6.2; z: 80), one per axis; before, 0
 //   noise        0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
 //
-// dv/dt is that of the last tick. Samples are taken at 8 kHz / (1 + SMPLRT_DIV), or 1 kHz with a low-pass
-// filter, and each transfer returns the newest. After power-on it is asleep (PWR_MGMT_1 = 0x40) and measures
-// nothing. Other registers keep what is written.
+// dv/dt is the acceleration in the last tick. The sampling rate is 8 kHz, or 1 kHz with a low-pass filter,
+// divided by 1 + SMPLRT_DIV. Each transfer returns the newest sample. After power-on the sensor is asleep
+// (PWR_MGMT_1 = 0x40) and measures nothing. Other registers store any value written.
 //
 // Not modelled: FIFO (its count stays 0), motion processor, interrupts on pin INT, the low-pass filter,
 // vibration.
@@ -29,7 +29,7 @@ std::shared_ptr<const PartSpec> read_mpu6050(PartReader&);
 class Mpu6050Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
-  double facing = 0.0;   ///< rad: where its x axis points to, from ahead, counter-clockwise
+  double facing = 0.0;   ///< rad, direction of the x axis: 0 ahead, counter-clockwise
   Parameter bias;        ///< rad/s
   Parameter scale;       ///< gyroscope reading per rad/s
   Parameter accel_bias;  ///< g
@@ -45,7 +45,7 @@ class Mpu6050Part final : public Part, public RegisterDevice {
 
   void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
-  /// Returns the measured turn rate, without noise.
+  /// Appends the measured turn rate, without noise.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
 

@@ -3,10 +3,10 @@
 //   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, written while it sleeps
 //   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
 //
-// Other parts name its channels as pins: "pwm.12". They change with the STOP of a transfer, immediately
-// rather than with the next period. Outputs that have changed and stayed for 50 ms are reported as the
-// on-times of all that are not off: "0:1500us 3:on". After power-on it sleeps (MODE1 = 0x11), without output.
-// Registers are consecutive only with the bit AI of MODE1.
+// Other parts refer to the channels as pins: "pwm.12". Channels change at the STOP of a transfer, immediately
+// rather than with the next period. Outputs that have changed and then stayed for 50 ms are reported. The
+// report contains the on-times of all channels that are not off: "0:1500us 3:on". After power-on the driver
+// sleeps (MODE1 = 0x11), without output. The register number advances only if the bit AI of MODE1 is set.
 //
 // Not modelled: addresses for several chips, outputs that change at the acknowledge (OCH), inverted or
 // open-drain outputs (MODE2), an external clock.
@@ -22,7 +22,7 @@ std::shared_ptr<const PartSpec> read_pca9685(PartReader&);
 class Pca9685Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
-  int index = 0;  ///< of its first register: its outputs are output_pin(index, 0 .. 15)
+  int index = 0;  ///< number of the first register: the outputs are output_pin(index, 0 .. 15)
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };
@@ -34,7 +34,7 @@ class Pca9685Part final : public Part, public RegisterDevice, public TextOutput 
   void register_with(PartRegistry&) override;
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// Returns the number of channels that are not off.
+  /// Appends the number of channels that are not off.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
   void stop(SimTime) override;
@@ -45,7 +45,7 @@ class Pca9685Part final : public Part, public RegisterDevice, public TextOutput 
   std::uint8_t behind(std::uint8_t number) const override;
   /// Returns the drive of channel `n`.
   PinDrive channel(int n) const;
-  /// Returns the text for a channel; "" while it is off.
+  /// Returns the report of a channel; "" while the channel is off.
   std::string pulse(int n) const;
 
   struct State {

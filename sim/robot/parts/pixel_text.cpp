@@ -10,13 +10,14 @@ namespace {
 
 constexpr int kColumns = 5, kRows = 8, kAdvance = 6, kLargest = 4, kMostSpaces = 2;
 
-/// Five columns from the left, the first in the highest digits; the lowest bit of each is on top.
+/// The five columns of a letter. The leftmost column is in the highest digits; each column's lowest bit is on
+/// top.
 struct Glyph {
   char letter;
   std::uint64_t columns;
 };
 
-// For letters with two shapes: that of Adafruit's GFX, and that of older tables.
+// Includes both shapes of each letter that differs between Adafruit's GFX and older tables.
 constexpr Glyph kGlyphs[] = {
     {'!', 0x00005F0000}, {'"', 0x0007000700}, {'#', 0x147F147F14},  {'$', 0x242A7F2A12},  {'%', 0x2313086462},
     {'&', 0x3649562050}, {'&', 0x3649552250}, {'\'', 0x0008070300}, {'\'', 0x0005030000}, {'(', 0x001C224100},
@@ -86,7 +87,7 @@ class Reader {
     return bits;
   }
 
-  /// Returns whether each pixel of the letter is a square of that size.
+  /// Returns whether each pixel of the letter is a square with sides of `scale` pixels.
   bool is_even(int x, int y, int scale) const {
     for (int dy = 0; dy < kRows * scale; ++dy)
       for (int dx = 0; dx < kAdvance * scale; ++dx)
@@ -95,7 +96,7 @@ class Reader {
     return true;
   }
 
-  /// Returns ' ' for an empty place; nothing for an unknown pattern.
+  /// Returns the letter at a place, ' ' if the place is empty, or nullopt for an unknown pattern.
   std::optional<char> letter_at(int x, int y, int scale) const {
     std::uint64_t columns = 0;
     for (int i = 0; i < kColumns; ++i) columns = columns << 8 | column(x + i * scale, y, scale);

@@ -1,4 +1,4 @@
-// A line that changes its level at known times, as remote controls and serial lines do.
+// A line that changes its level at known times, such as that of a remote control or a serial line.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,13 @@ class PulseTrain {
   /// Returns the time of the last change; 0 if there is none.
   SimTime end() const { return empty() ? 0 : flips_.back(); }
   bool level(SimTime t) const { return before_ != (((passed(t) - first_) & 1) != 0); }
-  /// Returns until when, exclusive, the level stays as at `t`.
+  /// Returns the time, exclusive, until which the level stays as at `t`.
   SimTime same_until(SimTime t) const {
     const std::size_t next = passed(t);
     return next < flips_.size() ? flips_[next] : kNever;
   }
   bool empty() const { return first_ == flips_.size(); }
-  /// Schedules the edges of the tick that begins at `t` on `pin`, and drops those before.
+  /// Schedules the edges of the tick that begins at `t` on `pin`, and drops earlier edges.
   void begin_tick(RobotPort& board, Pin pin, SimTime t) {
     before_ = level(t - 1);
     first_ = passed(t - 1);
@@ -41,13 +41,13 @@ class PulseTrain {
   }
 
  private:
-  /// Returns the number of flips_ at or before `t`; those before first_ are.
+  /// Returns the number of flips_ at or before `t`, including all before first_.
   std::size_t passed(SimTime t) const {
     const auto first = flips_.begin() + static_cast<std::ptrdiff_t>(first_);
     return static_cast<std::size_t>(std::upper_bound(first, flips_.end(), t) - flips_.begin());
   }
 
-  bool before_;  // flips_[first_]
+  bool before_;  // the level before flips_[first_]
   std::size_t first_ = 0;
   std::vector<SimTime> flips_;
 };

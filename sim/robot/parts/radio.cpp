@@ -19,7 +19,7 @@ constexpr FaultKind kRadioFaults[] = {
 
 constexpr std::size_t kMostRadioBits = 64;  // of one message
 
-/// Returns no bits for an invalid message.
+/// Returns the bits of a message; empty if the message is invalid.
 std::vector<bool> bits_of(const std::string& text) {
   std::vector<bool> bits;
   if (text.starts_with("0b")) {

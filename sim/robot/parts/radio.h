@@ -1,5 +1,5 @@
 // type = "radio": a receiver that outputs a remote control's messages bit by bit, on three pins that the
-// sketch reads. Scripts send: `at 20s send radio 3`.
+// sketch reads. Scripts send messages: `at 20s send radio 3`.
 //
 // One message of n bits, each `bit` long:
 //
@@ -7,9 +7,9 @@
 //   data    ----< b1  >< b2  >< b3  >----   set for the whole bit; low between messages
 //   clock   _______/‾‾\__/‾‾\__/‾‾\______   rises in the middle of each bit
 //
-// A message sent during another one follows it after one bit time. 1 ms per bit is the rating of 433 MHz
-// modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts bits. Not modelled: range, other senders
-// and damaged preambles.
+// A message sent during another message follows that message after one bit time. 1 ms per bit is the rating
+// of 433 MHz modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts bits. Not modelled: range,
+// other senders and damaged preambles.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -16,8 +16,8 @@ using Read = ReflectanceSpec::Read;
 constexpr double kLowest = 0.0005, kHighest = 0.06;  // m, on hills
 constexpr double kBestHeight = 0.003;                // m: Pololu, QTR-8A and QTR-8RC user's guide
 
-// Returned light from white, by height: reflectance.h. Beyond 15 mm the exponent of 5 to 12 mm continues,
-// -1.24.
+// The light that white returns, by height (reflectance.h). Beyond 15 mm, the curve continues with the
+// exponent of 5 to 12 mm, -1.24.
 struct Light {
   double height;  // m
   double share;
@@ -26,8 +26,8 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
-// Footprint by height, if the file has none: one for all elements of a part. Measured edges suggest 0.3 and
-// 0.97: docs/explanation/fidelity.md.
+// The footprint relative to the height, if the file has no footprint. All elements of a part share one value.
+// Measured edges suggest values of 0.3 and 0.97 (docs/explanation/fidelity.md).
 constexpr Parameter kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Parameter kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau relative to the time from 10 to 90 %
@@ -64,7 +64,7 @@ void read_common(PartReader& reader, ReflectanceSpec& spec) {
   spec.hysteresis = reader.figure("hysteresis", Dimension::ratio, {0.1, 0.0}, 0.0, 0.9);
 }
 
-// Reads the levels of each element over white and over black, once their number is known.
+// Reads the levels of each element over white and over black, after the number of elements is known.
 void read_levels(PartReader& reader, ReflectanceSpec& spec) {
   const std::size_t count = spec.elements.size();
   std::vector<Parameter> white(count), black(count);
@@ -320,7 +320,8 @@ Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
 
-// Each sensor is in at most one exchange; an earlier one ends, for both.
+// Swaps the wires of two sensors. A sensor takes part in at most one swap: an earlier swap ends for both of
+// its sensors.
 void Sensor::swap_with(Sensor* other) {
   for (Sensor* sensor : {this, other}) {
     if (!sensor || !sensor->state_.other) continue;

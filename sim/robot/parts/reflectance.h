@@ -1,7 +1,7 @@
 // type = "reflectance" and "reflectance-array": infra-red sensors that look at the floor.
 //
-// An element at `at` with footprint f sees c, the share of its footprint on the line
-// (world::Floor::coverage). Its phototransistor reports the blackness
+// For an element at `at` with footprint f, c is the share of the footprint on the line
+// (world::Floor::coverage). The element's phototransistor reports the blackness
 //   b = 1 - e s v (1 - c) - ambient - x L + noise n g
 //
 //   e         brightness of the emitter (1, or as its pin is driven)
@@ -12,24 +12,24 @@
 //   n         the share of the noise that remains over black
 //   g         standard normal, a new sample for every read
 //
-// From the profile typical@2 on
+// From the profile typical@2 on:
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
-// and before, and in `ideal`,
+// In earlier profiles, and in `ideal`:
 //   s = min(1, (3 mm / height)^2)                                               n = 1
-// On hills the height is that of the chassis above the floor at this place. s, x and, unless the file has it,
-// f follow.
+// On hills, the height is the local height of the chassis above the floor. This height determines s and x,
+// and also f unless the file has a footprint.
 //
-// A phototransistor is slow. With `rise`, its time from 10 to 90 %, it lags by
+// A phototransistor is slow. With `rise`, its time from 10 to 90 %, the lag is
 //   tau = rise / ln 9
-// after the floor (exactly, while what it sees changes linearly) and, exponentially, after an emitter that is
-// switched.
+// The reading follows the floor with this lag, which is exact while the light changes linearly. It follows a
+// switched emitter exponentially.
 //
 // The output depends on `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
 //   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its state
 //            between reads. black = "high" or "low" is its output over black
 //   rc       a capacitor: see reflectance_rc.h
-// Nothing is computed unless firmware reads.
+// Nothing is computed unless firmware reads the sensor.
 #pragma once
 
 #include <limits>
@@ -44,8 +44,8 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
 
-/// Returns the light that returns from white at that height (m), relative to the maximum; from typical@2 on
-/// that of a TCRT5000.
+/// Returns the light that white returns at a height (m), relative to the maximum. From typical@2 on, the
+/// curve is that of a TCRT5000.
 double light_from(double height, Profile profile);
 
 class ReflectanceSpec final : public PartSpec {
@@ -55,17 +55,17 @@ class ReflectanceSpec final : public PartSpec {
     std::string name;
     Vec2 at;  ///< m
     Pin pin;
-    Parameter white, black;  ///< its output: volts (analog), s (rc)
+    Parameter white, black;  ///< output over white and over black: volts (analog), s (rc)
   };
 
   Read read = Read::analog;
   bool black_high = true;
-  Parameter threshold;    ///< digital: of blackness
-  Parameter hysteresis;   ///< digital: of blackness, full width
+  Parameter threshold;    ///< digital: blackness at which the output changes
+  Parameter hysteresis;   ///< digital: full width, as blackness
   Parameter noise;        ///< standard deviation of blackness
-  Parameter ambient;      ///< of blackness
+  Parameter ambient;      ///< subtracted from the blackness
   Parameter height;       ///< m
-  Parameter footprint;    ///< m; 0 = by height: reflectance.cpp, and docs/explanation/models.md
+  Parameter footprint;    ///< m; 0 = depends on the height (reflectance.cpp, docs/explanation/models.md)
   Parameter source_ohms;  ///< analog
   Parameter rise;         ///< s, from 10 to 90 % of a step of light
   Pin emitter = kNoPin;
@@ -80,28 +80,28 @@ struct ElementFigures {
   ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ParameterSampler&);
 
   double height, footprint;  ///< m
-  double light;              ///< share of light that returns from white
-  double shift;              ///< of blackness
-  double noise;              ///< of blackness, standard deviation
-  double dark_noise;         ///< the part of it that remains over black
-  NoiseStream stream;        ///< of its readings
+  double light;              ///< share of light that white returns
+  double shift;              ///< added to the blackness
+  double noise;              ///< standard deviation of blackness
+  double dark_noise;         ///< share of the noise that remains over black
+  NoiseStream stream;        ///< noise of the readings
 };
 
 /// Returns tau, the lag of a part's phototransistors, s.
 double lag_of(const ReflectanceSpec&, const ParameterSampler&);
 
-/// The emitter LEDs of a part. They have full brightness unless their pin drives them otherwise (their
-/// transistor's gate is pulled up on the board).
+/// The emitter LEDs of a part. They have full brightness unless their pin is driven: the gate of their
+/// transistor is pulled up on the board.
 class Emitter final : public PinWatcher {
  public:
-  /// `lag_s`: tau of the phototransistors.
+  /// `lag_s` is tau of the phototransistors, s.
   Emitter(SnapshotRegistry& snapshots, double lag_s) : lag_(lag_s * 1e9) { snapshots.add(state_); }
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Returns the brightness at `t` as the phototransistors see it.
+  /// Returns the brightness at `t` as the phototransistors measure it.
   double brightness(SimTime t) const {
     return lag_ == 0.0 || state_.from == state_.brightness ? state_.brightness : lagging(t);
   }
-  /// Returns the brightness that it approaches.
+  /// Returns the brightness that the measured brightness approaches.
   double brightness() const { return state_.brightness; }
   /// Returns tau, ns.
   double lag() const { return lag_; }
@@ -112,7 +112,7 @@ class Emitter final : public PinWatcher {
   const double lag_;  // ns
   struct State {
     double brightness = 1.0;
-    double from = 1.0;  // the apparent brightness at `since`
+    double from = 1.0;  // the measured brightness at `since`
     SimTime since = 0;
   };
   State state_;
@@ -125,7 +125,7 @@ class Sensor : public Breakable {
   virtual ~Sensor() = default;
 
   const std::string& name() const override { return name_; }
-  /// Returns the name of its part.
+  /// Returns the name of the sensor's part.
   const std::string& part() const { return part_; }
   Vec2 at() const { return state_.at; }
   void cover(bool covered) { state_.covered = covered; }
@@ -152,12 +152,12 @@ class Sensor : public Breakable {
   void fail(const Fault&) override;
 
  protected:
-  /// Returns the blackness. Takes a sample of noise.
+  /// Returns the blackness. Consumes a sample of noise.
   double blackness(SimTime t);
   bool stuck() const { return state_.stuck >= 0.0; }
-  /// Returns the number after `fault NAME stuck`.
+  /// Returns the argument of `fault NAME stuck`.
   double stuck_at() const { return state_.stuck; }
-  /// Returns the blackness for which `stuck_at` is the output; for display.
+  /// Returns the blackness for which stuck_at() is the output, for display.
   virtual double stuck_blackness() const = 0;
 
   const PartContext& context_;
@@ -165,19 +165,19 @@ class Sensor : public Breakable {
  private:
   Sensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ElementFigures&, const PartContext&,
          const Emitter&);
-  /// Returns whether no light returns: a finger covers it, or it is held up in the air.
+  /// Returns whether no light returns: a finger covers the sensor, or the robot is held up in the air.
   bool dark() const { return state_.covered || context_.view.body->lifted(); }
   double brightness(const Pose& pose) const {
     return context_.view.floor->brightness(pose.to_world(state_.at));
   }
-  /// Returns the darkness of the floor there; computed once while the robot stands still.
+  /// Returns the darkness of the floor at `p`. Computes the darkness only once while the robot stands still.
   double darkness_at(Vec2 p, double footprint) {
     if (!is_new(p, state_.looked_at)) return state_.darkness;
     const world::Floor& floor = *context_.view.floor;
     return state_.darkness =
                hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
   }
-  /// A place on the floor, with the number of changes of the floor at that time.
+  /// A place on the floor, and the number of changes of the floor when the place was examined.
   struct FloorCacheKey {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     int changes = 0;
@@ -190,17 +190,19 @@ class Sensor : public Breakable {
     last = {p, context_.view.floor->patches().changes()};
     return true;
   }
-  /// Returns whether only the line is dark there, and its position is cached, as for most samples.
+  /// Returns whether only lines are dark on this floor, and the coverage at `p` is cached. This is true for
+  /// most samples.
   bool knows_line(Vec2 p) const {
     return context_.view.floor->has_lines_only() && is_as_before(p, state_.line_sought);
   }
-  /// `white`: the share of the footprint that reflects light, times its brightness.
+  /// Returns the value for display. `white` is the share of the footprint that reflects light, times the
+  /// floor's brightness.
   double shown_of(double light, double white) const {
     return 1.0 - light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
   }
-  /// Computes shown() anywhere; shown() usually has a shorter way.
+  /// Computes shown() in the general case; shown() itself is faster in the usual case.
   double shown_elsewhere() const;
-  /// The effects of its height: as mounted, or on hills the local one.
+  /// The effects of the sensor's height: the mounting height or, on hills, the local height.
   struct Optics {
     double light, footprint, exposure;
   };
@@ -208,40 +210,40 @@ class Sensor : public Breakable {
     return hilly_ ? optics_on_hills(pose) : Optics{state_.now.light, footprint_, exposure_};
   }
   Optics optics_on_hills(const Pose&) const;
-  /// Returns by how much room light makes it look whiter.
+  /// Returns the share by which room light makes the floor look whiter.
   double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
 
   struct Figures {
-    double light, shift, noise, dark_noise;  // of ElementFigures
+    double light, shift, noise, dark_noise;  // as in ElementFigures
   };
   struct State {
-    Vec2 at;                  // the place of the reading on its wire
-    Sensor* other = nullptr;  // the sensor with which its wire is exchanged
+    Vec2 at;                  // place whose reading is on the sensor's wire
+    Sensor* other = nullptr;  // the sensor with which the wire is swapped
     Figures now;
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
-    FloorCacheKey looked_at;  ///< for its darkness
+    FloorCacheKey looked_at;  ///< key of `darkness`
     double darkness = 0.0;
-    FloorCacheKey line_sought;  ///< for its footprint's share on the line
+    FloorCacheKey line_sought;  ///< key of `coverage`
     double coverage = 0.0;
-    world::NearStripe near;  ///< of its footprint, for a plane floor
+    world::NearStripe near;  ///< for the footprint, on a plane floor
   };
 
   const std::string& name_;
   const std::string& part_;
   const Emitter& emitter_;
-  const Vec2 home_;  // its mounting place
+  const Vec2 home_;  // mounting place
   const double height_, footprint_, exposure_;
   const SimTime lag_;
-  const bool hilly_, widens_;  // its footprint depends on its height
+  const bool hilly_, widens_;  // the floor has hills; the footprint depends on the height
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;
 };
 
-/// Reads with `read = "analog"`.
+/// A sensor with `read = "analog"`.
 class AnalogSensor final : public Sensor, public PinSource {
  public:
   AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
@@ -260,7 +262,7 @@ class AnalogSensor final : public Sensor, public PinSource {
   const double white_, span_, supply_, step_volts_, source_ohms_;
 };
 
-/// Reads with `read = "digital"`.
+/// A sensor with `read = "digital"`.
 class DigitalSensor final : public Sensor, public PinSource {
  public:
   DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);

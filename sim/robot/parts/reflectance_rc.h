@@ -6,8 +6,8 @@
 //                         until the voltage is at the input's threshold, half the supply. From full this
 //                         takes T = 1 / (b / black_time + (1 - b) / white_time)
 //
-// b, the blackness, is sampled once, when the pin becomes an input. The pin's own pull-up is negligible next
-// to the phototransistor's current. Times are exact to the nanosecond.
+// b, the blackness, is sampled once, when the pin becomes an input. The current of the pin's own pull-up is
+// negligible compared with the phototransistor's. Times are exact to the nanosecond.
 #pragma once
 
 #include "sim/robot/parts/reflectance.h"
@@ -33,12 +33,12 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
     double charge = 0.0;
     double slope = 0.0;
     SimTime since = 0;
-    SimTime falls_at = 0;  // when the level falls; kNever while the pin charges
+    SimTime falls_at = 0;  // time at which the level falls; kNever while the pin charges
     bool driven = false;
     bool announced = true;
   };
 
-  const double white_rate_, black_rate_;  // 1/s: white_time and black_time, inverted
+  const double white_rate_, black_rate_;  // 1/s, inverse of white_time and black_time
   const double supply_;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;

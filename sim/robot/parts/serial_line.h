@@ -3,7 +3,7 @@
 // through the chip's UART, and `baud` has no effect.
 //
 //   txd  ‾‾\_s_/b0 b1 … b7\‾‾   to the sketch, each bit 1/baud long
-//   rxd  the same from the sketch; a bit is sampled in its middle
+//   rxd  the same frame from the sketch; each bit is sampled in its middle
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace robosim::robot {
 
-/// Its wiring, as in the part's table.
+/// The wiring of a serial line, as in the part's table.
 struct SerialWiring {
   Pin txd = kNoPin;  ///< from the module to the board
   Pin rxd = kNoPin;  ///< from the board; kNoPin = not wired
@@ -26,12 +26,12 @@ SerialWiring read_serial_wiring(PartReader& reader);
 
 class SerialLine final : public PinSource, public PinWatcher, public SerialWatcher {
  public:
-  /// `heard` is called for each byte of the sketch; `sound`: its stop bit was high.
+  /// Called for each byte from the sketch; `sound` is true if the stop bit was high.
   using Heard = std::function<void(std::uint8_t byte, bool sound, SimTime t)>;
 
   SerialLine(const SerialWiring& wiring, PartContext& context, Heard heard);
 
-  /// Joins for `owner`, which must call begin_tick().
+  /// Registers the line for `owner`, which must call begin_tick().
   void register_with(Part& owner, PartRegistry& registry);
   void begin_tick(SimTime t);
   /// Sends a byte to the sketch, after the pending ones.
@@ -53,7 +53,7 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
     PulseTrain line{true};   // to the sketch
     SimTime free_at = 0;     // end of the last byte to the sketch
     bool high = true;        // the level from the sketch
-    SimTime began = kNever;  // a start bit
+    SimTime began = kNever;  // beginning of the start bit
     int bits = 0;            // number of the frame's bits so far, including the start bit
     std::uint32_t frame = 0;
   };

@@ -1,9 +1,10 @@
 // type = "serial-radio": a wireless serial line (HC-12, APC220 and similar). Each byte that the sketch sends
-// reaches all other serial-radios on its channel after `delay`. It is lost on its way to each of them with
-// the probability `loss`. A script's `send` is another sender. Its line to the board: serial_line.h.
+// reaches all other serial-radios on its channel after `delay`. On the way to each of them, the byte is lost
+// with the probability `loss`. A script's `send` acts as another sender. serial_line.h describes the line to
+// the board.
 //
-// HC-12's manual has delays of 4 to 80 ms, by mode and baud rate; 20 ms is between them. Not modelled: range,
-// collisions of bytes, packets and AT commands.
+// The HC-12's manual states delays of 4 to 80 ms, depending on mode and baud rate; 20 ms is between them. Not
+// modelled: range, collisions of bytes, packets and AT commands.
 #pragma once
 
 #include "sim/base/noise.h"
@@ -42,13 +43,13 @@ class SerialRadioPart final : public Part, public Receiver, public Breakable {
 
  private:
   struct State {
-    std::uint64_t arrived = 0;  // number of bytes, including lost ones
+    std::uint64_t arrived = 0;  // number of bytes, including lost bytes
     bool dead = false;
   };
 
   const SerialRadioSpec& spec_;
   world::RadioChannel& radio_;
-  const std::size_t number_;  ///< among the senders
+  const std::size_t number_;  ///< number of this radio among the senders
   const SimTime delay_;
   const double loss_;
   const NoiseStream losses_;

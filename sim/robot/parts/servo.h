@@ -1,9 +1,9 @@
 // type = "servo": turns its horn to an angle, at a limited speed. A distance sensor can be mounted on it.
 //
-//   target = range (pulse - shortest) / (longest - shortest), 0 to range; it gets there at `speed`
+//   target = range (pulse - shortest) / (longest - shortest), 0 to range; the horn turns there at `speed`
 //
-// Longer pulses turn it to the left, seen from above (reversed = true: to the right). At power-on it is in
-// its middle. Without pulses it stays in place.
+// Longer pulses turn the horn to the left, seen from above (reversed = true: to the right). At power-on the
+// horn is in its middle position. Without pulses it stays in place.
 //
 // Sources: pulses of 0.544 to 2.4 ms for 180 degrees are those of Arduino's Servo library for write(0) and
 // write(180). 0.12 s for 60 degrees at 4.8 V and a dead band of 10 us are the SG90's (Tower Pro data sheet).
@@ -21,8 +21,8 @@ std::shared_ptr<const PartSpec> read_servo(PartReader&);
 class ServoSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Vec2 at;              ///< m, its axis
-  double facing = 0.0;  ///< rad, of its middle: 0 ahead, counter-clockwise
+  Vec2 at;              ///< m, place of the axis
+  double facing = 0.0;  ///< rad, direction of the middle position: 0 ahead, counter-clockwise
   Parameter shortest;   ///< s, the pulse for angle 0
   Parameter longest;    ///< s, the pulse for `range`
   Parameter range;      ///< rad
@@ -37,20 +37,20 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
  public:
   ServoPart(const ServoSpec&, PartContext&);
 
-  /// Returns the place of its axis, and the direction of its horn at `t`, in the body's frame.
+  /// Returns the place of the axis, and the direction of the horn at `t`, in the body's frame.
   Pose horn(SimTime t) const;
 
-  /// Returns the distance from the axle's centre to its axis, m.
+  /// Returns the distance from the axle's centre to the servo's axis, m.
   double arm() const { return length(spec_.at); }
 
-  /// Connects it to the body's wheels: they turn by `ratio` times its angle, at most by `most`, rad. Called
-  /// once.
+  /// Connects the servo to the body's steered wheels. They turn by `ratio` times the servo's angle, and at
+  /// most by `most`, rad. Called once.
   void turn_wheels(world::Body& body, double ratio, double most);
 
   void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Reads the angle in degrees, as in Servo.write().
+  /// Appends the angle in degrees, as in Servo.write().
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }
@@ -58,17 +58,17 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   void fail(const Fault&) override;
 
  private:
-  /// Returns its angle in rad from its right (or, reversed, left) stop.
+  /// Returns the angle in rad from the right (or, reversed, left) stop.
   double angle(SimTime t) const;
-  /// Returns its angle in rad to the left of its middle.
+  /// Returns the angle in rad to the left of the middle position.
   double turned(SimTime t) const;
 
   struct State {
     ServoSignal signal;
-    double from = 0.0;  // rad, its angle at `since`
+    double from = 0.0;  // rad, angle at `since`
     SimTime since = 0;
     double target = 0.0;  // rad
-    SimTime pulse = 0;    // the last effective one
+    SimTime pulse = 0;    // the last effective pulse
     bool stuck = false;
   };
 
@@ -76,7 +76,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   PartContext& context_;
   const double shortest_, longest_, range_;  // ns, ns, rad
   const double speed_;                       // rad/ns
-  world::Body* body_ = nullptr;              // whose wheels it turns
+  world::Body* body_ = nullptr;              // body whose wheels the servo turns
   double ratio_ = 0.0, most_ = 0.0;
   State state_;
 };

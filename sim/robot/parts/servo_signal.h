@@ -1,9 +1,9 @@
 // Measures the lengths of the pulses on a servo's signal wire.
 //
-// A hobby servo uses the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so; the repetition rate is
-// irrelevant. Pulses shorter than 0.3 ms or longer than 3 ms are ignored. They are derived from changes of
-// the pin's level. If a timer or a PWM driver makes them, they are derived from duty cycle and period. A
-// change then applies at once, and not at the end of the period. PWM of unknown period makes no pulses.
+// A hobby servo responds to the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so. The repetition rate
+// is irrelevant. Pulses shorter than 0.3 ms or longer than 3 ms are ignored. Pulses are derived from changes
+// of the pin's level. If a timer or a PWM driver makes the pulses, they are derived from duty cycle and
+// period. A change then applies at once, not at the end of the period. PWM of unknown period makes no pulses.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ namespace robosim::robot {
 /// The state of the wire, as a copyable value.
 class ServoSignal {
  public:
-  /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with it, or of those
-  /// from now on.
+  /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with the change, or of
+  /// the pulses from now on.
   std::optional<SimTime> change(const PinDrive& drive, SimTime t) {
     const bool output = drive.mode == PinMode::output && !drive.tone_hz;
     const bool high = output && !drive.pwm && drive.level;

@@ -1,4 +1,4 @@
-// A text that people see, such as a display's.
+// A visible text, such as that of a display.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace robosim::robot {
 /// Reports a text once it has stayed for 50 ms. A copyable value.
 class SettledText {
  public:
-  /// Returns whether at `t` a text that last changed at `changed` must be reported, if it differs.
+  /// Returns whether poll_text() is due at `t` for a text that last changed at `changed`.
   bool is_due(SimTime changed, SimTime t) const { return changed != told_at_ && t - changed >= kSettles; }
   /// Returns the text to report; "" = none. An empty text is reported as a space.
   std::string poll_text(SimTime changed, const std::string& text) {

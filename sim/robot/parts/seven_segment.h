@@ -23,8 +23,8 @@ class SevenSegmentSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Its reading is the digit 0 .. 9 that it shows, -1 if all is dark, -2 for any other pattern. The point does
-/// not matter.
+/// A display, whose reading is the visible digit 0 .. 9; -1 if all segments are dark, -2 for any other
+/// pattern. The point is ignored.
 class SevenSegmentPart final : public Part {
  public:
   SevenSegmentPart(const SevenSegmentSpec& spec, PartContext& context) : spec_(spec), context_(context) {}

@@ -10,7 +10,7 @@
 namespace robosim::robot {
 namespace {
 
-// A register after another one: the first of its chain does its work.
+// A register after another register. The part of the chain's first register simulates the whole chain.
 class ChainedRegister final : public Part {
  public:
   void register_with(PartRegistry&) override {}

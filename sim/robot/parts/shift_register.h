@@ -1,16 +1,16 @@
 // type = "shift-register": a 74HC595 (TI SN74HC595, SCLS041): eight outputs for three of the board's pins.
 //
 //   rising edge of clock   every bit moves by one, from Q0 towards Q7; the level of data enters at Q0
-//   rising edge of latch   the outputs Q0 .. Q7 take the shifted bits
-//   enable (OE) high       the outputs are switched off: they are not driven. Without that pin it is tied low
+//   rising edge of latch   the outputs Q0 .. Q7 are set to the shifted bits
+//   enable (OE) high       the outputs are switched off: they are not driven. An unwired OE is tied low
 //
-// A register with `after` follows another one in a chain: its input is that one's output, with the same
-// clock, latch and enable. So of several bytes the first one shifted ends up in the last register. Other
-// parts name the outputs as pins: "REG1.Q4".
+// A register with `after` follows another register in a chain. Its input is the output of the previous
+// register, and clock, latch and enable are shared. Of several bytes, the byte shifted first ends up in the
+// last register. Other parts refer to the outputs as pins: "REG1.Q4".
 //
-// At power-on its contents are undefined (`typical`: random; `ideal`: zeros) until the sketch has shifted and
-// latched. It shares the board's supply; while that is off, the outputs are not driven. Not modelled:
-// propagation (about 20 ns) and the reset input.
+// At power-on the contents are undefined (`typical`: random; `ideal`: zeros) until the sketch has shifted and
+// latched. The register shares the board's supply. While the supply is off, the outputs are not driven. Not
+// modelled: propagation (about 20 ns) and the reset input.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -23,13 +23,13 @@ constexpr std::size_t kMostChained = 8;  ///< registers of one chain
 
 std::shared_ptr<const PartSpec> read_shift_register(PartReader&);
 
-/// Checks that every `after` names a register, no two the same, and that every chain begins at pins. Throws
+/// Checks that each `after` names a different register, and that each chain begins at pins. Throws
 /// InputError.
 void check_chains(const Description&);
 
 class ShiftRegisterSpec final : public PartSpec {
  public:
-  int index = 0;  ///< among the robot's registers (netlist.h): its outputs are output_pin(index, 0 .. 7)
+  int index = 0;  ///< number among the robot's registers; the outputs are output_pin(index, 0 .. 7)
   Pin data = kNoPin;
   Pin clock = kNoPin;
   Pin latch = kNoPin;
@@ -40,7 +40,7 @@ class ShiftRegisterSpec final : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// A whole chain, as the part of its first register. The other registers' parts do nothing.
+/// Simulates a whole chain, as the part of its first register. The parts of the other registers do nothing.
 class ShiftRegisterPart final : public Part, public PinWatcher {
  public:
   ShiftRegisterPart(const ShiftRegisterSpec& head, std::vector<int> chain, PartContext&);
@@ -55,7 +55,7 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
 
   struct State {
     std::uint64_t shifted = 0;    // bit 8 r + q is Qq of register chain_[r]
-    std::uint64_t latched = 0;    // the bits of `shifted` that the outputs have
+    std::uint64_t latched = 0;    // the bits at the outputs, in the order of `shifted`
     std::uint64_t power_ons = 0;  // number of noise samples taken
     bool clock = false;
     bool latch = false;
@@ -64,7 +64,7 @@ class ShiftRegisterPart final : public Part, public PinWatcher {
 
   const ShiftRegisterSpec& spec_;
   PartContext& context_;
-  const std::vector<int> chain_;  // indices of its registers, from the board outwards
+  const std::vector<int> chain_;  // indices of the chain's registers, from the board outwards
   State state_;
 };
 

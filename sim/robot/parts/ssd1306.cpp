@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kUsualOledAddress = 0x3C;
 
-// Returns the number of a command's arguments: table 9-1.
+// Returns the number of a command's arguments (table 9-1).
 int arguments_of(std::uint8_t command) {
   switch (command) {
     case 0x20:

@@ -5,12 +5,12 @@
 //   memory         8 pages of 128 bytes, the lowest bit of each on top
 //   addressing     by page (after power-on), horizontal, vertical; each wraps within its window
 //
-// A picture is reported when it has changed and stayed for 50 ms: the number of lit pixels, the rectangle
-// that they fill (x and y of two corners), and any text in them (pixel_text.h), "212 lit in 0,0 to 63,15: Lap
-// 2|12.4 s". Mirrored pictures (segment remap, COM direction) are reported as seen with both set, as
-// libraries do.
+// A picture is reported when it has changed and then stayed for 50 ms: "212 lit in 0,0 to 63,15: Lap 2|12.4
+// s". The report contains the number of lit pixels, the rectangle that they fill (x and y of two corners),
+// and any text (pixel_text.h). Mirroring (segment remap, COM direction) is ignored: the picture is reported
+// as with both set, as libraries set them.
 //
-// Not modelled: scrolling, contrast, the start line, inverse other than as pixels.
+// Inverse display only inverts the pixels. Not modelled: scrolling, contrast, the start line.
 #pragma once
 
 #include <vector>
@@ -40,11 +40,11 @@ class Ssd1306Part final : public Part, public TwoWireDevice, public TextOutput {
   void register_with(PartRegistry&) override;
   bool address(std::uint8_t address, bool, SimTime) override;
   bool write(std::uint8_t byte, SimTime t) override;
-  /// Returns the status; bit 6: it is off.
+  /// Returns the status; bit 6 is set while the display is off.
   std::uint8_t read(SimTime) override { return state_.on ? 0x00 : 0x40; }
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// Returns the number of lit pixels.
+  /// Appends the number of lit pixels.
   void read(std::vector<Reading>&) const override;
   bool lit(int x, int y) const;
 

@@ -1,5 +1,5 @@
-// type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board, which turns a
-// pointer, a turret, a gate. It does not drive a wheel.
+// type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board. It turns a
+// pointer, a turret or a gate, and does not drive a wheel.
 //
 //   coils     a high pin switches its coil on; the field points to the coils' sum, in eighths of a period:
 //             IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite coils cancel;
@@ -41,7 +41,7 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
 
   void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Reads the angle in degrees from its start; positive for the order IN1, IN2, IN3, IN4.
+  /// Appends the angle in degrees from the start; positive for the order IN1, IN2, IN3, IN4.
   void read(std::vector<Reading>&) const override;
 
   const std::string& name() const override { return spec_.name; }

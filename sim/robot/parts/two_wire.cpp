@@ -3,7 +3,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr int kFirstAddress = 0x08, kLastAddress = 0x77;  // the others are reserved
+constexpr int kFirstAddress = 0x08, kLastAddress = 0x77;  // other addresses are reserved
 
 }  // namespace
 

@@ -1,9 +1,9 @@
-// Common code of parts on the two-wire bus (I2C). They use the board's SDA and SCL, which the robot file need
-// not name; `address` is their address of seven bits.
+// Common code of parts on the two-wire bus (I2C). These parts use the board's SDA and SCL, which the robot
+// file need not name. `address` is their seven-bit address.
 //
-// The bus is simulated by bytes: no pull-ups, no stretched clock, no device that holds a line low. A sketch
-// that implements the bus on pins by itself finds no device. Firmware for the target stm32 has no two-wire
-// interface yet.
+// The bus is simulated byte by byte, without pull-ups, clock stretching, or devices that hold a line low. A
+// sketch that implements the bus on pins by itself finds no device. Firmware for the target stm32 has no
+// two-wire interface yet.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ std::uint8_t read_two_wire(PartReader&, int usual_address);
 /// and the following ones. Reading continues from the same number.
 class RegisterDevice : public TwoWireDevice {
  public:
-  /// State that all of them add to the part's.
+  /// State that each device adds to the part's state.
   struct Cursor {
     std::uint8_t number = 0;
     bool numbered = false;  ///< a register number has been received since the device was addressed
@@ -38,11 +38,11 @@ class RegisterDevice : public TwoWireDevice {
 
   virtual void set(std::uint8_t number, std::uint8_t value, SimTime t) = 0;
   virtual std::uint8_t get(std::uint8_t number, SimTime t) = 0;
-  /// Returns the register for a first byte.
+  /// Returns the register number for the first byte of a transfer.
   virtual std::uint8_t numbered(std::uint8_t byte) const { return byte; }
-  /// Returns the register after another one.
+  /// Returns the register that follows register `number`.
   virtual std::uint8_t behind(std::uint8_t number) const { return static_cast<std::uint8_t>(number + 1); }
-  /// Called before a transfer: freezes the measurement, so that its bytes are consistent.
+  /// Freezes the measurement, so that its bytes are consistent. Called before a transfer.
   virtual void hold(SimTime) {}
 
  private:

@@ -5,14 +5,14 @@
 //   echo  ______________/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\______  the travel time of sound, there and back
 //              |  450 us |      2 d / v      |
 //
-// d is the distance to the nearest point of a wall, an obstacle, the map's edge or another robot in the beam.
-// It is measured when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms
-// if nothing is within 4 m; an object nearer than 20 mm counts as 20 mm. A trigger before the end of an echo
-// is ignored. With one wire, `pins = { sig }`, trigger and echo share it.
+// d is the distance to the nearest point in the beam of a wall, an obstacle, the map's edge or another robot.
+// The distance is measured when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms if
+// nothing is within 4 m; an object nearer than 20 mm counts as 20 mm. A trigger before the end of an echo is
+// ignored. With one wire, `pins = { sig }`, trigger and echo share it.
 //
-// Sources: Elecfreaks' data sheet (10 us, 8 periods, 2 cm to 4 m, 15 degrees, 3 mm). 38 ms and the time
-// before the echo rises are not in it; users of modules measured them (they vary: 0.25 to 0.5 ms, clones 2.3
-// ms; 38 to 200 ms).
+// Sources: Elecfreaks' data sheet (10 us, 8 periods, 2 cm to 4 m, 15 degrees, 3 mm). The data sheet states
+// neither the time before the echo rises nor the 38 ms. Users of modules measured both: 0.25 to 0.5 ms
+// (clones 2.3 ms), and 38 to 200 ms.
 //
 // Not modelled: echoes that oblique walls deflect, soft objects, and other robots' sound.
 #pragma once
@@ -45,7 +45,7 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
   void register_with(PartRegistry&) override;
   void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
-  /// Returns its last result in cm; 0 before, and if nothing was near.
+  /// Appends the last result in cm; 0 before the first result, and if nothing was near.
   void read(std::vector<Reading>&) const override;
 
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
@@ -67,7 +67,7 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
     bool triggered = false;  // the trigger is high
     SimTime since = 0;
     SimTime rises = 0, falls = 0;  // the echo
-    int announced = 2;             // number of the two edges that have been scheduled
+    int announced = 2;             // number of the echo's two edges that have been scheduled
     std::uint64_t pings = 0;
     double shown = 0.0;  // cm
     bool dead = false;

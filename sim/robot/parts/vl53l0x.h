@@ -1,5 +1,5 @@
-// type = "vl53l0x": a time-of-flight distance sensor (ST data sheet DS11555), to the extent that its usual
-// libraries need. Its registers are not documented; their meaning is derived from ST's own driver.
+// type = "vl53l0x": a time-of-flight distance sensor (ST data sheet DS11555), with the features that its
+// usual libraries need. Its registers are not documented; their meaning is derived from ST's own driver.
 //
 //   0xC0 to 0xC2   model and revision: 0xEE, 0xAA, 0x10
 //   0x00           bit 0 starts a measurement and reads 0 once it has begun; 0x02, 0x04 repeat measurements
@@ -7,9 +7,10 @@
 //   0x1E, 0x1F     its result, mm; 8190 if nothing is near
 //   0x83           start-up waits for this register: never 0
 //
-// A measurement takes 33 ms (the default timing budget, 2.7.4), whatever budget is set. Its distance is along
-// one ray, up to `reach` (1.2 m; table 12: 80 cm on grey to 2 m on white), with a standard deviation of 4 %
-// in the profile `typical` (table 13). Other registers keep what is written, shared by all pages.
+// A measurement takes 33 ms (the default timing budget, 2.7.4), whatever budget is set. The distance is
+// measured along one ray, up to `reach` (1.2 m; table 12: 80 cm on grey to 2 m on white), with a standard
+// deviation of 4 % in the profile `typical` (table 13). Other registers store any value written; all pages
+// share them.
 #pragma once
 
 #include "sim/base/noise.h"
@@ -39,7 +40,7 @@ class Vl53l0xPart final : public Part, public RegisterDevice {
   void register_with(PartRegistry&) override;
   void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
-  /// Returns its last measurement, mm.
+  /// Appends the last measurement, mm.
   void read(std::vector<Reading>&) const override;
   using RegisterDevice::read;
 

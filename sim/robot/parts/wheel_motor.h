@@ -1,4 +1,4 @@
-// A wheel's drive, whatever controls it: a motor on a driver, or a servo for continuous rotation.
+// A wheel's drive: a motor on a driver, or a servo for continuous rotation.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 namespace robosim::robot {
 
-/// Returns what take() returns for a command that applies for a whole tick: a mean over time, which may
-/// differ from it by rounding.
+/// Returns the result of take() for a command that applies for a whole tick. This mean over time may differ
+/// from the command by rounding.
 world::WheelCommand over_a_tick(const world::WheelCommand& command);
 
-/// Averages the commands of set() over a tick.
+/// Averages the commands passed to set() over a tick.
 class WheelMotor : public Part, public Breakable {
  public:
   /// Returns the command for the tick that ends at `t`.
@@ -28,7 +28,7 @@ class WheelMotor : public Part, public Breakable {
   /// Returns whether take() would repeat its last result.
   bool steady() const { return state_.steady; }
 
-  /// Returns whether its wheel is blocked.
+  /// Returns whether the wheel is blocked.
   bool blocked() const { return state_.blocked; }
 
   const std::string& name() const override { return name_; }
@@ -38,9 +38,9 @@ class WheelMotor : public Part, public Breakable {
  protected:
   WheelMotor(const PartSpec& spec, PartContext& context);
 
-  /// Sets its command before the first tick.
+  /// Sets the command before the first tick.
   void begin(const world::WheelCommand& command) { state_.now = command; }
-  /// Sets its command from `t` on.
+  /// Sets the command from `t` on.
   void set(const world::WheelCommand& command, SimTime t);
   const world::WheelCommand& now() const { return state_.now; }
 
@@ -51,12 +51,12 @@ class WheelMotor : public Part, public Breakable {
 
   struct State {
     world::WheelCommand now;  // from `since` on
-    world::WheelCommand sum;  // times nanoseconds, before
+    world::WheelCommand sum;  // earlier commands of the tick, times nanoseconds
     SimTime since = 0;
     bool steady = false;   // no change since the last take()
-    bool changed = false;  // since the tick began
+    bool changed = false;  // set() was called since the tick began
     bool broken = false;
-    double strength = 1.0;  // of drive: < 1 weak, 0 dead, < 0 reversed
+    double strength = 1.0;  // factor of the drive: < 1 weak, 0 dead, < 0 reversed
     bool dead = false;
     bool blocked = false;
   };

@@ -1,12 +1,13 @@
-// type = "wheel-servo": a servo for continuous rotation, as a wheel's motor. Its pulse width sets its speed.
+// type = "wheel-servo": a servo for continuous rotation that drives a wheel. The pulse width sets the speed.
 //
 //   over  = pulse - stop, less the dead band
 //   drive = over / (full - dead band), at most 1
 //   brake = 1 - |drive|
 //
-// The motor has the parameters of [motors] (sim/world/body.h); `reversed` mounts it the other way round.
-// Pulses longer than `stop` turn it counter-clockwise, seen from its shaft. So they drive the left wheel
-// forward, and the right one, which is mounted mirrored, backward. 50 ms after the last pulse it coasts.
+// The motor has the parameters of [motors] (sim/world/body.h); `reversed` mounts the servo the other way
+// round. Pulses longer than `stop` turn the servo counter-clockwise, seen from its shaft. They therefore
+// drive the left wheel forward. The right servo is mounted mirrored, so they drive the right wheel backward.
+// The servo coasts from 50 ms after the last pulse.
 //
 // Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side since 2014,
 // counter-clockwise above, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed at 0.2 ms from
@@ -45,13 +46,13 @@ class WheelServoPart final : public WheelMotor, public PinWatcher {
  private:
   struct State {
     ServoSignal signal;
-    SimTime last_pulse = kNever;  // kNever = it coasts
+    SimTime last_pulse = kNever;  // kNever = the servo coasts
   };
 
   const WheelServoSpec& spec_;
   PartContext& context_;
   const double stop_, full_, dead_band_;  // ns
-  const double forward_;                  // 1 = longer pulses drive it forward, or -1
+  const double forward_;                  // 1 = longer pulses drive the wheel forward; else -1
   State state_;
 };
 

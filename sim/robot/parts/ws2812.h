@@ -1,14 +1,15 @@
-// type = "ws2812": a strip of LEDs with a controller each, on one data pin (NeoPixel).
+// type = "ws2812": a strip of LEDs with one controller each, on one data pin (NeoPixel).
 //
 //   bit 0   high 0.35 us, low 0.8 us       bit 1   high 0.7 us, low 0.6 us     each +- 0.15 us
-//   reset   low for 50 us: shows what came since the last one
+//   reset   low for 50 us: shows the bits since the last reset
 //
-// A bit is a 1 if it is high for 0.55 us or longer. 24 of them, green, red, blue, the highest first, belong
-// to one LED, and the rest goes on to the next (WorldSemi data sheet WS2812). Newer strips take 280 us for a
-// reset, which they get where a sketch waits as its library does. Colours are reported as an event, RRGGBB
-// per LED, when they have changed and stayed for 50 ms.
+// A bit is a 1 if it is high for 0.55 us or longer. Each LED uses 24 bits, in the order green, red, blue and
+// the highest bit first. It passes the rest to the next LED (WorldSemi data sheet WS2812). Newer strips need
+// 280 us for a reset; their libraries wait for that time. Colours are reported as an event, RRGGBB per LED,
+// when they have changed and then stayed for 50 ms.
 //
-// Only an emulated chip makes pulses so short by loops. On the target host the library's stand-in makes them.
+// Only an emulated chip can make such short pulses in loops. On the target host, the stand-in for the library
+// makes them.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -36,7 +37,7 @@ class Ws2812Part final : public Part, public PinWatcher, public TextOutput {
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   const std::string& name() const override { return spec_.name; }
   std::string poll_text(SimTime) override;
-  /// Returns the number of lit LEDs.
+  /// Appends the number of lit LEDs.
   void read(std::vector<Reading>&) const override;
 
  private:
@@ -46,9 +47,9 @@ class Ws2812Part final : public Part, public PinWatcher, public TextOutput {
     bool high = false;
     SimTime since = 0;                  // beginning of `high`
     std::vector<std::uint32_t> coming;  // GRB
-    int bits = 0;                       // in the last of `coming`
+    int bits = 0;                       // number of bits in the last of `coming`
     std::vector<std::uint32_t> shown;
-    SimTime changed_at = kNever;  // kNever = it has been reported
+    SimTime changed_at = kNever;  // kNever = the change has been reported
   };
 
   const Ws2812Spec& spec_;
