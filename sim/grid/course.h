@@ -46,7 +46,7 @@ struct RaceLines {
   double start = 0.0;
   double goal = 0.0;
   double braking = 0.0;  ///< m after the goal line of a drag race; 0 = not a drag race
-  double signal = 0.0;   ///< s, starting signal of a drag race; 0 = none, the clock starts with the robot
+  double signal = 0.0;   ///< s, starting signal of a drag race; 0 = none
 };
 
 /// A course of tiles along the whole first path: RoboCupJunior's Rescue Line.
@@ -60,7 +60,7 @@ struct RescueCourse {
 
 struct Course {
   std::vector<Path> paths;
-  std::vector<Paint> paints;  ///< of pieces and marks; only paints that differ from the map's default
+  std::vector<Paint> paints;  ///< paints of pieces and marks that differ from the map's default
   std::optional<RaceLines> race;
   std::optional<RescueCourse> rescue;
   std::vector<Mark> marks;

@@ -9,8 +9,8 @@
 namespace robosim::grid {
 namespace {
 
-// An interval of pixels, split into up to three runs. A run's share is the part of each of its pixels that
-// the interval covers.
+// An interval of pixels, split into up to three runs. The share of a run is the covered part of each pixel in
+// the run.
 struct Runs {
   std::array<int, 4> edges;
   std::array<double, 3> shares;

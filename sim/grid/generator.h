@@ -4,7 +4,8 @@
 // sim/base/noise.h. A change that alters the map for any arguments must raise kGeneratorVersion.
 //
 // All landmarks lie on a lattice whose rows and columns are 3 or 4 cells apart. A margin of 3 cells surrounds
-// the lattice. Robots therefore have as much room as on the sample maps. There are no walls and no obstacles.
+// the lattice. Robots therefore have as much room as on the sample maps. The maps have no walls and no
+// obstacles.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// [[light]] of a map: ambient light, which infra-red sensors see in addition to their own.
+// [[light]] of a map: ambient light, which infra-red sensors receive in addition to their own light.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,7 @@ enum class Cell : std::uint8_t {
 
 constexpr bool is_line(Cell c) { return c == Cell::line || c == Cell::gap || c == Cell::obstacle; }
 
-/// A cell by column and row from the top-left corner, as users type them.
+/// A cell by column and row from the top-left corner, as in user input.
 struct CellAt {
   int x = 0;
   int y = 0;
@@ -60,13 +60,13 @@ constexpr Vec2 heading(Direction d) {
 
 /// A place on one of a map's paths.
 struct OnPath {
-  int path = 0;            ///< its index in Course::paths
+  int path = 0;            ///< index in Course::paths
   double along = 0.0;      ///< m from the path's beginning
   bool backwards = false;  ///< facing against the path's direction
   bool operator==(const OnPath&) const = default;
 };
 
-/// Where a robot starts.
+/// The start of a robot.
 struct Start {
   CellAt cell;
   Direction facing = Direction::east;

@@ -8,8 +8,8 @@
 
 namespace robosim::grid {
 
-/// Returns the text of a map file. Reading it gives an equal map, except for `file`, `sha256` and the goal's
-/// place.
+/// Returns the text of a map file. Reading the text gives an equal map, except for `file`, `sha256` and the
+/// goal's place.
 std::string write_map(const Map& map);
 
 }  // namespace robosim::grid

@@ -19,7 +19,7 @@ struct Shape {
   double half_width = 0.0;   ///< m, of a rectangle
   double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
   Place place;               ///< place of the table in the map's file
-  Vec2 least, most;          ///< m, corners of the region of the middle for all draws
+  Vec2 least, most;          ///< m, corners of the region that contains the middle for any draw
 
   /// Returns the distance from the centre to the farthest point, m.
   double reach() const {
@@ -38,7 +38,7 @@ struct Shape {
 Shape read_shape(TableReader& table, const Course& course, const char* name, const SampledParameters& figures,
                  Parameter* length = nullptr);
 
-/// Checks that the centres of a map's areas, hills, surfaces and joints are on its floor, for any draw.
+/// Checks that the centres of a map's areas, hills, surfaces and joints are on the map's floor, for any draw.
 /// Throws InputError.
 void check_shapes(const Map& map);
 

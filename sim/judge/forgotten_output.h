@@ -3,13 +3,13 @@
 //   digitalWrite(13, HIGH);   PORTB |= 1 << 5;      // both only switch on the pull-up of an input
 //
 // The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2). An LED gets a tenth of a milliampere and
-// hardly glows; a buzzer and a servo stay silent. A motor driver may or may not read the level as high,
-// depending on the module. Simulated drivers read it as high, so that the run succeeds. The built-in LED of
-// an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. A Nano and many
-// clones have no amplifier.
+// hardly glows; a buzzer stays silent, and a servo does not move. A motor driver may or may not read the
+// level as high, depending on the module. Simulated drivers read it as high, so that the run succeeds. The
+// built-in LED of an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. A
+// Nano and many clones have no amplifier.
 //
-// A finding is a pin that was an input with its pull-up on and never an output. The run must go on for 0.1 s
-// or more after that. The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment
+// A finding is a pin that was an input with its pull-up on and never an output. The run must continue for 0.1
+// s or more after that. The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment
 // digit or shift register.
 //
 // A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: this is not reported. To

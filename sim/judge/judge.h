@@ -19,7 +19,7 @@ constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
 /// The longest pause between pulses of a motor that still counts as driven.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 
-/// The judge's input, once a tick.
+/// The judge's input in each tick.
 struct Situation {
   SimTime t = 0;
   const Pose* pose = nullptr;
@@ -56,7 +56,7 @@ class Judge {
   /// Returns the time since which the robot has been driven without moving by kStuckMove or turning by a
   /// degree.
   SimTime stuck_since() const { return anchored_at_; }
-  /// Return the time since which the axle has been in one place, the place, and the last time of motor drive.
+  /// Return when the axle arrived at its present place, that place, and when a motor was last driven.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
   SimTime last_driven() const { return last_driven_; }

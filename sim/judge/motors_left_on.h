@@ -9,7 +9,7 @@
 // waiting in a call, which BlindDriving would find. To fix a finding, stop or brake the motors wherever
 // steering ends.
 //
-// Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by luck.
+// Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by chance.
 #pragma once
 
 #include <vector>

@@ -55,7 +55,7 @@ struct Decisive {
 
 struct Outcome {
   Verdict verdict = Verdict::timeout;
-  std::string why;  ///< one sentence a first-year student understands
+  std::string why;  ///< one sentence that a first-year student understands
   NextStep next;
   Decisive decisive;
   std::vector<wire::Cause> because;  ///< causes, back from the verdict, if requested

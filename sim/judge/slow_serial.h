@@ -34,7 +34,7 @@ class SlowSerial {
   SimTime began_ = 0;  ///< tick of the last read of a floor sensor
   double from_m_ = 0.0;
   bool waits_ = false;               ///< a call of Serial has waited in this stretch
-  SimTime driven_ = 0, waited_ = 0;  ///< total time of driving, and of all stretches
+  SimTime driven_ = 0, waited_ = 0;  ///< total time of driving, and of stretches in which Serial waited
   int asked_ = 0, times_ = 0;
   double longest_s_ = 0.0, furthest_m_ = 0.0;
   exec::Activity first_;

@@ -2,7 +2,7 @@
 // is always `supply` of [motors].
 //
 //   V = cells OCV(charge) - R I
-//   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (its ohms)
+//   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (motor ohms)
 //   d charge / dt = - I / capacity
 //
 // V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). For example, let E

@@ -40,7 +40,7 @@ class ParameterSampler {
   Profile profile_;
 };
 
-/// The world as the robot's parts see it in the current tick.
+/// The state of the world in the current tick, for the robot's parts.
 struct View {
   const world::Floor* floor = nullptr;
   const world::Body* body = nullptr;

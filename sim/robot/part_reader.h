@@ -18,12 +18,12 @@ constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 
 /// The function that a wire requires of its pin.
 enum class PinUse {
-  digital,  ///< any pin except one that is only an analog input
+  digital,  ///< any pin except those that are only analog inputs
   driven,   ///< followed by the part: a digital pin, or an output of a shift register or PWM driver
   analog,   ///< a pin with an ADC channel
 };
 
-/// The terminals that wires may be connected to.
+/// The terminals to which wires may be connected.
 struct Terminals {
   const BoardSpec* board;
   const BoardSpec* written_for;     ///< the file's own board, to which its pins and volts refer

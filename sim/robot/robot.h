@@ -85,7 +85,7 @@ class Robot {
   /// Returns whether the robot has any reflectance sensor.
   bool has_line_sensors() const;
   /// Returns the midpoint of the reflectance sensors in the body's frame, m, where the cross-track error is
-  /// measured. (0, 0) without such sensors.
+  /// measured. Returns (0, 0) without such sensors.
   Vec2 sensor_midpoint() const;
   /// Returns the distance from the axle's centre within which the robot may detect another robot, m; 0
   /// without distance sensors. The distance is infinite with a radio. It is also infinite with a fan, which

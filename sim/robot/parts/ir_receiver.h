@@ -1,7 +1,7 @@
 // type = "ir-receiver": a demodulator for remote controls (TSOP38238, VS1838B), and the remote. `send ir
-// 0x45` in a script presses its key 0x45, and `send ir 0x45 for 500ms` holds it.
+// 0x45` in a script presses the remote's key 0x45, and `send ir 0x45 for 500ms` holds the key.
 //
-// It outputs the NEC protocol: high at rest, low while there is light.
+// The receiver outputs the NEC protocol: high at rest, low while there is light.
 //
 //   low 9 ms, high 4.5 ms, 32 bits, low 562.5 us; a bit: low 562.5 us, high 562.5 us (0) or 1687.5 us (1)
 //   held: after each 108 ms low 9 ms, high 2.25 ms, low 562.5 us

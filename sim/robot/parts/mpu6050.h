@@ -1,5 +1,5 @@
 // type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00).
-// It lies flat on the robot, its x axis ahead, y to the left, z up.
+// The sensor lies flat on the robot, with its x axis ahead, y to the left and z up.
 //
 //   gyro         z: the robot's turn rate; x, y: the rate of a manual tilt; each times scale + bias + noise
 //                131 LSB/(deg/s) at +-250, halved with each step of FS_SEL

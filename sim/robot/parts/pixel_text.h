@@ -1,6 +1,6 @@
-// Reads text on a display of pixels, at one to four times its size. Letters have 5 columns, 7 or 8 rows and
-// an empty column after them, as in Adafruit's GFX and most small fonts. Other fonts, and dark letters on
-// a lit ground, are not read.
+// Reads text on a display of pixels, at scales of one to four. Letters have 5 columns, 7 or 8 rows and an
+// empty column after them, as in Adafruit's GFX and most small fonts. Other fonts, and dark letters on a lit
+// background, are not read.
 #pragma once
 
 #include <cstdint>

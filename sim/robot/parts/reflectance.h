@@ -6,7 +6,7 @@
 //
 //   e         brightness of the emitter (1, or as its pin is driven)
 //   s         the share of light that remains at this height
-//   v         brightness of the floor there (world::Floor::brightness)
+//   v         brightness of the floor at this place (world::Floor::brightness)
 //   ambient   stray light
 //   x L       ambient light L, and the exposure x at this height (world/lighting.h)
 //   n         the share of the noise that remains over black

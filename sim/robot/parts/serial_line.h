@@ -1,5 +1,5 @@
-// A serial module's line to the board: 8 bits, no parity, one stop bit. It may use any two pins, which the
-// sketch drives bit by bit (SoftwareSerial, AltSoftSerial). On the pins of the board's Serial, bytes go
+// A serial module's line to the board: 8 bits, no parity, one stop bit. The line may use any two pins, which
+// the sketch drives bit by bit (SoftwareSerial, AltSoftSerial). On the pins of the board's Serial, bytes go
 // through the chip's UART, and `baud` has no effect.
 //
 //   txd  ‾‾\_s_/b0 b1 … b7\‾‾   to the sketch, each bit 1/baud long

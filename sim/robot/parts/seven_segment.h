@@ -1,7 +1,7 @@
 // type = "seven-segment": one digit, a light for each of its segments:
 //
 //    aaa        pins a to g, and dp (the point) if it is wired
-//   f   b       common = "anode": a low pin lights its segment; "cathode": a high one does
+//   f   b       common = "anode": a low pin lights its segment; "cathode": a high pin
 //    ggg
 //   e   c
 //    ddd  dp

@@ -5,8 +5,8 @@
 //   echo  ______________/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\______  the travel time of sound, there and back
 //              |  450 us |      2 d / v      |
 //
-// d is the distance to the nearest point in the beam of a wall, an obstacle, the map's edge or another robot.
-// The distance is measured when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms if
+// d is the distance to the nearest point of a wall, obstacle, map edge or other robot in the beam. The
+// distance is measured when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms if
 // nothing is within 4 m; an object nearer than 20 mm counts as 20 mm. A trigger before the end of an echo is
 // ignored. With one wire, `pins = { sig }`, trigger and echo share it.
 //

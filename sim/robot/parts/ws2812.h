@@ -3,8 +3,8 @@
 //   bit 0   high 0.35 us, low 0.8 us       bit 1   high 0.7 us, low 0.6 us     each +- 0.15 us
 //   reset   low for 50 us: shows the bits since the last reset
 //
-// A bit is a 1 if it is high for 0.55 us or longer. Each LED uses 24 bits, in the order green, red, blue and
-// the highest bit first. It passes the rest to the next LED (WorldSemi data sheet WS2812). Newer strips need
+// A bit is a 1 if it is high for 0.55 us or longer. Each LED uses 24 bits: green, red and blue, each with the
+// highest bit first. The LED passes the rest to the next LED (WorldSemi data sheet WS2812). Newer strips need
 // 280 us for a reset; their libraries wait for that time. Colours are reported as an event, RRGGBB per LED,
 // when they have changed and then stayed for 50 ms.
 //
