@@ -32,7 +32,7 @@ bool read_plain(std::string_view row, Cell* out) {
   return strange == 0;
 }
 
-// Counts a character as std::count does. Each block's sum fits into a byte, so that compilers vectorise the
+// Counts a character, like std::count. Each block's sum fits into a byte, so that compilers vectorise the
 // loop.
 std::size_t count(std::string_view row, char c) {
   constexpr std::size_t kBlock = 128;

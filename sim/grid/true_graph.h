@@ -55,7 +55,7 @@ struct TrueGraph {
 /// the graph. A line without any node (a ring, or a piece between two obstacles) gives an empty graph.
 TrueGraph true_graph(const Map& map, const Start& start);
 
-/// Returns the number of lines, including blocked ones; a line blocked from both ends counts twice.
+/// Returns the number of lines, including blocked lines; a line blocked from both ends counts twice.
 std::size_t line_count(const TrueGraph& graph);
 /// Returns the number of independent cycles: the number of lines to remove to get a tree. Blocked lines do
 /// not close cycles.

@@ -11,7 +11,7 @@ namespace {
 constexpr double kSamePower = 0.02;
 // The number of ticks in which a sketch converts a reading to motor commands.
 constexpr int kTicksToSteer = 3;
-// A sketch with fewer reads does not steer by the line.
+// A sketch with fewer reads does not steer along the line.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
 

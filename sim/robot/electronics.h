@@ -57,7 +57,7 @@ class AnalogInputs {
                SnapshotRegistry& snapshots);
   ~AnalogInputs();
 
-  /// Connects a source to a pin, as RobotPort::connect() does.
+  /// Connects a source to a pin, like RobotPort::connect().
   void connect(Pin pin, PinSource& source, Scale scale);
 
  private:

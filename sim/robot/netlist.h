@@ -54,7 +54,7 @@ class Netlist {
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? state_.outputs[index_of(pin)] : board_.drive(pin);
   }
-  /// Watches a wire, as RobotPort::watch() does.
+  /// Watches a wire, like RobotPort::watch().
   void watch(Pin pin, PinWatcher& watcher);
   /// Drives an output of a shift register or PWM driver. Notifies the watchers if the drive has changed.
   void drive_output(Pin output, const PinDrive& drive, SimTime t);

@@ -72,7 +72,7 @@ class PartContext {
         snapshots(snapshots_),
         analog_(analog) {}
 
-  /// Connects a source that an ADC converts, as RobotPort::connect() does.
+  /// Connects a source that an ADC converts, like RobotPort::connect().
   void connect_analog(Pin pin, PinSource& source, Scale scale) {
     if (analog_)
       analog_->connect(pin, source, scale);

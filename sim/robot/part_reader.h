@@ -57,7 +57,7 @@ class PartReader {
   /// values.
   std::vector<Parameter> figures(const char* key, Dimension dimension, Parameter fallback, double least,
                                  double most, std::size_t count);
-  /// Reads a voltage of each of `count` elements, as volts() does.
+  /// Reads a voltage of each of `count` elements, like volts().
   std::vector<Parameter> volts_of_each(const char* key, Parameter fallback, std::size_t count);
   /// Reads PinSource::source_ohms() of a source that an ADC converts.
   Parameter source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }

@@ -34,7 +34,7 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
   /// Registers the line for `owner`, which must call begin_tick().
   void register_with(Part& owner, PartRegistry& registry);
   void begin_tick(SimTime t);
-  /// Sends a byte to the sketch, after the pending ones.
+  /// Sends a byte to the sketch, after the pending bytes.
   void send(std::uint8_t byte, SimTime t);
   /// Returns whether nothing is pending for the sketch.
   bool idle() const { return state_.line.empty(); }

@@ -5,8 +5,8 @@
 // Longer pulses turn the horn to the left, seen from above (reversed = true: to the right). At power-on the
 // horn is in its middle position. Without pulses it stays in place.
 //
-// Sources: pulses of 0.544 to 2.4 ms for 180 degrees are those of Arduino's Servo library for write(0) and
-// write(180). 0.12 s for 60 degrees at 4.8 V and a dead band of 10 us are the SG90's (Tower Pro data sheet).
+// Sources: Arduino's Servo library outputs pulses of 0.544 to 2.4 ms for write(0) to write(180). The SG90
+// takes 0.12 s for 60 degrees at 4.8 V, and has a dead band of 10 us (Tower Pro data sheet).
 #pragma once
 
 #include "sim/robot/part.h"

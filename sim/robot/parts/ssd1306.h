@@ -1,7 +1,7 @@
 // type = "ssd1306": a graphic OLED display (Solomon Systech data sheet, revision 1.1), 128 pixels wide and 64
 // or 32 high, on I2C.
 //
-//   control byte   0x00 commands follow, 0x40 data follows; 0x80, 0xC0: one byte of them, then another
+//   control byte   0x00 commands follow, 0x40 data follows; 0x80, 0xC0: one such byte, then a control byte
 //   memory         8 pages of 128 bytes, the lowest bit of each on top
 //   addressing     by page (after power-on), horizontal, vertical; each wraps within its window
 //

@@ -19,7 +19,7 @@ namespace robosim::robot {
 std::uint8_t read_two_wire(PartReader&, int usual_address);
 
 /// A device with registers. The first byte written is a register's number; further bytes go to that register
-/// and the following ones. Reading continues from the same number.
+/// and to the following registers. Reading continues from the same number.
 class RegisterDevice : public TwoWireDevice {
  public:
   /// State that each device adds to the part's state.
