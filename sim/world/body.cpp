@@ -88,8 +88,8 @@ void Body::advance(double dt) {
 }
 
 // Both wheels roll: (mass_own + inertia + drag) speed_i + mass_cross speed_j = impulse_i - friction_i, where
-// friction holds a wheel, or opposes its turning. The unique minimum of a convex function, found by descent
-// along each coordinate.
+// friction holds a wheel or opposes its turning. The solution is the unique minimum of a convex function.
+// Descent along each coordinate finds it.
 void Body::solve_friction(double* speed, const double* impulse, const double* friction,
                           const Motor* m) const {
   const double own[2] = {mass_own_ + unit_[left].inertia + m[left].drag,
@@ -105,8 +105,9 @@ void Body::solve_friction(double* speed, const double* impulse, const double* fr
   speed[right] = y[1];
 }
 
-// At least one tyre slips, or nearly: ground and tread have separate speeds, joined by traction of at most
-// `limit`. Solves wheel by wheel, with the other's traction fixed, until nothing changes.
+// Solves for separate speeds of ground and tread: at least one tyre slips, or nearly. Traction of at most
+// `limit` joins the two speeds. Solves wheel by wheel, with the other's traction fixed, until nothing
+// changes.
 void Body::solve_slip(const Motor* m, const double* friction, const double* limit) {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   const double turning = half_track_ * half_track_ * per_inertia_;
@@ -144,7 +145,7 @@ void Body::accelerate() {
   const double s0 = surface_[0], s1 = surface_[1];
   const double friction[2] = {unit_[0].friction[s0 == 0.0], unit_[1].friction[s1 == 0.0]};
 
-  // Sideways: the tyres take the remainder of the frame's turn, up to their grip.
+  // The tyres take up the rest of the frame's sideways turn, up to their grip.
   const double sideways = -side_free_ * params_.mass_kg;
   double limit[2] = {grip_limit_[0], grip_limit_[1]};
   bool skids = false;
@@ -171,7 +172,7 @@ void Body::accelerate() {
   const double p1 = impulse[1] - std::copysign(friction[1], s1);
   double y[2] = {(own1 * p0 - mass_cross_ * p1) * per_determinant,
                  (own0 * p1 - mass_cross_ * p0) * per_determinant};
-  // If a wheel stands, or would reverse within the tick, its friction may hold it.
+  // If a wheel stands still, or would reverse within the tick, its friction may hold it.
   if (!(y[0] * s0 > 0.0 && y[1] * s1 > 0.0)) solve_friction(y, impulse, friction, m);
 
   const double traction0 = mass_own_ * y[0] + mass_cross_ * y[1] - momentum0;
@@ -194,7 +195,7 @@ void Body::accelerate() {
   }
 }
 
-// Lifted: each wheel turns independently.
+// Turns each wheel of a lifted body independently.
 void Body::spin() {
   advance(kDt);
   if (winds_) find_currents();
@@ -209,7 +210,7 @@ void Body::spin() {
   draw_energy();
 }
 
-// Computes the tick of a rolling body. Returns false, without effect, for any other one.
+// Computes the tick of a rolling body. Returns false, without effect, for a body that does not roll.
 ROBOSIM_ALSO_FOR("avx") bool Body::roll_on(const Walls& walls) {
   if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
   Rolling<Pair> next;

@@ -1,12 +1,12 @@
-// One robot's body: two driven wheels, a caster, an outline. It has a differential drive with motors,
-// friction and grip.
+// Simulates one robot's body: two driven wheels, a caster and an outline. The body has a differential drive
+// with motors, friction and grip.
 //
 // A tick of dt = 1 ms from the state at its start (v forward, u to the left, omega counter-clockwise, wheel
 // rates w):
 //   1. The pose moves with these velocities, along their arc, exactly as pose_after(1 ms) returns it.
 //   2. Motors, friction and grip change the velocities.
 //   3. Walls, obstacles and other bodies push the outline out, and stop its velocity towards them.
-// Velocities are therefore constant inside a tick, and what sensors extrapolate from its start is exact.
+// Velocities are therefore constant inside a tick. Sensors can extrapolate exactly from the tick's start.
 //
 // Each wheel, with all torques at the wheel's axle (a motor's data sheet gives these five parameters):
 //   R    = nominal_volts / stall_current                                   terminal resistance
@@ -14,7 +14,7 @@
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts per rad/s
 //   T_c  = k_t no_load_current + T_r, T_r = rolling_resistance m g r / 2   friction while it turns
 //   T_s  = static_friction k_t no_load_current + T_r                       friction that holds it at rest
-// At nominal_volts it turns at no_load_rate off the ground, and stalls at stall_torque.
+// At nominal_volts the wheel turns at no_load_rate off the ground, and stalls at stall_torque.
 //
 // The current depends on the driver's state:
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
@@ -56,41 +56,41 @@ struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
-  // Used by windings with inductance.
+  // Used only if a winding has inductance.
   double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; twice that is part of `brake`
-  double period_s = 0.0;  ///< of PWM; 0 = none, or not known
+  double period_s = 0.0;  ///< PWM period; 0 = none, or unknown
 
   bool operator==(const WheelCommand&) const = default;
 };
 
 enum Side { left = 0, right = 1 };
 
-/// One wheel and its gear motor. Rates and torques are those of the gear's output, as in data sheets.
+/// One wheel and its gear motor. Rates and torques apply to the gear's output, as in data sheets.
 struct WheelParams {
-  double nominal_volts = 0.0;       ///< V, at which the following four hold
+  double nominal_volts = 0.0;       ///< V, for the next four values
   double no_load_rate = 0.0;        ///< rad/s
-  double no_load_current = 0.0;     ///< A; what friction in motor and gear takes
+  double no_load_current = 0.0;     ///< A; consumed by friction in motor and gear
   double stall_torque = 0.0;        ///< N m
   double stall_current = 0.0;       ///< A; more than no_load_current
-  double static_friction = 0.0;     ///< of motor and gear, at rest against turning; at least 1
+  double static_friction = 0.0;     ///< motor and gear friction at rest / while turning; at least 1
   double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
-  double rotor_inertia_kgm2 = 0.0;  ///< of the motor's rotor
-  double wheel_inertia_kgm2 = 0.0;  ///< of the wheel about its axle
-  double radius_m = 0.0;            ///< of the wheel
-  double inductance_h = 0.0;        ///< H of the winding; 0 = it does not matter
+  double rotor_inertia_kgm2 = 0.0;  ///< motor rotor
+  double wheel_inertia_kgm2 = 0.0;  ///< wheel about its axle
+  double radius_m = 0.0;            ///< wheel radius
+  double inductance_h = 0.0;        ///< H of the winding; 0 = ignored
 };
 
 /// All parameters of a body. Zero is not a default: start from default_body_params(), or set every field.
 struct BodyParams {
   WheelParams wheel[2];            ///< left, right
-  double supply_volts = 0.0;       ///< V at the driver's supply pin, until supply() says otherwise
-  double driver_drop_volts = 0.0;  ///< V lost in bipolar switches whatever the current (L298N 1.4; MOSFETs 0)
-  double driver_ohms = 0.0;        ///< ohm of both switches in the motor's way (L298N 1.15, TB6612 0.5)
-  double driver_diode_volts = 0.0;  ///< V lost in each diode that carries on a winding's current
-  bool driver_both_ways = true;     ///< its switches conduct both ways (MOSFETs); else one, and diodes
-  bool driver_single = false;       ///< it is one switch, with a diode across the motor
+  double supply_volts = 0.0;       ///< V at the driver's supply pin, until supply() changes it
+  double driver_drop_volts = 0.0;  ///< V lost in bipolar switches at any current (L298N 1.4; MOSFETs 0)
+  double driver_ohms = 0.0;        ///< ohm of both switches in series with the motor (L298N 1.15, TB6612 0.5)
+  double driver_diode_volts = 0.0;  ///< V lost in each freewheeling diode
+  bool driver_both_ways = true;     ///< the switches conduct both ways (MOSFETs), not one way with diodes
+  bool driver_single = false;       ///< the driver is one switch, with a diode across the motor
   double track_m = 0.0;             ///< m between the wheels' contact points
-  double mass_kg = 0.0;             ///< kg, all; its centre is taken to be the axle's centre
+  double mass_kg = 0.0;             ///< kg, total; centred on the axle's centre
   double yaw_inertia_kgm2 = 0.0;    ///< kg m2 about the axle's centre, without the wheels' own spin
   double load_share = 0.0;  ///< 0..1 of the weight on the driven wheels, half on each; the rest on the caster
   double rolling_resistance = 0.0;  ///< force / weight: tyres and caster
@@ -99,16 +99,16 @@ struct BodyParams {
   /// Outline in the body's frame (x forward, y left, axle's centre at 0,0): a convex polygon,
   /// counter-clockwise; or empty for a circle of `radius_m` about `centre`.
   std::vector<Vec2> outline;
-  double radius_m = 0.0;  ///< m, of the circle; not used with a polygon
-  Vec2 centre;            ///< m, of the circle; not used with a polygon
+  double radius_m = 0.0;  ///< m; the circle's radius; unused with a polygon
+  Vec2 centre;            ///< m; the circle's centre; unused with a polygon
   // Used by hills and by loads that shift.
-  double caster_m = -0.05;         ///< m, where the caster stands, ahead of the axle; not 0
-  double caster_radius_m = 0.008;  ///< m, of the caster, a ball
-  double centre_height_m = 0.0;    ///< m, of the mass's centre over the floor; 0 = loads do not shift
-  double wheelbase_m = 0.0;        ///< m, of two wheels a side that turn by skidding; 0 = it has a caster
-  double downforce_n = 0.0;        ///< N, of fans, until press() says otherwise; half on each wheel
-  double steer_base_m = 0.0;       ///< m, by which steered wheels are ahead of the axle; 0 = none are
-  bool differential = false;       ///< of a steered body: one motor drives both wheels; each has half of it
+  double caster_m = -0.05;         ///< m; the caster's position ahead of the axle; not 0
+  double caster_radius_m = 0.008;  ///< m; the caster is a ball
+  double centre_height_m = 0.0;    ///< m; height of the centre of mass; 0 = loads do not shift
+  double wheelbase_m = 0.0;        ///< m between two wheels of a side, which skid to turn; 0 = caster
+  double downforce_n = 0.0;        ///< N, of fans, until press() changes it; half on each wheel
+  double steer_base_m = 0.0;       ///< m from the axle to the steered wheels ahead; 0 = no steered wheels
+  bool differential = false;       ///< steered bodies: one motor drives both wheels, half each
 };
 
 /// Returns a small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
@@ -118,8 +118,8 @@ BodyParams default_body_params();
 /// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
 double effective_track(double track, double wheelbase);
 
-/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner one of two steered
-/// wheels, which are `track` apart: body_steer.cpp.
+/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner steered wheel; the
+/// two are `track` apart: body_steer.cpp.
 double steered_middle(double inner, double track, double steer_base);
 
 /// How a body has fallen over.
@@ -127,22 +127,22 @@ enum class Toppled { no, over, off_an_edge };
 
 /// A body's lean and its rate, in its own frame (x ahead, y to the left).
 struct Lean {
-  Vec2 low;            ///< the sine of the angle, in the direction of the side that is lowest
-  double level = 1.0;  ///< the cosine of the angle
-  Vec2 rate;           ///< rad/s by which the angle grows, in that direction
+  Vec2 low;            ///< sine of the angle, towards the lowest side
+  double level = 1.0;  ///< cosine of the angle
+  Vec2 rate;           ///< rad/s by which the angle grows in that direction
 };
 
 class Body {
  public:
-  /// Throws std::invalid_argument for values that have no meaning (see BodyParams), not for unusual ones.
+  /// Throws std::invalid_argument for meaningless values (see BodyParams), not for unusual ones.
   Body(const BodyParams&, const Pose&);
 
   const BodyParams& params() const { return params_; }
 
   /// Returns the state at the beginning of the current tick.
   const Pose& pose() const { return pose_; }
-  /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. It lies on an arc
-  /// of angle a = omega dt:
+  /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. The pose lies on
+  /// an arc of angle a = omega dt:
   ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega
   /// Sine and cosine are polynomials (error below a^5 / 120 of the way), and the heading is renormalised.
   Pose pose_after(double dt_s) const;
@@ -157,70 +157,70 @@ class Body {
   double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
   /// Returns the rate in rad/s for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
   double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
-  double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, also when it slips
+  double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, even when the wheel slips
   /// Returns whether the wheel's speed differs from the ground's.
   bool slips() const { return slips_; }
-  double distance() const { return distance_; }  ///< m travelled by the axle's centre, always growing
-  /// Returns the distance that the wheels have turned through, m, mean of both. It only grows, also in slip
-  /// or spin.
+  double distance() const { return distance_; }  ///< m travelled by the axle's centre; only grows
+  /// Returns the mean distance that the two wheels have turned through, m. It only grows, even during slip or
+  /// spin.
   double wheel_travel() const { return wheel_travel_; }
   double energy() const { return energy_; }            ///< J drawn from the battery by the motors
-  double energy_back() const { return energy_back_; }  ///< J that they gave back to it
+  double energy_back() const { return energy_back_; }  ///< J returned to the battery by the motors
   /// Returns the number of contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
   int collisions() const { return collisions_; }
-  /// Returns whether the last of them was with another body.
+  /// Returns whether the latest of these contacts was with another body.
   bool collided_with_body() const { return collided_with_body_; }
   bool in_contact() const { return in_contact_; }
-  /// Returns whether something presses against it from ahead, within 60 degrees of straight on, as a bumper
-  /// feels.
+  /// Returns whether something presses against the body from within 60 degrees of straight ahead, as a bumper
+  /// would detect.
   bool pressed_ahead() const { return pressed_ahead_; }
   /// Returns whether the body's outline covers a point of the floor.
   bool covers(Vec2 p) const;
-  /// Returns the centre of the circle about the outline's middle that holds the outline, m.
+  /// Returns the centre of the circle that bounds the outline, m. The circle is centred on the outline's
+  /// middle.
   Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
-  /// Returns a bound of how far that circle's centre moves within a duration, m, on a plane floor without
-  /// outside influence: twice what its speeds and its grip allow.
+  /// Returns an upper bound, m, for the movement of that circle's centre within a duration. It assumes a
+  /// plane floor without outside influence, and is twice what speeds and grip allow.
   double reach(double seconds) const;
   /// Returns the kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
   /// Sets a command until the next call; values beyond ±1 and 0..1 are limited.
   void command(Side, const WheelCommand&);
-  void place(const Pose&);  ///< lifted and put down, at rest
+  void place(const Pose&);  ///< lifts the body and puts it down at rest
 
-  // Outside influences, which last until the next call.
+  // The next functions set outside influences, which last until the next call.
   /// Sets the driver's supply, V; the initial value is params().supply_volts.
   void supply(double supply_volts);
-  /// Sets a downforce in addition to its weight, N.
+  /// Sets a downforce in addition to the body's weight, N.
   void press(double downforce_n);
-  /// Sets the angle of its steered wheels, rad, to the left positive; limited to 80 degrees.
+  /// Sets the angle of the steered wheels, rad, positive to the left; limited to 80 degrees.
   void steer(double angle);
   double steered() const { return steered_; }
-  /// The current that its motors draw from a supply of that voltage, with their present commands and speeds.
+  /// The current that the motors draw from a given supply voltage, with their present commands and speeds.
   struct Draw {
     double amps = 0.0, amps_per_volt = 0.0;
   };
   Draw draw(double supply_volts) const;
-  /// Blocks a wheel: it does not turn, whatever motor and floor do. Its motor stalls.
+  /// Blocks a wheel: it does not turn, whatever its motor and the floor do. The motor stalls.
   void block(Side, bool blocked);
   /// Lifts the body: it stays in place and touches nothing. Its wheels turn freely, without rolling
   /// resistance. place() puts it down.
   void lift(bool lifted);
-  /// Moves the lifted body over the floor, by a manual move in which its sensors see the floor. lift() and
-  /// place() end it.
+  /// Moves the lifted body over the floor. During this manual move its sensors see the floor. lift() and
+  /// place() end the move.
   void carry(const Pose&);
-  /// Tilts the lifted body. lift(), carry() and place() level it. On hills it leans as they do.
+  /// Tilts the lifted body. lift(), carry() and place() level it. On hills the body leans as the floor does.
   void tilt(const Lean&);
   const Lean& lean() const { return lean_; }
-  /// Returns whether it lies on its side, its wheels in the air; place() puts it upright.
+  /// Returns whether and how the body has fallen over, its wheels in the air; place() puts it upright.
   Toppled toppled() const { return stance_.toppled; }
-  /// Returns by how much a place of its chassis (in its frame) is higher than on a plane floor, m.
+  /// Returns how much higher a point of the chassis (in the body's frame) is than on a plane floor, m.
   double raised(Vec2 own) const { return stance_.axle + stance_.pitch * own.x + stance_.roll * own.y; }
   bool lifted() const { return lifted_ && !carried_; }
   bool in_hand() const { return lifted_; }  ///< lifted or carried
-  /// Returns whether the next tick would leave everything the same, on a plane floor without outside
-  /// influence.
+  /// Returns whether the next tick would change nothing, on a plane floor without outside influence.
   bool is_still() const {
     return v_ == 0.0 && omega_ == 0.0 && u_ == 0.0 && surface_[0] == 0.0 && surface_[1] == 0.0 && !driven() &&
            !lifted_ && !in_contact_ && stance_.toppled == Toppled::no &&
@@ -229,58 +229,57 @@ class Body {
 
  private:
   friend class World;
-  friend class batch::Bodies;  // the same tick of many at once
+  friend class batch::Bodies;  // computes the same tick for many bodies at once
 
-  // Constants from a wheel's parameters: forces at the tyre's tread, speeds of the tread, impulses of one
-  // tick.
+  // Constants from a wheel's parameters: forces at the tyre's tread, tread speeds, impulses per tick.
   struct Unit {
     double per_radius;
     double inertia;      // kg: J / r^2
-    double friction[2];  // N s of a tick: turning, at rest
-    // Driven throughout a tick: the impulse is push - drag * speed, N s, the energy joule0 - joule1 * speed,
-    // while the speed (in drive's direction) is below push_until. Shorted: brake_push - drag * speed, above
-    // brake_from.
+    double friction[2];  // N s per tick: turning, at rest
+    // While a tick drives the wheel, the impulse is push - drag * speed, N s. The energy is joule0 - joule1 *
+    // speed. Both apply while the speed, in drive's direction, is below push_until. While shorted, the
+    // impulse is brake_push - drag * speed, above brake_from.
     double push, drag, push_until, brake_push, brake_from, joule0, joule1;
-    double drive, brake;  // the command
+    double drive, brake;  // the command's
     double per_ohm, volts_per_speed;
   };
   struct Motor {
     double push, drag;
   };
-  // State of a motor whose winding has inductance.
+  // The state of a motor whose winding has inductance.
   struct Winding {
     double seconds = 0.0;  // L / R
-    double tau = 0.0;      // the same as a multiple of the command's period
-    double against = 0.0;  // as in the command
+    double tau = 0.0;      // seconds / the command's period
+    double against = 0.0;  // the command's
     int phases = 0;
     struct {
       int what;
       double share, decay;
     } phase[4] = {};
-    MeanCurrent current;  // with the speeds at the tick's beginning
+    MeanCurrent current;  // at the speeds of the tick's beginning
     Motor pull = {0.0, 0.0};
-    double emf = 0.0;  // of these
+    double emf = 0.0;  // at the same speeds
   };
 
-  // How it stands on a floor that is not plane.
+  // How the body stands on a floor that is not plane.
   struct Stance {
-    bool known = false;                  // the rest is of where it is
-    double height[3] = {0.0, 0.0, 0.0};  // m: of the left wheel, the right one, the caster
-    Vec2 rise[3];                        // their gradients
-    double sunk[3] = {0.0, 0.0, 0.0};    // m, of height: into gaps between boards
-    double axle = 0.0;                   // m: of the chassis
-    bool is_at_face = false;             // that stops a wheel
-    Pose face;                           // where that was
-    double pitch = 0.0, roll = 0.0;      // sines: its front is up, its left side is up
-    bool eases = false;                  // nothing pulls at it
-    double speed = 0.0;                  // m/s in the tick before, less what was lost without shifting loads
-    double gain = 0.0;                   // m/s2 since
-    double tip[2] = {0.0, 0.0};          // rad: the caster is up, a wheel is up
+    bool known = false;                  // whether the other members are valid for the present place
+    double height[3] = {0.0, 0.0, 0.0};  // m; left wheel, right wheel, caster
+    Vec2 rise[3];                        // gradients of these heights
+    double sunk[3] = {0.0, 0.0, 0.0};    // m below the floor, in gaps between boards
+    double axle = 0.0;                   // m; height of the chassis at the axle
+    bool is_at_face = false;             // whether a face stops a wheel
+    Pose face;                           // the pose at that face
+    double pitch = 0.0, roll = 0.0;      // sines; positive: front up, left side up
+    bool eases = false;                  // nothing pulls at the body
+    double speed = 0.0;                  // m/s in the previous tick, minus losses that shift no load
+    double gain = 0.0;                   // m/s2 since then
+    double tip[2] = {0.0, 0.0};          // rad by which the caster, or a wheel, has left the floor
     double tip_rate[2] = {0.0, 0.0};     // rad/s
     Toppled toppled = Toppled::no;
   };
 
-  // `ground`: null where it is plane, and of one kind.
+  // Computes one tick. `ground` is null where the floor is plane and of one kind.
   void step(const Walls& walls, Ground* ground) {
     if (ground || !roll_on(walls)) step_closely(walls, ground);
   }
@@ -332,23 +331,23 @@ class Body {
 
   Pose pose_;
   double v_ = 0.0, u_ = 0.0, omega_ = 0.0;
-  double surface_[2] = {0.0, 0.0};  // speed of the treads, m/s: w r
+  double surface_[2] = {0.0, 0.0};  // tread speeds, m/s: w r
   double angle_[2] = {0.0, 0.0};
   Unit unit_[2] = {};
-  Roller<Pair> roller_ = {};  // constants from these and from the commands
-  bool is_ordinary_ = false;  // may roll as rolling_step.h has it
+  Roller<Pair> roller_ = {};  // constants from the above and from the commands
+  bool is_ordinary_ = false;  // may use rolling_step.h
   double mass_own_ = 0.0,
-         mass_cross_ = 0.0;  // kg: what one wheel's ground speed costs that wheel, and the other
+         mass_cross_ = 0.0;  // kg: effect of a wheel's ground speed on that wheel, and on the other
   double half_track_ = 0.0, per_track_ = 0.0;
-  double grip_limit_[2] = {0.0, 0.0};                  // N s of a tick, of each wheel
-  double side_share_[2] = {0.5, 0.5};                  // of a sideways force, on each wheel
+  double grip_limit_[2] = {0.0, 0.0};                  // N s per tick, for each wheel
+  double side_share_[2] = {0.5, 0.5};                  // each wheel's share of a sideways force
   double rolling_[2] = {0.0, 0.0};                     // N at each wheel's tread
-  double scrub_rolling_ = 0.0, scrub_slipping_ = 0.0;  // rad/s of a tick
+  double scrub_rolling_ = 0.0, scrub_slipping_ = 0.0;  // rad/s per tick
   double per_mass_ = 0.0, per_inertia_ = 0.0;
-  double bound_radius_ = 0.0;  // of a circle about bound_centre_ that holds the outline
+  double bound_radius_ = 0.0;  // of the bounding circle about bound_centre_
   Vec2 bound_centre_;
-  double way_per_travel_ = 0.0;  // what the circle's centre moves at most, for each m of travel in step()
-  double free_way_ = 0.0;        // m that it may move before it can touch a wall, obstacles aside
+  double way_per_travel_ = 0.0;  // m that the circle's centre moves at most per m of travel in step()
+  double free_way_ = 0.0;        // m that it may move before it can touch a wall; ignores obstacles
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;
   Lean lean_;
@@ -361,15 +360,15 @@ class Body {
   double distance_ = 0.0;
   double wheel_travel_ = 0.0;
   double energy_ = 0.0, energy_back_ = 0.0;
-  bool winds_ = false;   // inductance matters
+  bool winds_ = false;   // a winding has inductance
   double supply_ = 0.0;  // V
   Winding winding_[2];
-  double steered_ = 0.0, steer_cosine_ = 1.0, steer_sine_ = 0.0;  // rad, of the steered wheels
-  double curvature_ = 0.0;                                        // 1/m, that they ask for
-  double steer_limit_ = 0.0;                                      // N s of a tick: their grip
-  double side_free_ = 0.0, along_free_ = 0.0;  // u and v as the turned frame of the new pose sees them
+  double steered_ = 0.0, steer_cosine_ = 1.0, steer_sine_ = 0.0;  // rad; angle of the steered wheels
+  double curvature_ = 0.0;                                        // 1/m; curvature that they steer
+  double steer_limit_ = 0.0;                                      // N s per tick; their grip
+  double side_free_ = 0.0, along_free_ = 0.0;  // u and v in the turned frame of the new pose
   BodyParams params_;
-  std::vector<Vec2> corners_;  // of the outline, in the world, where it is near something
+  std::vector<Vec2> corners_;  // outline in the world frame, if near something
 };
 
 inline Body::Motor Body::motor(Side side) const {

@@ -8,7 +8,7 @@ namespace robosim::world {
 
 namespace {
 
-constexpr int kContactRounds = 4;  // in a corner two walls alternate
+constexpr int kContactRounds = 4;  // in a corner, two walls alternate
 constexpr double kAhead = 0.5;     // cosine of 60 degrees
 
 }  // namespace
@@ -42,8 +42,8 @@ void Body::collide(const Walls& walls) {
   grip_after_contact();
 }
 
-// Moves it out of what it overlaps, and limits its approach to what closes the gap within a tick. `moved`:
-// since the contact was found.
+// Moves the body out of an overlap. Limits its approach so that it at most closes the gap within a tick.
+// `moved` is its movement since the contact was found.
 bool Body::push_out(const Contact& contact, Vec2 moved) {
   if (contact.embedded) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
@@ -82,8 +82,8 @@ void Body::set_velocity(Vec2 velocity) {
   u_ = side_free_ = bounded(dot(velocity, left_of(pose_.heading)), kMaxSpeed);
 }
 
-// The wall has stopped the body; within its grip, the floor stops the treads, too. The wall takes up their
-// push on the body.
+// Slows the treads after a contact. The wall has stopped the body, and the floor stops the treads within its
+// grip. The wall takes up their push on the body.
 void Body::grip_after_contact() {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   for (int i = 0; i < 2; ++i) {

@@ -1,42 +1,41 @@
-// A body on hills and surfaces, and on wheels whose loads shift.
+// Simulates a body on hills and surfaces, and on wheels whose loads shift.
 //
-// Its weight m g is shared: load_share on the axle, half on each wheel, the rest on the caster, at caster_m =
-// c. Each stands as high as its wheel does (ground.h), so that gravity pulls with
+// The weight m g is shared: load_share on the axle, half on each wheel, the rest on the caster, at caster_m =
+// c. Each wheel and the caster stand at their own height (ground.h). Gravity therefore pulls with
 //   force  = - m g (load_share (rise_left + rise_right) / 2 + (1 - load_share) rise_caster)
 //   torque = the same forces, each with its arm about the axle's centre
-// which change the velocities before motors, friction and grip do. The weight that presses on the floor is m
-// g cos, with the cosine of its lean; rolling resistance and grip follow it, and the surface under each
-// wheel.
+// Both change the velocities before motors, friction and grip do. The weight that presses on the floor is m g
+// cos, with the cosine of the body's lean. Rolling resistance and grip depend on this weight and on the
+// surface under each wheel.
 //
-// With centre_height_m = h loads shift by the acceleration a (mean of this tick and the last) and by the
+// With centre_height_m = h, loads shift with the acceleration a (mean of this tick and the last) and with the
 // slope:
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
 //   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
 // If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
-// is negative, the body turns about the line through the other side. With f = m g sine + m a, the force
-// across that line, d the mass's distance from it and phi the angle,
+// is negative, the body turns about the line through the other side. f = m g sine + m a is the force across
+// that line, d the mass's distance from the line, and phi the angle:
 //   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
-// Beyond 45 degrees the body has toppled. So, at rest, it tips where tan(slope) > d / h.
+// Beyond 45 degrees the body has toppled. At rest, it therefore tips where tan(slope) > d / h.
 //
-// With the caster behind, a step or the foot of a slope may be steeper than the chassis. Then it pushes at a
-// wheel's hub and not at its tread. The speed lost there, by impact and slope, acts with the arm h - r, at
-// least 0, instead of h. So a robot does not trip over a step if its mass is no higher than
-// its hubs.
+// If the caster is at the back, a step or the foot of a slope may be steeper than the chassis. The floor then
+// pushes at a wheel's hub and not at its tread. The speed lost by impact and slope acts with the arm h - r,
+// at least 0, instead of h. A robot therefore does not trip over a step if its mass is no higher than its
+// hubs.
 //
 // A wheel that meets a steeper slope, k_1 after k_0, keeps its speed times the cosine of the angle
 // between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
 // falls by no more than the gain of its fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
 //
-// Gaps between boards take the energy of each wheel's and the caster's share at once (floor_gaps.h). They
-// pull the wheel down while it is in them.
+// At a gap between boards, each wheel and the caster lose their share of the energy at once (floor_gaps.h). A
+// gap pulls the wheel down while the wheel is inside.
 //
-// It has also toppled if the ground under one of its wheels drops by more than the wheel's radius at once.
-// Ground that rises in front of a wheel by more than three times its way is a face: the body stops there, as
-// at a wall.
+// The body has also toppled if the ground under a wheel drops at once by more than the wheel's radius. If the
+// ground rises by more than three times a wheel's movement, it is a face: the body stops there, as at a wall.
 //
-// Not modelled: that a step also pushes the axle up, which holds the caster down; that motors at a step lift
-// a caster in front; a tip about the caster (its wheels lose their grip instead); a chassis that sits on a
+// Not modelled: a step's upward push on the axle, which holds the caster down; the lift of a front caster by
+// the motors at a step; a tip about the caster (the wheels lose their grip instead); a chassis that sits on a
 // crest.
 #include <algorithm>
 
@@ -54,11 +53,12 @@ constexpr double kMostSine = 0.99;
 constexpr double kToppled = 0.78539816339744831;       // rad: 45 degrees
 constexpr double kNoWay = 1e-6;                        // m
 constexpr double kSteepest = 4.0;                      // as in ground.h
-constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m for m of way, and m
+constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m per m of movement, and m
 
 }  // namespace
 
-// Sets its stance. Returns false if it has run into a face: it is back at its old place, and stands.
+// Sets the body's stance. Returns false if the body has run into a face: it then stands at its previous
+// place.
 bool Body::stand(Ground* ground, const Pose& before, double travel) {
   Vec2 at[3], rises[3];
   const Stance last = stance_;
@@ -93,7 +93,7 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
   return true;
 }
 
-// Returns a part of the robot's weight, by the chassis.
+// Returns the share of the weight on foot `i`, as the chassis distributes it.
 double Body::share_on(int i) const { return i < 2 ? 0.5 * params_.load_share : 1.0 - params_.load_share; }
 
 FloorGaps::Roller Body::roller(int i) const {
@@ -102,7 +102,7 @@ FloorGaps::Roller Body::roller(int i) const {
 
 double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
 
-// Returns the part of a push at its hub that shifts no load.
+// Returns the share of a push at the foot's hub that shifts no load.
 double Body::hub_share(int i) const {
   if (params_.caster_m > 0.0) return 0.0;
   const double h = params_.centre_height_m, radius = foot_radius(i);
@@ -145,7 +145,7 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
   if (known) lean_.rate = Vec2{pitch - stance_.pitch, roll - stance_.roll} * (1.0 / kDt);
 }
 
-// A wheel that begins to rise more steeply, or to fall less, turns its share of the speed upward at once.
+// Turns part of the speed upward at once if a wheel begins to rise more steeply, or to fall less.
 void Body::bump(const Vec2* before, const Vec2* rises) {
   const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
   for (int i = 0; i < 3; ++i) {
@@ -165,8 +165,8 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
   }
 }
 
-// A wheel that meets the far edge of a gap loses its share of the energy. On the way down and up gravity's
-// work is the difference of the heights, however few ticks that takes.
+// Removes a wheel's share of the energy when it meets the far edge of a gap. On the way down and up,
+// gravity's work is the difference of the heights, in any number of ticks.
 void Body::jolt(const FloorGaps& joints, const Pose& before, const Stance& last, const Vec2* at,
                 Vec2* rises) {
   const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
@@ -244,7 +244,8 @@ void Body::share_load(Ground* ground, const Vec2* at) {
   for (int i = 0; i < 3; ++i) ground->press(at[i], load[i] / kGravity, load[i]);
 }
 
-// `push`: m/s2 across the axis of the turn, `arm`: m from there to the mass's centre.
+// Advances a tip about one axis. `push` is the acceleration across that axis, m/s2; `arm` is the distance
+// from there to the centre of mass, m.
 void Body::tip(int which, double push, double arm) {
   const double h = params_.centre_height_m;
   double &angle = stance_.tip[which], &rate = stance_.tip_rate[which];

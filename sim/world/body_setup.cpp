@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// N s of a tick: a friction that is never overcome.
+// N s per tick: a friction that is never overcome.
 constexpr double kHeld = 1e6;
 
 double torque_per_ampere(const WheelParams& w) {
@@ -98,7 +98,7 @@ BodyParams default_body_params() {
   return p;
 }
 
-// For a plane floor.
+// Sets grip and rolling resistance for a plane floor.
 void Body::set_grip() {
   steer_limit_ = params_.grip * (1.0 - params_.load_share) * params_.mass_kg * kGravity * kDt;
   for (const Side side : {left, right}) {
@@ -156,7 +156,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     bound_centre_ = (low + high) * 0.5;
     for (const Vec2 p : params_.outline) bound_radius_ = std::max(bound_radius_, length(p - bound_centre_));
   }
-  constexpr double kCurve = 1.02;  // pose_after()'s polynomials
+  constexpr double kCurve = 1.02;  // for the polynomials of pose_after()
   way_per_travel_ = kCurve * std::max(1.0, length(bound_centre_) / bound_radius_);
   roller_.mass = m;
   for (const Side side : {left, right}) set_roller(side);
@@ -170,7 +170,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
       !winds_ && !(params_.centre_height_m > 0.0) && !(params_.steer_base_m > 0.0) && !(scrub_rolling_ > 0.0);
 }
 
-// Updates what follows from a command.
+// Updates the values that depend on a command.
 void Body::tell_roller(Side side) {
   const Unit& unit = unit_[side];
   const double drives = std::fabs(unit.drive);
@@ -182,7 +182,7 @@ void Body::tell_roller(Side side) {
   roller_.brake_drag[side] = unit.brake * unit.drag;
 }
 
-// Updates everything that follows from the body.
+// Updates all values that depend on the body.
 void Body::set_roller(Side side) {
   const Unit& unit = unit_[side];
   tell_roller(side);

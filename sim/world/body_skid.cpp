@@ -1,19 +1,20 @@
-// Bodies that turn by skidding: four wheels, two driven together on each side, or tracks.
+// Simulates bodies that turn by skidding, with four wheels or with tracks. The two wheels of a side are
+// driven together.
 //
-// Wheels wheelbase L apart on each side, track B between the sides, the load even on all four, grip mu. While
-// it turns at omega, each wheel slides sideways at omega L / 2. It slides along at s, by which its tread is
-// faster or slower than the ground. The tyre's force is mu N against its slide. Balance of the moments about
-// its middle gives
-//   s = omega L^2 / (2 B)      so that treads at r w to each side turn it as if they were farther apart:
+// L is the wheelbase on each side, B the track between the sides, mu the grip. All four wheels carry the same
+// load. While the body turns at omega, each wheel slides sideways at omega L / 2. Lengthwise, it slides at s,
+// the difference between tread speed and ground speed. The tyre's force is mu N against the slide. The
+// balance of moments about the body's middle gives
+//   s = omega L^2 / (2 B)      so that treads at r w turn the body as if they were farther apart:
 //   B_eff = 2 r w / omega = B + L^2 / B
-// whatever the grip and the speed, and a moment of the ground against it of
+// at any grip and speed. The moment of the ground against the turn is
 //   M = mu m g (L / 2) / sqrt(1 + (L / B)^2)
-// A body with wheelbase_m > 0 has the treads, forces and moments of one with track B_eff; its moment of
-// inertia and M times B_eff / B, so that motors and turning are as above. Of tracks of length l, whose load
-// is even along them, L is l / sqrt(3), which has the same mean square.
+// A body with wheelbase_m > 0 is computed like a body with track B_eff. Its moment of inertia and M are
+// multiplied by B_eff / B, so that motors and turning are as above. For tracks of length l, evenly loaded, L
+// is l / sqrt(3), which has the same mean square.
 //
-// Source: Coulomb's law at each tyre. Nobody's measured B_eff was found, against speed or at rest. Not
-// modelled: sideways forces in fast bends, which change M, and a centre of mass away from the middle of the
+// Source: Coulomb's law at each tyre. No published measurement of B_eff was found, at any speed. Not
+// modelled: sideways forces in fast bends, which change M; a centre of mass away from the middle of the
 // wheels.
 #include <algorithm>
 
@@ -42,7 +43,7 @@ void Body::set_scrub() {
   scrub_slipping_ = moment * kDt * per_inertia_;
 }
 
-// After motors and grip: applies the turn that remains after the tyres' sideways slide.
+// Reduces the turn by the tyres' sideways slide, after motors and grip.
 void Body::scrub() {
   const double less = slips_ ? scrub_slipping_ : scrub_rolling_;
   const double turn = omega_ > 0.0 ? std::max(omega_ - less, 0.0) : std::min(omega_ + less, 0.0);

@@ -1,28 +1,26 @@
-// Bodies with steered wheels: a tricycle's one in front, or the two of a car (Ackermann), behind which both
-// driven wheels roll on one axle.
+// Simulates bodies with steered wheels in front: one (tricycle) or two (car, Ackermann). Both driven wheels
+// roll on one axle behind them.
 //
-// The steered wheels are L ahead of the driven axle, at the angle delta, to the left positive. Nothing slides
-// sideways if every wheel's axle points to one centre, on the driven axle's line (the bicycle
-// model):
+// The steered wheels are L ahead of the driven axle, at the angle delta, to the left positive. No wheel
+// slides sideways if every wheel's axle points to one centre on the driven axle's line (the bicycle model):
 //   R = L / tan delta                 from there to the middle of the driven axle, to the left of it
 //   omega = k v,  k = tan delta / L   the heading's rate, v forward at the driven axle
-// and the driven wheels, B apart, roll at r_left v and r_right v, with r = 1 -+ k B / 2. Of a car's two
-// steered wheels, B apart too, the inner one is turned more and the outer one less than delta:
+// The driven wheels, B apart, roll at r_left v and r_right v, with r = 1 -+ k B / 2. A car's two steered
+// wheels are B apart, too. The inner one is turned more than delta and the outer one less:
 //   cot inner = cot delta - B / (2 L),  cot outer = cot delta + B / (2 L)
 // Body, wheels and motors then have one degree of freedom:
 //   (m + I k^2 + sum r_i^2 J_i / radius^2) dv/dt = sum r_i (motor_i - friction_i)
-// with momentum kept where delta changes: what m v + I k omega was it stays. Through a differential both
-// wheels have the same torque, of one motor, which turns with the mean of their speeds; else each motor turns
-// with its own wheel.
+// A change of delta keeps the momentum m v + I k omega. With a differential, one motor gives both wheels the
+// same torque and turns at the mean of their speeds. Otherwise each motor turns with its own wheel.
 //
-// The steered wheels push across their own direction with what this takes of them,
+// For this motion the steered wheels push across their own direction with
 //   P = (I domega/dt - (F_right - F_left) B / 2) / (L cos delta) + (1 - load_share) m v omega
-// up to grip (1 - load_share) m g. Where they would have to push harder they slide: the body goes wide, and
-// turns as that force and the driven wheels make it. So in a steady bend v^2 k <= grip g. A driven wheel that
-// slips or skids does so as any body's (body.h), of whose sideways force the steered wheels have their share.
+// up to grip (1 - load_share) m g. If they would have to push harder, they slide: the body runs wide, and
+// turns as that force and the driven wheels make it turn. In a steady bend, therefore, v^2 k <= grip g.
+// Driven wheels slip and skid as in body.h; the steered wheels carry their share of the sideways force.
 //
 // Source: geometry and Newton's law. Not modelled: spinning out (the tail slides, but does not turn the body
-// faster), the steered wheels' inertia and what turning them takes of the servo, linkages that miss
+// faster), the steered wheels' inertia and the load of turning them on the servo, linkages that miss
 // Ackermann's condition.
 #include <algorithm>
 
@@ -40,7 +38,7 @@ constexpr double kMostSteered = 1.4;  // rad
 
 double steered_middle(double inner, double track, double steer_base) {
   const Vec2 turn = direction_of(inner);
-  // The wheel is track / 2 next to the middle, and its axle points to the same centre.
+  // The wheel is track / 2 to the side of the middle, and its axle points to the same centre.
   return angle_of({turn.x + std::fabs(turn.y) * track / (2.0 * steer_base), turn.y});
 }
 
@@ -53,8 +51,7 @@ void Body::steer(double angle) {
   curvature_ = turn.y / (turn.x * params_.steer_base_m);
 }
 
-// Applies motors and grip of a tick. If a tyre slips the steered wheels have no effect, except for their
-// push.
+// Applies motors and grip of a tick. If a tyre slips, the steered wheels contribute only their push.
 void Body::accelerate_steered() {
   const double ratio[2] = {1.0 - curvature_ * half_track_, 1.0 + curvature_ * half_track_};
   Motor m[2] = {motor(left), motor(right)};
@@ -64,7 +61,7 @@ void Body::accelerate_steered() {
   for (const int i : {0, 1}) {
     const Unit& unit = unit_[i];
     friction[i] = unit.friction[surface_[i] == 0.0];
-    // With a differential the motor has the mean speed, and half of its torque on each side.
+    // With a differential, the motor turns at the mean speed and gives each side half of its torque.
     turning[i] = params_.differential ? 1.0 : ratio[i];
     momentum += ratio[i] * unit.inertia * surface_[i] + turning[i] * m[i].push;
     inertia += ratio[i] * ratio[i] * unit.inertia + turning[i] * turning[i] * m[i].drag;
@@ -76,7 +73,7 @@ void Body::accelerate_steered() {
   speed = bounded(speed, kMaxSpeed);
   double turn = bounded(curvature_ * speed, kMaxTurn);
 
-  // The impulses of the tyres on the ground, and of the steered wheels across their direction, N s.
+  // Impulses, N s: of the tyres on the ground, and of the steered wheels across their direction.
   double traction[2];
   for (const int i : {0, 1}) {
     const double tread = ratio[i] * speed, given = m[i].push - m[i].drag * turning[i] * speed;

@@ -1,22 +1,22 @@
-// Motors whose windings have inductance, behind a driver: what its switches and diodes do in each part of a
-// period of PWM. motor_winding.h has the current.
+// Simulates a driver and motors whose windings have inductance. The table lists the effect of switches and
+// diodes in each part of a PWM period. motor_winding.h computes the current.
 //
 //   part of the period      volts while the current flows forward       and backward
-//   driven forward          V - drop; it is the battery's               V + 2 V_d, into the battery through
+//   driven forward          V - drop, from the battery                  V + 2 V_d, into the battery through
 //                                                                       diodes; MOSFETs: V + drop
 //   driven backward         the same, with the signs changed
 //   shorted                 -drop                                       drop
 //   open                    -(V + 2 V_d), into the battery              V + 2 V_d, into the battery
 //   open, one switch        -V_d, through the diode across the motor    V + V_d, into the battery
 //
-// V_d is what a diode takes (driver_diode_volts). The parts come in the order of the table's, with what is
-// driven against the rest in third place. Here "forward" is the command's direction.
+// V_d is a diode's voltage drop (driver_diode_volts). The order of the parts is: forward, shorted, backward,
+// open. Here "forward" is the command's direction.
 //
-// A motor that is turned by its wheel gives no more than the wheel loses. Against its current it has k_e per
-// ampere if that is more than k_t, which includes the gear's losses while it drives.
+// A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque against
+// the motion is then k_e per ampere if that exceeds k_t. k_t includes the gear's losses during driving.
 //
-// Torque and the supply's current in a tick are linear about the speed at its beginning. So the step is
-// implicit, as with the motors in body.h.
+// Torque and the supply's current in a tick are linear about the speed at its beginning. The step is
+// therefore implicit, as for the motors in body.h.
 #include <algorithm>
 
 #include "sim/base/exponential.h"
@@ -30,7 +30,7 @@ enum What { forward, shorted, backward, open };
 
 constexpr double kLeastShare = 1e-9;
 
-// Mirrors the volts of body and command.
+// Swaps forward and backward: mirrors the voltages of body and command.
 void turn_round(Phase& phase) {
   std::swap(phase.volts[0], phase.volts[1]);
   std::swap(phase.supply[0], phase.supply[1]);
@@ -98,7 +98,7 @@ Body::Motor Body::pull_of_winding(Side side) const {
   const Unit& unit = unit_[side];
   const Winding& winding = winding_[side];
   const MeanCurrent& current = winding.current;
-  double impulse = unit.drag / (unit.volts_per_speed * unit.per_ohm);  // N s of an ampere
+  double impulse = unit.drag / (unit.volts_per_speed * unit.per_ohm);  // N s per ampere
   if (current.amps * winding.emf < 0.0) impulse = std::max(impulse, unit.volts_per_speed * kDt);
   return {impulse * (current.amps - current.amps_per_volt * winding.emf),
           -impulse * current.amps_per_volt * unit.volts_per_speed};

@@ -8,13 +8,13 @@ namespace {
 
 bool is_painted(Cell c) { return c == Cell::line || c == Cell::obstacle; }
 
-// For footprints up to this only the nearest stripes matter, if corners are round, m.
+// Largest footprint, m, for which only the nearest stripes matter if corners are round.
 constexpr double kUsualFootprint = 0.016;
 
 constexpr double kPatch = 0.010;  // m between the sample points of a floor's brightness
 
-// Numbers of Floor's kinds: 0 no line; then painted cells, each arm 0 none, 1 whole or 2 shortened; then
-// gaps, each arm 0 none or 1 whole.
+// Numbers of Floor's kinds. 0 is a cell without a line. Painted cells follow, each arm 0 (none), 1 (whole) or
+// 2 (shortened). Gaps are last, each arm 0 (none) or 1 (whole).
 constexpr int kFirstPainted = 1, kFirstGap = 82;
 
 }  // namespace
@@ -60,7 +60,8 @@ void Floor::index_with_marks(const grid::Map& map) {
   marked_ = true;
 }
 
-// Follows grid::Stripes, cell by cell: a gap takes line/2 from the neighbouring painted stripes.
+// Reads stripes as grid::Stripes does, cell by cell: a gap takes line/2 from the neighbouring painted
+// stripes.
 void Floor::read_stripes(const grid::Map& map) {
   const double whole = 0.5 * cell_;
   const double shortened = whole - std::min(half_line_, 0.45 * cell_);
@@ -162,8 +163,8 @@ double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
   return 1.0 - areas_.over(back, true, band, p, footprint);
 }
 
-// Random at the points of a lattice, and smooth in between, where the mean standard deviation is 26/35 of
-// that at the points.
+// Returns a brightness that is random at the points of a lattice and smooth in between. The mean standard
+// deviation in between is 26/35 of the one at the points.
 double Floor::patch_brightness(Vec2 p) const {
   const double u = p.x * (1.0 / kPatch), v = p.y * (1.0 / kPatch);
   const double column = std::floor(u), row = std::floor(v);
@@ -195,8 +196,8 @@ double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
   return arms.square(p.x - (column + 0.5) * cell_, p.y - (row + 0.5) * cell_);
 }
 
-// Searches ring by ring about the point's cell: anything that is not in the cells up to ring k is at least k
-// cells away.
+// Searches ring by ring about the point's cell. Anything outside the cells up to ring k is at least k cells
+// away.
 double Floor::search(Vec2 p, bool painted_only) const {
   const auto cell_of = [this](double x, double most) {
     return static_cast<int>(
@@ -232,9 +233,9 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// The result is valid in the point's cell. If distances above `reach` are irrelevant, it is valid beyond its
-// borders, as far as other stripes are surely farther away. Those are stripes_reach_ from the cell. But
-// beyond the map there are none.
+// Finds the nearest stripe; the result is valid in the point's cell. If distances above `reach` are
+// irrelevant, it is valid beyond the cell, as far as other stripes are surely farther away. Those are at
+// least stripes_reach_ from the cell. At the map's edge, the result is not valid beyond the cell.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9;  // m
   found = {};
@@ -297,7 +298,7 @@ double Floor::coverage_raster(Vec2 p, double footprint) const {
     return south * ((quad & 1 ? west : 0.0) + (quad & 2 ? east : 0.0)) +
            north * ((quad & 4 ? west : 0.0) + (quad & 8 ? east : 0.0));
   }
-  // A footprint wider than a cell: cell by cell. In u and v the map begins at 1.
+  // The footprint is wider than a cell: adds up the cells. In u and v the map begins at 1.
   const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
   const auto last = [](double high, double most) {
     return static_cast<int>(std::min(std::ceil(high) - 1.0, most));

@@ -1,4 +1,4 @@
-// The floor that a robot drives on: its darkness, and the distance to the line.
+// Models the floor that a robot drives on: its darkness, and the distance to the line.
 #pragma once
 
 #include <algorithm>
@@ -25,15 +25,15 @@
 
 namespace robosim::world {
 
-/// Returns the default standard deviation of a floor's brightness, as a share of it. Of two measured floors
-/// one has 0.05, the other 0.15: docs/explanation/fidelity.md.
+/// Returns the default standard deviation of a floor's brightness, as a share of it. Two measured floors have
+/// 0.05 and 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
 /// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of grid::Stripes.
 /// Raster (the map has `floor = "raster"`): each painted line cell is dark as a whole.
 ///
-/// One byte per cell describes what a query inside it can find. So most queries are one load and one square
-/// root:
+/// One byte per cell describes what a query inside the cell can find. Most queries therefore cost one load
+/// and one square root:
 ///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
 ///                   and whether they are painted; no stripe of another cell is nearer than cell / 2
 ///   round corners:  whether any stripe is near; if so, a list of those few, made at set-up
@@ -53,13 +53,14 @@ class Floor {
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// Cached variant: pass the same `last` and footprint on every call. So do the functions below with `last`.
+  /// Cached variant: pass the same `last` and footprint on every call. The same applies to the functions
+  /// below with `last`.
   double coverage(Vec2 p, double footprint_m, NearStripe& last) const {
     const double drawn = drawn_coverage(p, footprint_m, last);
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// Returns the share on the line as people see it: a segment that is wider than the map's line counts with
+  /// Returns the share on the line as people see the line: a segment wider than the map's line counts with
   /// its full width.
   double on_line(Vec2 p, double footprint_m) const {
     NearStripe unknown;
@@ -71,12 +72,12 @@ class Floor {
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// Returns how dark a reflectance sensor finds its footprint: 0 is white paper, 1 black. It is negative
-  /// where more light returns than from paper. For a picture it is the mean darkness. With lines only, it is
-  /// the dark share of the footprint: the share on the line, or off the line if that is light.
+  /// Returns how dark a footprint appears to a reflectance sensor: 0 is white paper, 1 black. The value is
+  /// negative where more light returns than from paper. For a picture it is the mean darkness. With lines
+  /// only, it is the dark share of the footprint: the share on a dark line, or off a light line.
   ///
   /// Marks are painted like the line. Areas lie under lines and marks, or over them, in their order
-  /// (grid::Area). PaintedLines has lines of other widths and colours, wear and gloss.
+  /// (grid::Area). PaintedLines covers lines of other widths and colours, wear and gloss.
   double darkness(Vec2 p, double footprint_m) const {
     if (plain_) {
       const double painted = drawn_coverage(p, footprint_m);
@@ -96,21 +97,21 @@ class Floor {
     return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);
   }
 
-  /// Makes patches of the floor brighter and darker: brightness() gets the standard deviation `share`, and a
-  /// correlation of one half at a distance of some 5 mm. With 0 it is 1 everywhere.
+  /// Makes patches of the floor brighter and darker. brightness() then has the standard deviation `share`,
+  /// and a correlation of one half at about 5 mm. With `share` 0, brightness() is 1 everywhere.
   void vary(const NoiseStream& noise, double share) {
     noise_ = noise;
     variation_ = share;
   }
-  /// Removes the paint of worn lines in places drawn from `noise`.
+  /// Removes the paint of worn lines at places drawn from `noise`.
   void wear(const NoiseStream& noise) { lines_.wear(noise); }
   /// Returns whether brightness() differs between places.
   bool varies() const { return variation_ != 0.0; }
   /// Returns the light that the bare floor reflects at p, relative to its mean.
   double brightness(Vec2 p) const { return variation_ == 0.0 ? 1.0 : patch_brightness(p); }
 
-  /// Returns the paint that is added or removed during the run. It does not change the map's centre lines, or
-  /// what is measured against them.
+  /// Returns the paint that is added or removed during the run. It changes neither the map's centre lines nor
+  /// the distances to them.
   RuntimePaint& patches() {
     plain_ = marked_ = false;
     return patches_;
@@ -144,10 +145,10 @@ class Floor {
       return std::min(dx * dx + y * y, x * x + dy * dy);
     }
   };
-  // The meaning of a value of a cell's byte.
+  // The meaning of a cell's byte.
   struct Kind {
-    Arms line;     // the centre lines in the cell, painted or not
-    Arms painted;  // those that are painted: shorter towards a gap
+    Arms line;     // centre lines in the cell, painted or not
+    Arms painted;  // painted centre lines, shortened towards a gap
     bool is_line, is_painted;
   };
 
@@ -168,23 +169,23 @@ class Floor {
   double ramp(double distance, double reach, double footprint) const {
     const double t = (reach - distance) / footprint;
     const double most = footprint <= 2.0 * half_line_ ? 1.0 : 2.0 * half_line_ / footprint;
-    return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamp to 0..most without a branch
+    return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamps to 0..most without a branch
   }
   double patch_brightness(Vec2 p) const;
   /// Returns the coverage of the map's own lines.
   double drawn_coverage(Vec2 p, double footprint_m) const;
   double drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const;
-  /// Returns a darkness below the paint added during the run.
+  /// Returns `darkness` covered by the paint that was added during the run.
   double patched(double darkness, Vec2 p, double footprint) const {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
-  // Returns the darkness of a floor with more than lines. It is not inlined for each sensor, which would slow
-  // down floors with lines only. A Vec2 parameter would be built in memory before each reading.
+  // Returns the darkness of a floor with more than lines. Inlining it for each sensor would slow down floors
+  // with lines only. A Vec2 parameter would be built in memory before each reading.
   double painted_darkness(double x, double y, double footprint_m) const;
   double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
-  // Without what was painted during the run.
+  // Returns the darkness without the paint that was added during the run.
   double drawn_darkness(Vec2 p, double footprint_m) const {
     if (alike_) {
       const double painted = painted_share(p, footprint_m);
@@ -224,19 +225,19 @@ class Floor {
   PaintedLines lines_;
   RuntimePaint patches_;
   const double gloss_;
-  const bool alike_;        // nothing but lines and marks, all of them whole and matt
-  bool plain_;              // lines alone, as the map has them: only quicker
-  bool marked_;             // lines and marks, as the map has them: looked up together
-  const bool paints_only_;  // lines, not all of them alike, and marks
+  const bool alike_;        // only lines and marks, all whole and matt
+  bool plain_;              // only lines, all like the map's: a faster path
+  bool marked_;             // only lines and marks, not all alike
+  const bool paints_only_;  // only lines, with differences between them, and marks
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
   std::unique_ptr<grid::Stripes> stripes_;         // round corners
-  std::unique_ptr<grid::StripeIndex> with_marks_;  // of stripes_, then marks_; null if there is more, or less
-  std::vector<double> widths_;       // m, of each paint, at least the map's line; empty if none is more
-  std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; a row and a column more than the map
+  std::unique_ptr<grid::StripeIndex> with_marks_;  // stripes_, then marks_; null for any other content
+  std::vector<double> widths_;       // m, per paint, at least the map's line; empty if none is wider
+  std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; one more row and column than the map
 };
 
 inline double Floor::drawn_coverage(Vec2 p, double footprint_m) const {

@@ -9,12 +9,12 @@ namespace robosim::world {
 namespace {
 
 constexpr double kTread = 0.006;     // m
-constexpr double kMostShare = 0.98;  // of a roller's radius, for half a gap
+constexpr double kMostShare = 0.98;  // maximum of half a gap / the roller's radius
 
-// A roller at a gap across its width: m.
+// The dimensions, across a gap, of a roller at the gap: m.
 struct Meeting {
-  double half = 0.0;   // of the gap, without the part that the tread bridges
-  double reach = 0.0;  // of the roller; half is less
+  double half = 0.0;   // half the gap, without the part that the tread bridges
+  double reach = 0.0;  // the roller's; more than half
 };
 
 Meeting meeting_of(const grid::Joint& joint, const FloorGaps::Roller& roller) {
@@ -25,7 +25,7 @@ Meeting meeting_of(const grid::Joint& joint, const FloorGaps::Roller& roller) {
   return {std::min(joint.half_length - 0.5 * tread, kMostShare * reach), reach};
 }
 
-// Returns the speed up to which it rolls about the edges.
+// Returns the speed up to which the roller rolls about the edges.
 double rolling_speed(double radius) { return std::sqrt(kGravity * radius); }
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace {
 constexpr double kSteepest = 4.0;
 constexpr double kPoint = 1e-9;  // m: a smaller reach counts as none
 
-// A profile along a hill, and the wheel above it: reach along the hill, and the height of its middle, m.
+// A profile along a hill. The wheel above it has a reach along the hill and a height of its middle, m.
 struct CrossSection {
   const grid::Hill& hill;
-  double sine;  // of a seesaw
+  double sine;  // a seesaw's
 
   std::size_t corners() const { return hill.heights.empty() ? 2 : hill.heights.size(); }
   double at(std::size_t corner) const {
@@ -28,11 +28,12 @@ struct CrossSection {
 };
 
 struct Top {
-  double height = 0.0;  // over the floor, of the lowest point of the wheel
+  double height = 0.0;  // m over the floor; lowest point of the wheel
   double slope = 0.0;   // along the hill
 };
 
-// `high`: from the wheel's middle down to its contact point, m, of its radius.
+// Returns the highest contact of a wheel with a profile. `high` is the part of the wheel's radius from its
+// middle down to the contact point, m.
 Top top_of(const CrossSection& profile, double s, double reach, double radius, double high) {
   Top top{-1.0, 0.0};
   const auto take = [&top](double height, double slope) {

@@ -1,4 +1,4 @@
-// Ambient light, as the map's [[light]] tables describe it and floor sensors see it.
+// Models ambient light, as the map's [[light]] tables describe it and floor sensors measure it.
 //
 // At a point p of the floor a light contributes
 //   L(p, t) = level d(p, t) (1 - flicker (1 - w(t)))
@@ -10,7 +10,8 @@
 //   w             4 u (1 - u), a rectified sine by parabolas, u = the fraction of frequency t + phase; the
 //                 error is within 0.057
 //
-// A sensor sees L times its exposure, as light enters from the side, through the gap between floor and robot:
+// A sensor receives L times its exposure, because light enters from the side, through the gap between floor
+// and robot:
 //   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = its height in mm
 // This is an even sky's light on a point 5 mm behind an edge at height h (Lambert), relative to h = 3 mm. The
 // 5 mm are estimated as half a sensor board's width.
@@ -31,23 +32,23 @@ class Lighting {
   /// Each lamp's flicker begins at 0.
   explicit Lighting(const std::vector<grid::Light>& lights);
 
-  /// Draws where in its flicker each lamp begins.
+  /// Draws the initial phase of each lamp's flicker.
   void draw_phases(const NoiseStream& noise);
   std::size_t count() const { return lights_.size(); }
-  /// Switches one off, or on again.
+  /// Switches a light off, or on again.
   void switch_light(std::size_t number, bool on) { lights_[number].on = on; }
   /// Returns the state that changes during a run: which lights are on.
   std::vector<bool> save() const;
   void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }
-  /// Returns L of all lights together: the share of the range from white to black by which the floor at p
-  /// looks whiter at `t`. It holds for a sensor 3 mm high.
+  /// Returns the sum of L over all lights: the share of the white-to-black range by which the floor at p
+  /// looks whiter at `t`. Valid for a sensor 3 mm high.
   double at(Vec2 p, SimTime t) const;
 
  private:
   struct Lit {
     grid::Light light;
-    double phase;  // of its flicker, in periods
+    double phase;  // periods; initial phase of the flicker
     bool on = true;
   };
   std::vector<Lit> lights_;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMostPeriods = 12;
 constexpr double kSteady = 1e-12;  // A
 
-// A quantity and its derivatives by the current at the period's start and by E.
+// A quantity and its derivatives with respect to the current at the period's start and to E.
 struct Value {
   double value = 0.0, by_start = 0.0, by_emf = 0.0;
 };
@@ -25,24 +25,24 @@ class Period {
     double left = phase.share, decay = phase.decay;
     while (left > 0.0) {
       const int way = way_in(phase);
-      if (way < 0) {  // it stays at 0, however small the deviation was
+      if (way < 0) {  // stays at 0, even after a tiny deviation
         now_ = {};
         return;
       }
       const double target = (phase.volts[way] - emf_) * per_ohm_;
       const double end = target + (now_.value - target) * decay;
-      // A path that conducts both ways does not depend on the direction.
+      // If a path conducts equally both ways, the direction is irrelevant.
       const bool one = phase.volts[0] == phase.volts[1] && phase.supply[0] == phase.supply[1];
       if (one || (way == 0 ? end >= 0.0 : end <= 0.0)) {
         flow(left, decay, end, target, phase.supply[way]);
         return;
       }
-      const double until_zero = target / (target - now_.value);  // the decay to there
+      const double until_zero = target / (target - now_.value);  // decay until the current is 0
       const double lasts = -tau_ * log_of(until_zero);
       flow(lasts, until_zero, 0.0, target, phase.supply[way]);
       left -= lasts;
       decay = left > 0.0 ? decay_of(left / tau_) : 1.0;
-      // On the other side the current changes at another rate.
+      // After the current changes its sign, it changes at another rate.
       const int other = way_in(phase);
       if (other < 0) {
         now_ = {};
@@ -58,7 +58,7 @@ class Period {
   const Value& drawn() const { return drawn_; }
 
  private:
-  // Returns the present or coming direction: 0 forward, 1 backward; -1: neither.
+  // Returns the present or coming direction: 0 forward, 1 backward, -1 neither.
   int way_in(const Phase& phase) const {
     if (now_.value > 0.0) return 0;
     if (now_.value < 0.0) return 1;
@@ -86,7 +86,7 @@ class Period {
   Value now_, charge_, drawn_;
 };
 
-// In each phase the current equals its final value.
+// Returns the means if the current equals its final value in each phase.
 MeanCurrent settled(std::span<const Phase> phases, double emf, double per_ohm) {
   MeanCurrent mean;
   for (const Phase& phase : phases) {

@@ -1,16 +1,16 @@
-// The current in a motor's winding, averaged over a period T of PWM.
+// Computes the current in a motor's winding, averaged over a PWM period T.
 //
 //   L di/dt = v - R i - E        tau = L / R; E = k_e w, constant during a period
 //
-// In each phase of a period a driver applies a voltage v to the winding. As with diodes, v may depend on the
-// current's direction: v+ while it flows forward, v- >= v+ while it flows backward; none while it does
-// not flow and neither voltage would start it. For a phase of t with one v,
+// In each phase of a period a driver applies a voltage v to the winding. With diodes, v may depend on the
+// current's direction: v+ while it flows forward, v- >= v+ while it flows backward. No voltage applies if no
+// current flows and neither voltage would start one. For a phase of t with one v,
 //   i(t) = a + (i(0) - a) e^(-t / tau),  integral of i = a t - tau (i(t) - i(0)),  a = (v - E) / R
-// If a has the other sign, the current is 0 after tau ln(1 - i(0) / a). In the steady state a period ends
-// with the current with which it begins. Newton's method finds it in 1 to 3 periods: the end is a linear
-// function of the beginning while the current keeps its sign. No pulse is simulated.
+// If a has the other sign, the current is 0 after tau ln(1 - i(0) / a). In the steady state, the current at a
+// period's end equals the current at its beginning. Newton's method finds this current in 1 to 3 periods: the
+// end is a linear function of the beginning while the current keeps its sign. No pulse is simulated.
 //
-// With the motor driven for D T at V, and without drops (Erickson and Maksimovic, Fundamentals of Power
+// If the motor is driven for D T at V, without voltage drops (Erickson and Maksimovic, Fundamentals of Power
 // Electronics, chapters 2 and 5, whose converters have R = 0):
 //   shorted in between (slow decay):     mean i = (D V - E) / R, at any T; the current from the battery drops
 //                                        from D V (V - E) / R for T >> tau to D V (D V - E) / R for T << tau
@@ -20,10 +20,10 @@
 //                                        V + 2 V_d, and ends before the period does (discontinuous), unless
 //                                        D V - (1 - D) (V + 2 V_d) > E, for T << tau
 //   then, for T << tau:                  mean i = (V - E) D^2 T / (2 L) (1 + (V - E) / (V + 2 V_d + E))
-// If E > D V and the winding is shorted in between, the current flows back into the battery while it is
-// driven: so a motor recovers energy. If it is shorted throughout, the energy turns to heat in the winding.
+// If E > D V and the winding is shorted in between, the current flows back into the battery during the driven
+// phase: the motor recovers energy. If the winding is shorted throughout, the energy turns to heat in it.
 //
-// Not modelled: transients of some tau after a change of duty cycle or speed (each tick is in its steady
+// Not modelled: transients of a few tau after a change of duty cycle or speed (each tick is in its steady
 // state); saturation, iron losses, and a battery that does not accept current.
 #pragma once
 
@@ -42,11 +42,11 @@ struct Phase {
 /// Means over a period, and their slope with respect to E.
 struct MeanCurrent {
   double amps = 0.0, amps_per_volt = 0.0;    ///< A of the winding
-  double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, the current flows into it
+  double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, into the supply
 };
 
-/// Computes the means. `tau` is L / R as a multiple of the period. 0 means that the period is much longer or
-/// unknown, and the current is the final one of each phase. At most four phases, which add up to 1.
+/// Computes the means. `tau` is L / R as a multiple of the period. With 0 (a much longer or unknown period),
+/// the current has its final value in each phase. Expects at most four phases, whose shares add up to 1.
 MeanCurrent mean_current(std::span<const Phase> phases, double emf, double per_ohm, double tau);
 
 }  // namespace robosim::world

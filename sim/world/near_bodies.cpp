@@ -8,9 +8,9 @@
 namespace robosim::world {
 namespace {
 
-// Up to this number, all pairs are compared.
+// Up to this number of bodies, all pairs are compared.
 constexpr std::size_t kFew = 8;
-// Bodies that are pushed apart may come nearer to third ones.
+// Bodies that are pushed apart may come closer to a third body.
 constexpr double kPushed_m = 0.02;
 constexpr int kMostSquares = 512;  // in a row or column
 

@@ -1,5 +1,5 @@
-// Finds bodies that are near enough to meet, without testing every pair. Its grid of squares is wide enough:
-// bodies that meet are in the same square or in neighbouring ones.
+// Finds bodies that are near enough to meet, without testing every pair. The squares of its grid are large
+// enough: bodies that meet are in the same square or in neighbouring squares.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ class NearBodies {
   double per_side_ = 0.0;
   int columns_ = 0, rows_ = 0;
   // Used only during a call.
-  std::vector<std::int32_t> first_, next_;  ///< first body of a square; next one in its square; -1 = none
-  std::vector<std::size_t> square_;         ///< of each body
+  std::vector<std::int32_t> first_, next_;  ///< first body in a square; next body there; -1 = none
+  std::vector<std::size_t> square_;         ///< each body's
   std::vector<Pair> pairs_;
 };
 

@@ -8,18 +8,18 @@ namespace robosim::world {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m: more than the rounding error of distances
-// m, minimum of a box; leaving it requires a new search, which costs more than some evaluations of the
-// stripe.
+// The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
+// a few stripes.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m: next to a segment the box has that length
-constexpr double kAlone = 5e-3;   // m: below it, the second nearest is checked, too
+constexpr double kBeside = 5e-4;  // m; smallest gap between a point and a straight stripe for a clear box
+constexpr double kAlone = 5e-3;   // m; below it, the second nearest stripe is also checked
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const grid::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
 bool is_upright(const grid::Stripe& s) { return s.radius == 0.0 && s.a.x == s.b.x && s.a.y < s.b.y; }
 
-// Reduces the box to where the footprint at p sees nothing of the stripe. Returns false if it becomes too
-// small.
+// Reduces the box to the part where the footprint at p does not reach the stripe. Returns false if it becomes
+// too small.
 bool keep_clear(FloorBox& box, const grid::Stripe& s, double reach, double away, Vec2 p) {
   const double wide = reach + kRounding;
   if (!is_level(s) && !is_upright(s)) {
@@ -87,7 +87,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
     box_ = {};
     return nearest;
   }
-  // A point that moves by half of the difference to another stripe is not nearer to that yet.
+  // A point that moves by half of the difference is not yet nearer to another stripe.
   const double alone = kDiagonal * 0.5 * (next - nearest) - kRounding;
   if (alone < kAlone) {
     box_.keep(p, kDiagonal * 0.5 * (third - nearest) - kRounding);
@@ -99,7 +99,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
   return nearest;
 }
 
-// Only this stripe counts in the box: computes a simpler form of its distance.
+// Selects a simpler form of the stripe's distance. Only this stripe matters in the box.
 void NearStripe::beside(const grid::Stripe& stripe, Vec2 p) {
   at_ = stripe.radius > 0.0 ? stripe.centre : stripe.a;
   radius_ = stripe.radius;

@@ -1,5 +1,5 @@
-// Caches the lines near a place, where corners are round. For repeated queries of a floor, most then cost one
-// subtraction. It covers the map's own lines, which do not change.
+// Caches the lines near a place, for maps with round corners. Most repeated queries of a floor then cost one
+// subtraction. The cache covers the map's own lines, which do not change.
 #pragma once
 
 #include <cmath>
@@ -15,21 +15,21 @@ namespace robosim::world {
 struct FloorBox {
   Vec2 low, high;
 
-  /// Returns whether p is inside, not on a side. An empty box holds nothing.
+  /// Returns whether p is inside the box, and not on a side. An empty box contains no point.
   bool holds(Vec2 p) const { return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y; }
-  /// Keeps what is at most `way` away from p.
+  /// Reduces the box to the part at most `way` away from p.
   void keep(Vec2 p, double way);
 };
 
-/// The nearest stripe of one place, and the box around that place in which it stays the nearest.
+/// The stripe nearest to a place, and the box around the place in which it stays the nearest.
 class NearStripe {
  public:
-  /// Returns whether the result at p is known. Before the first search it is not.
+  /// Returns whether the result at p is known. It is unknown before the first search.
   bool holds(Vec2 p) const { return box_.holds(p); }
-  /// Returns, where it holds, whether no stripe comes near the footprint for which it was sought.
+  /// Returns whether no stripe comes near the footprint of the search. Valid where holds() is true.
   bool is_clear() const { return kind_ == Kind::clear; }
-  /// Returns the distance from the nearest stripe in m, where it holds and is not clear. The bits are
-  /// grid::distance's.
+  /// Returns the distance to the nearest stripe, m, bit for bit as grid::distance does. Valid where holds()
+  /// is true and is_clear() is not.
   double distance(std::span<const grid::Stripe> all, Vec2 p) const {
     if (kind_ == Kind::level) return std::fabs(p.y - at_.y);
     if (kind_ == Kind::upright) return std::fabs(p.x - at_.x);
@@ -52,16 +52,16 @@ class NearStripe {
  private:
   enum class Kind : std::uint8_t {
     clear,
-    level,    // beside a segment along x: its ends do not matter
-    upright,  // along y
-    arc,      // within its quarter
-    two       // the nearest of these two, which may be one
+    level,    // next to a segment along x; its ends do not matter
+    upright,  // next to a segment along y
+    arc,      // within the arc's quarter
+    two       // the nearer of two stripes, which may be the same
   };
   double distance_of_two(std::span<const grid::Stripe> all, Vec2 p) const;
   void beside(const grid::Stripe&, Vec2 p);
 
   FloorBox box_;
-  Vec2 at_;              // on the segment; the arc's centre
+  Vec2 at_;              // point on the segment, or the arc's centre
   double radius_ = 0.0;  // m
   std::uint32_t first_ = 0, second_ = 0;
   Kind kind_ = Kind::two;

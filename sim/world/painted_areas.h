@@ -1,4 +1,4 @@
-// Rectangles and discs painted on the floor: [[area]] of a map.
+// Models rectangles and discs painted on the floor: [[area]] of a map.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace robosim::world {
 /// The band of a sensor: reflected infra-red, red, green or blue.
 enum class Band { infrared, red, green, blue };
 
-/// Returns a colour's reflectance in that band, relative to white.
+/// Returns a colour's reflectance in a band, relative to white.
 inline double sent_back(const grid::Colour& colour, Band band) {
   return band == Band::infrared ? colour.infrared() : colour.light(static_cast<std::size_t>(band) - 1);
 }
@@ -24,8 +24,8 @@ class PaintedAreas {
   bool empty() const { return areas_.empty(); }
 
   /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
-  /// `below` is the reflectance under these areas: those with or without `over_lines`, each over the previous
-  /// ones. An area's share of the square is exact for a parallel rectangle; a disc's edge is taken as
+  /// `below` is the reflectance under the areas with the given `over_lines`; each area covers the previous
+  /// ones. An area's share of the square is exact for a parallel rectangle. A disc's edge is treated as
   /// straight.
   double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
     return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);

@@ -7,7 +7,7 @@ namespace robosim::world {
 namespace {
 
 constexpr double kMarksTile = 0.15;  // m
-constexpr double kDiagonal = 0.708;  // of a square, the half of it
+constexpr double kDiagonal = 0.708;  // half the diagonal of a unit square
 
 }  // namespace
 

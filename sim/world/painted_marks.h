@@ -1,4 +1,4 @@
-// Bars painted on the floor: [[mark]] of a map.
+// Models bars painted on the floor: [[mark]] of a map.
 #pragma once
 
 #include <algorithm>
@@ -18,18 +18,18 @@ class PaintedMarks {
 
   bool empty() const { return marks_.empty(); }
   std::size_t paint(std::size_t mark) const { return static_cast<std::size_t>(marks_[mark].paint); }
-  /// Returns the share of a square of side `footprint` about p that lies on one of them: exact where it is
+  /// Returns the share of a square of side `footprint` about p that lies on a mark. Exact if the square is
   /// parallel to the mark.
   double share(std::size_t mark, Vec2 p, double footprint) const {
     const Vec2 own = marks_[mark].middle.to_body(p);
     return within(own.x, marks_[mark].half_length, footprint) *
            within(own.y, marks_[mark].half_width, footprint);
   }
-  /// Stripes, and after them the marks' middle lines: what is looked up together.
+  /// Returns the stripes, followed by the marks' middle lines, for a common index.
   std::vector<grid::Stripe> after(std::span<const grid::Stripe> lines) const;
-  /// Returns the greatest distance, m, from their middle lines at which a footprint can see any of them.
+  /// Returns the greatest distance, m, from a mark's middle line at which a footprint can reach the mark.
   double reach() const { return reach_; }
-  /// Returns whether a square of side `footprint` about p may see one.
+  /// Returns whether a square of side `footprint` about p may reach a mark.
   bool any_near(Vec2 p, double footprint) const {
     return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
   }
@@ -42,9 +42,9 @@ class PaintedMarks {
     const double to = std::min(away + 0.5 * footprint, half);
     return std::max(to - from, 0.0) / footprint;
   }
-  static constexpr double kLookedUpFootprint = 0.016;  // m; larger ones look at all marks
+  static constexpr double kLookedUpFootprint = 0.016;  // m; for larger footprints, all marks are checked
 
-  const double wide_, high_;  // m, the floor
+  const double wide_, high_;  // m; the floor's size
   std::vector<grid::Mark> marks_;
   std::vector<double> reaches_;  // m, from a mark's middle to its corners
   double reach_ = 0.0;

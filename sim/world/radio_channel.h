@@ -1,5 +1,5 @@
-// Radio transmission between robots, byte by byte. All receivers on a channel hear all other senders there.
-// Not modelled: range, and collisions of bytes.
+// Models radio transmission between robots, byte by byte. Each receiver on a channel receives from all other
+// senders on it. Not modelled: range, and collisions of bytes.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,23 @@ class RadioChannel {
     std::uint8_t byte = 0;
   };
 
-  /// Adds a radio; returns its number.
+  /// Adds a radio, and returns its number.
   std::size_t add_radio(int channel);
-  /// Sends a byte, which reaches the other radios at `at`. That must be in a later tick, so that the order of
+  /// Sends a byte, which reaches the other radios at `at`. `at` must be in a later tick, so that the order of
   /// calls within a tick has no effect.
   void send(std::size_t from, std::uint8_t byte, SimTime at);
-  /// Takes the next byte that has reached this radio before `t`. Each byte is taken once.
+  /// Removes and returns the next byte that has reached this radio before `t`.
   std::optional<Arrival> take(std::size_t radio, SimTime t);
 
   /// The state that changes during a run.
   struct State {
-    std::vector<std::vector<Arrival>> arriving;  ///< at each radio, by time; at once, by byte, not by number
+    std::vector<std::vector<Arrival>> arriving;  ///< per radio, sorted by time, then by byte, not by sender
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 
  private:
-  std::vector<int> channels_;  ///< of each radio
+  std::vector<int> channels_;  ///< one per radio
   State state_;
 };
 

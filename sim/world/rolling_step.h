@@ -1,6 +1,6 @@
-// A tick of a body that simply rolls: both tyres hold, both wheels keep their direction, nothing is near.
-// Bodies do so almost always. The code takes no branch, and gives the same bits as body.cpp. It is written
-// once, for one body and for many side by side (simd_pair.h).
+// Computes a tick of a body that simply rolls: both tyres grip, both wheels keep their direction, nothing is
+// near. This is by far the most common case. The code has no branches, and its results equal those of
+// body.cpp bit for bit. One template serves a single body and many bodies at once (simd_pair.h).
 #pragma once
 
 #include "sim/world/simd_pair.h"
@@ -8,21 +8,22 @@
 
 namespace robosim::world {
 
-// Below these nothing is thought to move: first-order decays would end in denormal numbers, 30 times as slow.
+// Slower motion counts as no motion: first-order decays would end in denormal numbers, which are 30 times as
+// slow.
 constexpr double kStill = 1e-6;  ///< m/s, rad/s
 
 /// A rolling body's parameters and motor commands, with Body's names.
 template <class Both>
 struct Roller {
   // Computed from the commands.
-  Both direction, drives;  ///< the sign of `drive`, its amount
+  Both direction, drives;  ///< sign and magnitude of `drive`
   Both push, drag, push_until;
   Both brake_push, brake_drag, brake_from;
   // Copied from the body.
   Both per_radius, inertia, turning_friction, joule0, joule1, side_share;
   Both owns;          ///< kg: mass_own + inertia
-  Both grip_squares;  ///< of grip_limit
-  double skids_from;  ///< N s of a tick: kSkidShare of both limits
+  Both grip_squares;  ///< grip_limit squared
+  double skids_from;  ///< N s per tick: kSkidShare of both limits
   double mass, mass_own, mass_cross, half_track, per_track, bound_radius, way_per_travel;
 };
 
@@ -35,7 +36,7 @@ struct Rolling {
   double wheel_travel, distance, energy, free_way;
 };
 
-/// Computes the next tick, where u is 0; `stride` is Walls'. The result is valid only if the body simply
+/// Computes the next tick for u = 0. `stride` is the result of Walls::stride(). Valid only if the body simply
 /// rolls on.
 template <class Both>
 inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Both>& now,
@@ -54,7 +55,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   const double travel = (std::fabs(v) + std::fabs(omega) * body.bound_radius) * kDt;
   sure.is_at_most(travel, stride);
   next.free_way = now.free_way - body.way_per_travel * travel;
-  sure.is_less(0.0, next.free_way);  // else it looks for walls
+  sure.is_less(0.0, next.free_way);  // else walls must be checked
 
   // advance(), pose_after()
   const double a = omega * kDt;
@@ -91,7 +92,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   sure.is_less(kNone, y * s);  // else friction may hold a wheel
   const Both traction = y * own + swapped(y) * other - momentum;
   const Both side = body.side_share * sideways;
-  sure.is_at_most(traction * traction, body.grip_squares - side * side);  // else it slips
+  sure.is_at_most(traction * traction, body.grip_squares - side * side);  // else a tyre slips
   next.surface = y;
   next.v = 0.5 * (y[0] + y[1]);
   next.omega = (y[1] - y[0]) * body.per_track;
@@ -103,7 +104,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   const Both joules = body.joule0 - body.joule1 * (body.direction * y);
   const Both drawn = body.drives * where_less(joules, kNone, kNone, joules);
   next.energy = now.energy + drawn[0] + drawn[1];
-  sure.is_at_most(kStill, body.drives[0] + body.drives[1] + 0.5 * treads);  // else it may come to rest
+  sure.is_at_most(kStill, body.drives[0] + body.drives[1] + 0.5 * treads);  // else the body may come to rest
   return sure;
 }
 

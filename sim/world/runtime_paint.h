@@ -1,5 +1,5 @@
-// Changes of the paint during a run: rectangles parallel to the floor's edges, of line or of bare floor, each
-// over the earlier ones.
+// Stores changes of the paint during a run. Each is a rectangle of line or of bare floor, parallel to the
+// floor's edges. Later rectangles cover earlier ones.
 #pragma once
 
 #include <vector>
@@ -23,14 +23,14 @@ class RuntimePaint {
   };
 
   bool empty() const { return state_.patches.empty(); }
-  /// So often the floor has changed: what was read of it before may no longer hold.
+  /// Returns the number of changes so far. A change invalidates what was read of the floor before.
   int changes() const { return state_.changes; }
   int add(Vec2 least, Vec2 most, bool line);
   /// Does nothing if there is no such patch.
   void remove(int id);
 
-  /// Returns the value of a square of side `footprint` about p. Its value is `below` without these patches,
-  /// and `line` or `bare` if all of it is line or bare floor.
+  /// Returns the value of a square of side `footprint` about p. The value is `below` without these patches,
+  /// and `line` or `bare` if a patch of that kind covers the whole square.
   double over(double below, double line, double bare, Vec2 p, double footprint) const;
 
   const State& save() const { return state_; }

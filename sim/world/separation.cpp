@@ -7,7 +7,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kBetween = Walls::kNear + 0.05;  // m: more than two bodies need to be independent
+constexpr double kBetween = Walls::kNear + 0.05;  // m: more than the gap that makes two bodies independent
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Finds bodies that are so far from all others that for a while none can affect another. The simulation may
-// then compute several ticks of each body at a stretch.
+// Finds bodies that are so far from all others that they cannot affect each other for a while. The simulation
+// may then compute several ticks of each such body in a row.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +13,17 @@ namespace robosim::world {
 class Separation {
  public:
   /// Returns for each body whether it can neither meet nor notice another one within `seconds`, nor be
-  /// noticed, as World::apart defines it. Valid until the next call.
+  /// noticed. See World::apart. Valid until the next call.
   const std::vector<bool>& find(const std::vector<std::unique_ptr<Body>>& bodies,
                                 const std::vector<double>& sights, double seconds);
 
  private:
   struct Room {
     Vec2 centre;
-    double radius, sight;  // m: of a circle that it does not leave; beyond that circle
+    double radius, sight;  // m; radius of a circle that the body does not leave; sight beyond that circle
     std::size_t number;
   };
-  std::vector<Room> rooms_;  // within a call, from west to east
+  std::vector<Room> rooms_;  // sorted from west to east; used only during a call
   std::vector<bool> apart_;
 };
 

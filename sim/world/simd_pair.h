@@ -1,5 +1,5 @@
-// Two numbers that are computed at once, for a body's two wheels. Compilers make one vector instruction of
-// each operation where the machine has it, which does not change a bit.
+// Computes with two numbers at once, for a body's two wheels. If the machine can, compilers use one vector
+// instruction per operation. The results are the same bit for bit.
 //
 // Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
 // compilers can vectorise a loop over many bodies (sim/batch).
@@ -25,7 +25,7 @@ inline Pair where_less(Pair a, Pair b, Pair x, Pair y) {
 inline Pair abs_of(Pair a) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairBits>(a) & PairBits{INT64_MAX, INT64_MAX});
 }
-/// Returns a, which is not negative, with b's sign.
+/// Returns a, which must not be negative, with the sign of b.
 inline Pair signed_as(Pair a, Pair b) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairBits>(a) |
                                 (reinterpret_cast<PairBits>(b) & PairBits{INT64_MIN, INT64_MIN}));
@@ -45,7 +45,7 @@ inline Two where_less(Two a, Two b, Two x, Two y) { return {a.l < b.l ? x.l : y.
 inline Two abs_of(Two a) { return {std::fabs(a.l), std::fabs(a.r)}; }
 inline Two signed_as(Two a, Two b) { return {std::copysign(a.l, b.l), std::copysign(a.r, b.r)}; }
 
-/// Accumulates whether all conditions hold for both.
+/// Accumulates whether all conditions are true for both numbers.
 template <class Both>
 class Sure;
 
@@ -63,7 +63,7 @@ class Sure<Pair> {
   PairBits both_ = {-1, -1};
 };
 
-/// For plain numbers the result is a number, too: 1 or 0.
+/// Stores the result as a number, too: 1 or 0.
 template <>
 class Sure<Two> {
  public:

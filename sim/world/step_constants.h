@@ -9,11 +9,11 @@ namespace robosim::world {
 /// A tick, s.
 constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
 
-// No motor reaches these limits; they keep a step finite for any parameters.
+// No motor reaches these limits. They keep a step finite for any parameters.
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s
 
-/// The share of the remaining grip for each of both directions while a body skids: 1 / sqrt(2).
+/// Share of the remaining grip in each of the two directions while a body skids: 1 / sqrt(2).
 constexpr double kSkidShare = 0.70710678118654752;
 
 /// Returns x limited to ±bound; 0 for NaN.

@@ -1,4 +1,4 @@
-// Divides the floor into squares, and stores for each what may be visible from it.
+// Divides the floor into squares, and stores for each square what may be visible from it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace robosim::world {
 
 class VisibilityGrid {
  public:
-  /// Makes tiles with a side of `side` (m), or larger ones: at most 256 to a side of the floor.
+  /// Makes square tiles of `side` (m), or larger: at most 256 along a side of the floor.
   VisibilityGrid(const grid::Map& map, double side) {
     constexpr double kMost = 256.0;
     const double wide = map.width * map.cell_m, high = map.height * map.cell_m;
@@ -25,7 +25,7 @@ class VisibilityGrid {
     columns_ = static_cast<int>(last_column_) + 1;
   }
 
-  /// Something that can be seen up to `reach` (m) from its middle. Numbers are added in ascending order.
+  /// Adds an object that is visible up to `reach` (m) from its middle. Add numbers in ascending order.
   void add(std::uint32_t number, Vec2 middle, double reach) {
     numbers_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(last_row_ + 1.0));
     const int low = place(middle.y - reach, last_row_), high = place(middle.y + reach, last_row_);
@@ -35,7 +35,8 @@ class VisibilityGrid {
         numbers_[static_cast<std::size_t>(row * columns_ + column)].push_back(number);
   }
 
-  /// Returns the numbers of objects that may be visible from p; beyond the floor's edge, from the edge.
+  /// Returns the numbers of objects that may be visible from p. Beyond the floor's edge, uses the nearest
+  /// point of the edge.
   std::span<const std::uint32_t> at(Vec2 p) const {
     if (numbers_.empty()) return {};
     return numbers_[static_cast<std::size_t>(place(p.y, last_row_) * columns_ + place(p.x, last_column_))];

@@ -29,7 +29,8 @@ Walls::Walls(const grid::Map& map)
     : map_(&map), per_cell_(1.0 / map.cell_m), columns_(map.width), rows_(map.height) {
   const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height);
   rings_.resize(width * height);
-  // Chessboard distance to the nearest solid cell, in two sweeps; everything beyond the edge is solid.
+  // Computes the chessboard distance to the nearest solid cell, in two sweeps. Everything beyond the edge is
+  // solid.
   for (std::size_t y = 0; y < height; ++y) {
     const grid::Cell* cells = map.cells.data() + (height - 1 - y) * width;
     for (std::size_t x = 0; x < width; ++x) {
@@ -130,7 +131,7 @@ Contacts Walls::touch(Vec2 centre, double radius) const {
         found.add({nearest, d * (1.0 / away), radius - away});
         continue;
       }
-      // The centre is inside the cell: moves out by the nearest open side.
+      // The centre is inside the cell: pushes it out through the nearest open side.
       Contact out{centre, {}, std::numeric_limits<double>::infinity(), true};
       const auto side_at = [&](bool open, double inside, Vec2 normal) {
         if (open && inside + radius < out.depth) out = {centre, normal, inside + radius, false};
@@ -188,8 +189,8 @@ Contacts Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius)
   return found;
 }
 
-// The axis on which the two convex shapes overlap least. A side of the cell next to another solid cell does
-// not push out, nor does a corner between such sides.
+// Finds the axis on which the two convex shapes overlap least. A side of the cell next to another solid cell
+// does not push out. Neither does a corner at such a side.
 void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts& found) const {
   const double side = map_->cell_m;
   const Vec2 low{column * side, row * side}, high{low.x + side, low.y + side};
@@ -212,7 +213,7 @@ void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Conta
     const Vec2 a = polygon[i], edge = polygon[i + 1 < n ? i + 1 : 0] - a;
     const double span = length(edge);
     const Vec2 outward{edge.y / span, -edge.x / span};
-    // The corner farthest against `outward`, and whether both of its sides are open.
+    // The corner that lies farthest against `outward`. It counts only if both of its sides are open.
     const bool east = outward.x < 0.0, north = outward.y < 0.0;
     const Vec2 corner{east ? high.x : low.x, north ? high.y : low.y};
     const double depth = dot(outward, a - corner);
@@ -226,8 +227,8 @@ void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Conta
     found.add(least);
     return;
   }
-  // Against a side: every corner of the polygon that touches it, so that a flat contact does not rock. If
-  // none is over the side, the deepest one's place along it.
+  // Contact with a side: reports every corner of the polygon that touches it, so that a flat contact does not
+  // rock. If no corner is over the side, reports the deepest corner's position along it.
   const Vec2 n = least.normal;
   const double limit = dot(n, face < 2 ? high : low);
   Vec2 deepest;

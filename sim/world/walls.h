@@ -1,5 +1,5 @@
-// Obstacles of a body: wall and obstacle cells, everything beyond the map's edge, and round obstacles placed
-// during a run.
+// Stores the obstacles of bodies: wall and obstacle cells, everything beyond the map's edge, and round
+// obstacles placed during a run.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace robosim::world {
 
 /// A place where an outline meets something solid.
 struct Contact {
-  Vec2 point;             ///< m, world
-  Vec2 normal;            ///< unit, away from the solid
-  double depth = 0.0;     ///< m the outline is inside; negative: the gap that is left
+  Vec2 point;             ///< m, in the world frame
+  Vec2 normal;            ///< unit vector, away from the solid
+  double depth = 0.0;     ///< m by which the outline overlaps; negative: the remaining gap
   bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
 };
 
-/// The deepest contacts of an outline, deepest first. More than eight would change nothing.
+/// The deepest contacts of an outline, deepest first. More than eight would not change the result.
 class Contacts {
  public:
   void add(const Contact&);
@@ -43,15 +43,16 @@ struct Disc {
 
 class Walls {
  public:
-  /// The gap up to which a contact is reported, and counts as lasting, m.
+  /// Largest gap, m, at which a contact is reported and counts as lasting.
   static constexpr double kNear = 0.001;
 
   /// The map must outlive the walls.
   explicit Walls(const grid::Map& map);
 
-  /// Returns a lower bound of the distance from p to the nearest wall (not to discs), m; 0 inside walls and
-  /// beyond the edge. With k = the rings of cells without walls about p's own cell, itself included:
-  ///   (k - 1) cell + distance from p to its own cell's border
+  /// Returns a lower bound of the distance from p to the nearest wall, m; 0 inside walls and beyond the edge.
+  /// Discs are ignored. If k is the number of rings without walls about p's cell, including this cell, the
+  /// bound is
+  ///   (k - 1) cell + distance from p to its cell's border
   double clearance(Vec2 p) const {
     const double x = p.x * per_cell_, y = p.y * per_cell_;
     if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_)) return 0.0;
@@ -69,16 +70,16 @@ class Walls {
   /// bound it.
   Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
-  // Distances that can be seen from a point: to walls, discs and the map's edge. 0 from inside of one.
-  // Directions are unit vectors; the result is `most` if nothing is nearer, m.
+  // The next functions return the distance, m, from a point to walls, discs and the map's edge; 0 from inside
+  // one of them. Directions are unit vectors. The result is `most` if nothing is nearer.
   /// Returns the distance along a ray.
   double range_along(Vec2 from, Vec2 direction, double most) const;
   /// Returns the distance to the nearest point in a beam. `half_beam` is the cosine and sine of half the
-  /// beam's angle, on both sides of `direction`. Half the angle is less than 60 degrees.
+  /// beam's angle; half the angle is less than 60 degrees. The beam extends to both sides of `direction`.
   double range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
   int add(Vec2 centre, double radius_m);
-  /// Both do nothing if the obstacle does not exist.
+  /// remove() and move() do nothing if the obstacle does not exist.
   void remove(int id);
   void move(int id, Vec2 centre);
   std::span<const Disc> discs() const { return state_.discs; }
@@ -89,10 +90,10 @@ class Walls {
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
-  /// Returns whether a disc is closer than kNear to the circle.
+  /// Returns whether a disc is less than kNear from the circle.
   bool near_disc(Vec2 centre, double radius) const;
 
-  /// Returns how far a body may move between two checks of walls, m, without passing through one.
+  /// Returns how far a body may move between two checks of walls without passing through one, m.
   double stride(double body_radius) const {
     double least = map_->cell_m;
     for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);

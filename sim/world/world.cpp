@@ -67,8 +67,8 @@ void World::step_together(const std::vector<std::size_t>& numbers) {
   for (const std::size_t number : numbers) bodies_[number]->settle_contact();
 }
 
-// Bodies collide as circles: they are pushed apart, and their approach cancelled, in proportion to their
-// masses.
+// Treats bodies as circles. Pushes overlapping bodies apart and cancels their approach, in inverse proportion
+// to their masses.
 void World::collide_bodies() {
   for (const auto& [i, j] : near_.pairs(bodies_)) {
     Body &a = *bodies_[i], &b = *bodies_[j];
@@ -83,7 +83,7 @@ void World::collide_bodies() {
     a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
     const double away = std::sqrt(square);
     const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-    // Each by a separate quotient, so that the result does not depend on the order, to the last bit.
+    // Computes each share by its own quotient, so that the order does not change the result by a single bit.
     const double both = a.per_mass_ + b.per_mass_;
     const double share_a = a.per_mass_ / both, share_b = b.per_mass_ / both;
     const double approach = dot(a.velocity() - b.velocity(), n);

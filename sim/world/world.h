@@ -1,4 +1,4 @@
-// The physical world: floor, walls, bodies. One call integrates one tick.
+// Simulates the physical world: floor, walls, bodies. One call integrates one tick.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ class World {
   const Lighting& lighting() const { return lighting_; }
   /// Calls Lighting::draw_phases.
   void draw_light_phases(const NoiseStream& noise) { lighting_.draw_phases(noise); }
-  /// Adds a body, and returns its number, from 0. Bodies never move in memory. Throws std::invalid_argument
+  /// Adds a body, and returns its number, from 0. Bodies keep their addresses. Throws std::invalid_argument
   /// (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
   /// Returns the first of the earlier bodies that this one overlaps, or nothing.
@@ -42,8 +42,8 @@ class World {
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }
 
-  /// Puts a round obstacle on the floor, and returns its number, from 1. It stops bodies, and floor sensors
-  /// do not see it.
+  /// Puts a round obstacle on the floor, and returns its number, from 1. The obstacle stops bodies; floor
+  /// sensors do not see it.
   int add_obstacle(Vec2 centre, double radius_m) { return walls_.add(centre, radius_m); }
   /// Remove or move an obstacle; do nothing if it does not exist.
   void remove_obstacle(int number) { walls_.remove(number); }
@@ -57,8 +57,8 @@ class World {
   /// Returns the radio channels.
   RadioChannel& radio() { return radio_; }
 
-  // Returns how far body `from_body` sees from a point of the floor, as in walls.h: up to anything that would
-  // stop it. Other bodies count as the circles about their outlines, unless they are lifted.
+  // Returns the distance that body `from_body` can see from a point of the floor, as in walls.h. Other bodies
+  // count as the circles about their outlines, unless they are lifted.
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
@@ -69,7 +69,7 @@ class World {
     Ground::State ground;
     RadioChannel::State radio;
     RuntimePaint::State patches;
-    std::vector<bool> lights;  ///< whether each one is on
+    std::vector<bool> lights;  ///< whether each light is on
   };
   State save() const;
   /// Restores a state of this world. Bodies keep their addresses.
@@ -77,12 +77,13 @@ class World {
 
   /// Returns whether step() would change nothing, without outside influence.
   bool is_still() const;
-  /// Integrates every body over one tick (kTick). Deterministic; no libm transcendental.
+  /// Integrates every body over one tick (kTick). Deterministic: uses no transcendental function of libm.
   void step();
 
-  // Steps for bodies that cannot affect others for a while, on a plane floor: see Separation.
-  /// Returns for each body whether no other meets or notices it, nor it them, for `seconds` without outside
-  /// influence. `sights`: m from its axle's centre, within which it notices others.
+  // The next functions step bodies that cannot affect others for a while, on a plane floor: see Separation.
+  /// Returns for each body whether it neither meets another body nor notices one, nor is noticed, for
+  /// `seconds` without outside influence. `sights` are the distances, m, from each axle's centre within which
+  /// a body notices others.
   const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
     return apart_.find(bodies_, sights, seconds);
   }
@@ -90,7 +91,7 @@ class World {
     bodies_[number]->step(walls_, nullptr);
     bodies_[number]->settle_contact();
   }
-  /// Steps all bodies that are not alone.
+  /// Steps all bodies that cannot be stepped alone.
   void step_together(const std::vector<std::size_t>& numbers);
 
  private:
