@@ -5,7 +5,7 @@
 
 namespace robosim::wire {
 
-/// Returns its number; 0 for events of the run as a whole.
+/// Returns the robot's number; 0 for events of the run as a whole.
 inline int agent_of(const Event& event) {
   return std::visit(
       [](const auto& one) {

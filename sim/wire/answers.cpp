@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 constexpr const char* kEeprom = "eeprom";
 constexpr const char* kRefused = "refused";
 
-// The beginning that holds a line's id and the name of its event.
+// Length of a line's beginning, which contains its id and the name of its event.
 constexpr std::size_t kBegin_bytes = 64;
 
 // ---- Writing ----
@@ -151,7 +151,7 @@ std::string to_line(const Id& id, const Answer& answer) {
     line.add("event", std::string_view(Columns::kEvent));
     if (columns->agent != 0) line.add("agent", columns->agent);
     text += ',';
-    return text.append(columns_text(*columns), 1) + "\n";  // including the object's end
+    return text.append(columns_text(*columns), 1) + "\n";  // includes the object's closing brace
   }
   std::visit(Adder{line}, answer);
   line.end();

@@ -93,7 +93,7 @@ bool BatchWriter::add(const Event& event) {
 
 Batch BatchWriter::take() {
   const std::size_t bytes =
-      std::min(size(), BatchMemory::kRoom_bytes);  // firmware may have written anything there
+      std::min(size(), BatchMemory::kRoom_bytes);  // firmware may have overwritten the size
   Batch batch{static_cast<std::int64_t>(bytes), std::string(memory_->bytes, bytes)};
   memory_->used.store(0, std::memory_order_release);
   begin_batch();
@@ -107,7 +107,7 @@ struct BatchReader::Robot {
   std::array<std::string, kPins> names;
   std::array<bool, kPins> named{};
   std::optional<RunColumns> columns;
-  std::array<std::size_t, kPins> numbers;  ///< of its pins in the columns
+  std::array<std::size_t, kPins> numbers;  ///< pin numbers in the columns
   std::vector<SourceLine> sources;
 
   std::size_t number_of(std::uint8_t pin) {
@@ -116,7 +116,7 @@ struct BatchReader::Robot {
   }
 };
 
-/// Unpacks one batch. Its events are constructed once, and then reused.
+/// Unpacks one batch. Constructs its events once, and then reuses them.
 class BatchReader::Unpacker {
  public:
   Unpacker(BatchReader& reader, std::string_view bytes, const OnEvent& on_event)

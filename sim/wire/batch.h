@@ -1,9 +1,9 @@
-// Many events in one binary batch. Some events occur hundreds of times per simulated second. As one JSON line
-// each, they would take several times as long as the run.
+// Packs many events into one binary batch. Some events occur hundreds of times per simulated second. Writing
+// them as one JSON line each would take several times as long as the run.
 //
-// Events follow each other. Each begins with eight bytes: kind, robot's number, pin's number, a byte `other`,
-// and a signed number of four bytes. Unless noted below, that number is the nanoseconds since the previous
-// event that has a time, starting at 0. Numbers are little-endian; doubles are IEEE 754.
+// A batch is a sequence of events. Each begins with eight bytes: kind, robot's number, pin's number, a byte
+// `other`, and a signed number of four bytes. Unless noted below, that number is the time in nanoseconds
+// since the previous event that has a time, starting at 0. Numbers are little-endian; doubles are IEEE 754.
 //
 //   't'  base of the next event's time, in nanoseconds (eight bytes); robot, pin and the rest are 0
 //   'n'  a pin's name, of length `other`; precedes the pin's first event in each batch
@@ -14,7 +14,7 @@
 //        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
-//   'b'  a byte, in place of the pin; `other` is 1 if the firmware sent it, 0 if it received it
+//   'b'  a byte, instead of the pin; `other` is 1 if the firmware sent it, 0 if it received it
 //   'd'  announces that the robot's pins have sources; precedes everything else
 //   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
 //        the number is the line. Then the names
@@ -40,11 +40,10 @@
 
 namespace robosim::wire {
 
-/// Returns whether everything that the request subscribes to can come in batches, and nothing else of that
-/// kind does.
+/// Returns whether all frequent events that the request subscribes to come in batches.
 bool comes_in_batches(const RunRequest& request);
 
-/// Memory for waiting events. Two processes may share it, so that it outlives the writer.
+/// Memory for waiting events. Two processes may share it, so that it survives the writer's process.
 struct BatchMemory {
   static constexpr std::size_t kRoom_bytes = 65'536;
   std::atomic<std::uint32_t> used{0};
@@ -58,7 +57,7 @@ class BatchWriter {
   /// While the used size is at most this, at least one more event fits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
-  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of 'p', next to the mode
+  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of 'p', besides the mode
 
   struct Head {
     char kind;
@@ -70,18 +69,18 @@ class BatchWriter {
   explicit BatchWriter(BatchMemory* memory = nullptr)
       : own_(memory ? nullptr : new BatchMemory), memory_(memory ? memory : own_.get()) {}
 
-  /// Adds an event. Returns false if it does not fit in a batch: it is not a sample or byte, or too long.
+  /// Adds an event. Returns false if the event is not a sample or byte, or is too long for a batch.
   bool add(const Event& event);
   bool add(const Sample& sample);
-  /// Adds a sample with a heading, from which the reader computes the yaw. The numbers are a Sample's place,
-  /// sine and cosine, speed, cross-track error, both motors, both wheels.
+  /// Adds a sample with a heading, from which the reader computes the yaw. `numbers` contains a Sample's x
+  /// and y, sine and cosine, speed, cross-track error, both motors, both wheels.
   bool add_sample(int agent, std::int64_t t_us, const std::array<double, 10>& numbers,
                   const std::vector<double>& readings) {
     return add_sample(agent, t_us, kWithHeading, numbers, readings);
   }
-  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte; pins by numbers of the robot's choice. `mode`: 0
-  /// input, 1 input_pullup, 2 output. `source`: its number, 0 = none. The robot's number must be less than
-  /// kMostAgents, a name no longer than kMostName.
+  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte. The robot chooses the numbers of its pins. `mode`:
+  /// 0 input, 1 input_pullup, 2 output. `source` is a source's number, 0 = none. The robot's number must be
+  /// less than kMostAgents, and a name at most kMostName long.
   void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
                bool pwm, double duty, std::uint32_t tone_hz, int source = 0) {
     begin_at_pin(agent, t_ns, pin, name);
@@ -104,14 +103,14 @@ class BatchWriter {
     end(memory, put(put_head(at(memory), 'v', agent, pin, 0, step_to(t_ns)), volts));
   }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
-  /// Returns whether one of these three, of that pin at that time, needs no extra record before it: most do
-  /// not.
+  /// Returns whether a pin, level or volts event of that pin, at that time, needs no extra record before it.
+  /// Most need none.
   bool follows(int agent, std::int64_t t_ns, std::uint8_t pin) const {
     return is_named(number_of(agent, pin)) && is_near(t_ns);
   }
   /// Announces that pins of the robot will have sources.
   void add_sources(int agent);
-  /// Adds the next of its sources. Only the beginning of longer names is stored.
+  /// Adds the robot's next source. Longer names are truncated.
   void add_source(int agent, const SourceLine& line);
 
   std::size_t size() const { return memory_->used.load(std::memory_order_relaxed); }
@@ -119,7 +118,7 @@ class BatchWriter {
   std::int64_t latest_ns() const { return latest_ns_; }
   /// Returns and clears the waiting events.
   Batch take();
-  /// Leaves the waiting events in place for another reader: the next batch is made in `memory`, which is
+  /// Leaves the waiting events in place for another reader. The next batch is made in `memory`, which must be
   /// empty.
   void go_on_in(BatchMemory& memory) {
     memory_ = &memory;
@@ -148,8 +147,8 @@ class BatchWriter {
     return put(to,
                Head{kind, static_cast<std::uint8_t>(agent), pin, static_cast<std::uint8_t>(other), number});
   }
-  // Takes a memory by a local reference. Otherwise the compiler must assume that a write there changes
-  // memory_ itself.
+  // Accesses a memory through a local reference. Otherwise the compiler must assume that a write there
+  // changes memory_ itself.
   static char* at(BatchMemory& memory) { return memory.bytes + memory.used.load(std::memory_order_relaxed); }
   static void end(BatchMemory& memory, const char* end) {
     memory.used.store(static_cast<std::uint32_t>(end - memory.bytes), std::memory_order_release);
@@ -183,7 +182,7 @@ class BatchWriter {
   std::unique_ptr<BatchMemory> own_;
   BatchMemory* memory_;
   std::int64_t from_ns_ = 0, latest_ns_ = 0;
-  std::vector<std::uint32_t> named_in_;  ///< by robot and pin: the number of the last batch with its name
+  std::vector<std::uint32_t> named_in_;  ///< per robot and pin: number of the last batch with its name
   std::uint32_t batch_ = 1;
 };
 
@@ -195,12 +194,12 @@ class BatchReader {
   BatchReader& operator=(BatchReader&&) noexcept;
   ~BatchReader();
 
-  /// Must be called for each robot.
+  /// Prepares for a robot's events. Must be called for each robot.
   void begin(const Started& started);
-  /// Passes on the packed events in their order, if the request subscribes to them; and columns, every
+  /// Reports the packed events in their order, if the request subscribes to them, and columns every
   /// kColumnsEvery_ns. Throws RunnerError for an invalid batch, possibly after some events.
   void read(std::string_view bytes, const OnEvent& on_event);
-  /// Passes on the waiting columns.
+  /// Reports the waiting columns.
   void finish(const OnEvent& on_event);
 
  private:

@@ -12,14 +12,14 @@ void Column::add(const double* first, std::size_t step, std::size_t count) {
 template <bool kIsSecond>
 void Column::pack(const double* first, std::size_t step, std::size_t count) {
   constexpr auto kMost = static_cast<double>(kMostSteps);
-  constexpr std::size_t kLongest = 10;  // bytes of 64 bits
+  constexpr std::size_t kLongest = 10;  // bytes for 64 bits
   buffer_.resize(std::max(buffer_.size(), used_ + kLongest * count));
   const double scale = spec_.scale;
   std::int64_t last = last_, expected = kIsSecond ? change_ : 0;
   char* to = buffer_.data() + used_;
   for (const double* value = first; count > 0; --count, value += step) {
     const double scaled = *value * scale;
-    std::int64_t steps = 0;  // for a value that is not a number
+    std::int64_t steps = 0;  // for NaN
     if (std::fabs(scaled) < kMost)
       steps = static_cast<std::int64_t>(scaled + std::copysign(0.5, scaled));
     else if (!std::isnan(scaled))

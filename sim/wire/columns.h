@@ -1,14 +1,14 @@
-// A run's numbers in compact columns. As JSON lines, every pin change and a sample each 10 ms would take
-// several times as long as the run.
+// Stores a run's numbers in compact columns. Writing every pin change and a sample every 10 ms as JSON lines
+// would take several times as long as the run.
 //
-// A column holds whole numbers (value x scale, rounded). It stores their differences from the expected
-// values, small ones in one byte:
+// A column contains integers (value x scale, rounded). It stores their differences from the expected values;
+// a small difference takes one byte:
 //
-//   order 1   expects the previous value      (values that stay, or jump)
-//   order 2   expects a steady change         (times, places)
+//   order 1   expects the previous value      (constant values, or jumps)
+//   order 2   expects a steady change         (times, positions)
 //
-// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first. Every group
-// but the last has its highest bit set.
+// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first. Each group is
+// a byte; all except the last have the highest bit set.
 #pragma once
 
 #include <algorithm>
@@ -38,12 +38,12 @@ void fields(V& v, Same<V, ColumnSpec>& c) {
   v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
 }
 
-/// Rows of one stream that follow the earlier ones.
+/// The rows of one stream since the previous Rows of it.
 struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
-  std::int64_t count = 0;           ///< of rows
-  std::vector<ColumnSpec> columns;  ///< with the first rows of a stream; then empty
-  std::vector<std::string> bytes;   ///< for each column; in a line as base64
+  std::int64_t count = 0;           ///< number of rows
+  std::vector<ColumnSpec> columns;  ///< only with the first rows of a stream
+  std::vector<std::string> bytes;   ///< one per column; base64 in a line
 };
 
 template <class V>
@@ -54,12 +54,12 @@ void fields(V& v, Same<V, Rows>& r) {
   v("bytes", r.bytes, "bytes of each column in base64; its numbers go on from the last ones");
 }
 
-/// The changes since the last of these.
+/// The changes since the previous Columns.
 struct Columns {
   static constexpr const char* kEvent = "columns";
   std::vector<Rows> streams;
   int agent = 0;
-  std::vector<SourceLine> sources{};  ///< lines of the sketch that are new here
+  std::vector<SourceLine> sources{};  ///< lines of the sketch that appear here for the first time
 };
 
 template <class V>
@@ -72,8 +72,8 @@ void fields(V& v, Same<V, Columns>& c) {
     {.presence = when(!c.sources.empty())});
 }
 
-/// The largest value times scale that a column holds; larger ones are clamped. JavaScript's numbers are exact
-/// up to here.
+/// Largest stored integer (value x scale); larger ones are clamped. JavaScript's numbers are exact up to
+/// here.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 50;
 
 /// Writes a column.
@@ -85,7 +85,7 @@ class Column {
   std::string_view bytes() const { return {buffer_.data(), used_}; }
   /// Clears the bytes, but not the last number.
   void clear() { used_ = 0; }
-  /// Adds `count` values, the first at `first` and each next one `step` after the previous one.
+  /// Adds `count` values: the first is at `first`, and each next value is `step` further.
   void add(const double* first, std::size_t step, std::size_t count);
 
  private:
@@ -94,7 +94,7 @@ class Column {
 
   ColumnSpec spec_;
   std::vector<char> buffer_;
-  std::size_t used_ = 0;  ///< number of its used bytes
+  std::size_t used_ = 0;  ///< used bytes of buffer_
   std::int64_t last_ = 0, change_ = 0;
 };
 
@@ -102,7 +102,7 @@ class Column {
 class ColumnReader {
  public:
   explicit ColumnReader(int order) : order_(order) {}
-  /// Returns the next `count` integers; nothing if the bytes hold another number of them.
+  /// Returns the next `count` integers; nothing if the bytes contain another number of integers.
   std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
 
  private:
@@ -110,7 +110,7 @@ class ColumnReader {
   std::uint64_t last_ = 0, change_ = 0;
 };
 
-/// Writes rows. They wait until their bytes are requested: packing column by column takes a third of the
+/// Writes rows. Rows wait until their bytes are requested: packing column by column takes a third of the
 /// time.
 class Stream {
  public:
@@ -119,7 +119,7 @@ class Stream {
   std::size_t width() const { return columns_.size(); }
   std::vector<Column>& columns();
   std::int64_t count() const { return count_; }
-  /// Adds a row to be filled: one value for each column.
+  /// Adds a row, which the caller fills: one value for each column.
   double* add() {
     const std::size_t begin = waiting_;
     waiting_ += columns_.size();
@@ -134,8 +134,8 @@ class Stream {
  private:
   std::string name_;
   std::vector<Column> columns_;
-  std::vector<double> rows_;  ///< waiting ones, concatenated
-  std::size_t waiting_ = 0;   ///< number of its values
+  std::vector<double> rows_;  ///< waiting rows, concatenated
+  std::size_t waiting_ = 0;   ///< number of waiting values
   std::int64_t count_ = 0;
   bool told_ = false;
 };

@@ -18,7 +18,7 @@ std::string columns_text(const Columns& columns) {
   for (const Rows& rows : columns.streams) {
     if (&rows != columns.streams.data()) text += ',';
     text += text_of(to_json(Rows{rows.stream, rows.count, rows.columns, {}}));
-    text.resize(text.size() - 2);  // ]} of an empty "bytes", the last key
+    text.resize(text.size() - 2);  // removes the ]} of an empty "bytes", the last key
     for (std::size_t i = 0; i < rows.bytes.size(); ++i) {
       if (i > 0) text += ',';
       text.append(1, '"').append(base64(rows.bytes[i])).append(1, '"');
@@ -28,7 +28,7 @@ std::string columns_text(const Columns& columns) {
   text += ']';
   Columns named;
   named.sources = columns.sources;
-  if (!columns.sources.empty())  // without its {
+  if (!columns.sources.empty())  // without the opening {
     text += ',' + text_of(to_json(named)).substr(sizeof R"({"streams":[],)" - 1);
   else
     text += '}';
@@ -49,7 +49,7 @@ std::string LongTexts::cut(std::string_view line) {
     if (in_array && text.size() >= kLong) {
       left.append(line.substr(from, begin + 1 - from)).append("#" + std::to_string(texts_.size()));
       texts_.push_back(text);
-      from = end;  // at its closing quote
+      from = end;  // at the closing quote
     } else {
       left.append(line.substr(from, end - from));
       from = end;

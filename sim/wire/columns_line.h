@@ -13,18 +13,18 @@ namespace robosim::wire {
 /// Returns JSON, with bytes as base64.
 std::string columns_text(const Columns& columns);
 
-/// Cuts the long texts out of the arrays of a line of JSON. Each is replaced by "#" and its number, which is
-/// not base64.
+/// Cuts the long texts out of the arrays of a line of JSON. Replaces each by "#" and its number, which is not
+/// valid base64.
 class LongTexts {
  public:
-  /// Returns the line without its long texts; the whole line if a text in it has escapes. The line must
-  /// outlive this.
+  /// Returns the line without its long texts, or the whole line if a text contains escapes. The line must
+  /// outlive this object.
   std::string cut(std::string_view line);
-  /// Restores bytes from their base64. Throws BadValue if it is invalid.
+  /// Restores bytes from their base64. Throws BadValue if the base64 is invalid.
   void put_back(Columns& columns) const;
 
  private:
-  std::vector<std::string_view> texts_;  ///< the texts that were cut out, by number
+  std::vector<std::string_view> texts_;  ///< the texts that were cut out, indexed by number
 };
 
 }  // namespace robosim::wire

@@ -13,18 +13,18 @@
 
 namespace robosim::wire {
 
-/// A stop condition of a run; checked at the end of each tick.
+/// A stop condition of a run. Checked at the end of each tick.
 struct Stop {
   enum class Kind {
-    serial,   ///< the firmware has sent `text`, from byte number `from` on
-    line,     ///< it has sent a line, from byte `from` on, that matches the regular expression `text`
+    serial,   ///< the firmware has sent `text`, at or after byte number `from`
+    line,     ///< it has sent a line, at or after byte `from`, that matches the regular expression `text`
     note,     ///< an event has occurred whose text_of() contains `text`
     event,    ///< an event of this kind has occurred: "collision_began" (event_kinds())
     visited,  ///< station `text` has been visited
     at,       ///< the body covers the centre of station `text`
-    reading,  ///< the part `text` reads at least 0.5, or less: `level`
-    pin,      ///< the firmware drives pin `text` high, or with PWM; or low: `level`
-    motors,   ///< a motor is driven, or none is: `level`
+    reading,  ///< the part `text` reads at least 0.5 (`level`), or less (not `level`)
+    pin,      ///< the firmware drives pin `text` high or with PWM (`level`), or low (not `level`)
+    motors,   ///< a motor is driven (`level`), or no motor is (not `level`)
     rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume
   };
   Kind kind = Kind::rest;
@@ -32,7 +32,7 @@ struct Stop {
   std::size_t from = 0;      ///< serial, line: number of the first byte that counts
   bool level = true;         ///< reading, pin, motors
   std::int64_t rest_ns = 0;  ///< rest
-  int agent = 0;             ///< number of its robot
+  int agent = 0;             ///< number of the robot
 
   static Stop serial(std::string text, std::size_t from = 0) { return {Kind::serial, std::move(text), from}; }
   static Stop line(std::string regex, std::size_t from = 0) { return {Kind::line, std::move(regex), from}; }
@@ -89,7 +89,7 @@ void fields(V& v, Same<V, Act>& a) {
   agent_field(v, a.agent);
 }
 
-/// Continues the run until the first of these, or to its verdict.
+/// Continues the run until the first of these conditions, or to its verdict.
 struct GoOn {
   static constexpr const char* kDo = "continue";
   std::optional<std::int64_t> to_ns;  ///< unset = no limit
@@ -104,7 +104,7 @@ void fields(V& v, Same<V, GoOn>& g) {
     {.otherwise = "none", .presence = when(!g.until.empty())});
 }
 
-/// Requests the non-volatile memory.
+/// Requests the content of the non-volatile memory.
 struct ReadEeprom {
   static constexpr const char* kDo = "eeprom";
   int agent = 0;
@@ -124,7 +124,7 @@ void fields(V&, Same<V, End>&) {}
 /// The requests that a run serves during a pause.
 using DrivenRequest = std::variant<Act, GoOn, ReadEeprom, End>;
 
-/// When and where the cross-track error was the largest; every tick counts.
+/// When and where the cross-track error was largest. Every tick counts.
 struct Worst {
   double cross_track_mm = 0.0;
   std::int64_t t_ns = 0;
@@ -145,15 +145,15 @@ struct Paused {
   static constexpr const char* kKey = "paused";
   std::int64_t t_ns = 0;
   Sample sample;
-  int stop = -1;  ///< index of the stop that was met; -1 = none
+  int stop = -1;  ///< index of the stop that ended the wait; -1 = none
   Worst worst;    ///< since the last resume
   bool powered = true;
   bool driven = false;           ///< a motor is commanded
   std::size_t serial_bytes = 0;  ///< sent by the firmware so far
   Metrics metrics;
-  std::optional<Resources> resources;  ///< on a chip
-  std::string verdict;                 ///< its own, while others continue; empty = none yet
-  std::string why;                     ///< of the verdict: one sentence
+  std::optional<Resources> resources;  ///< only on a chip
+  std::string verdict;                 ///< this robot's verdict while others continue; empty = none yet
+  std::string why;                     ///< reason for the verdict, one sentence
   std::vector<Paused> others;          ///< the run's further robots
 };
 

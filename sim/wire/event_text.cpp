@@ -14,7 +14,7 @@ std::string fault_text(const std::string& part, const std::vector<std::string>& 
   return text;
 }
 
-/// Formats "2,3 9,3" in words.
+/// Formats "2,3 9,3" as prose.
 std::string stretch(std::string cells) {
   const std::size_t space = cells.find(' ');
   return space == cells.npos ? cells : cells.replace(space, 1, " to ");

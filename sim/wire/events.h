@@ -1,5 +1,5 @@
-// The events of a run, as values. Programs compare these values; only text_of() turns them into sentences. So
-// a sketch that prints "collision" is not an event.
+// Defines the events of a run, as values. Programs compare these values; only text_of() converts them to
+// sentences. A sketch that prints "collision" therefore causes no event.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace robosim::wire {
 /// The body's outline has covered a station's centre for the first time.
 struct StationVisited {
   static constexpr const char* kKind = "station_visited";
-  std::string station;  ///< its name
+  std::string station;  ///< the station's name
 };
 
 template <class V>
@@ -27,8 +27,8 @@ void fields(V& v, Same<V, StationVisited>& e) {
 /// A lap of a loop is complete.
 struct LapDone {
   static constexpr const char* kKind = "lap_done";
-  int lap = 0;         ///< from 1; each direction counts its own
-  double lap_s = 0.0;  ///< its duration
+  int lap = 0;         ///< from 1; each direction has its own count
+  double lap_s = 0.0;  ///< duration of the lap
 };
 
 template <class V>
@@ -40,7 +40,7 @@ void fields(V& v, Same<V, LapDone>& e) {
 /// The body has collided with something.
 struct CollisionBegan {
   static constexpr const char* kKind = "collision_began";
-  bool with_robot = false;  ///< else a wall, an obstacle or the map's edge
+  bool with_robot = false;  ///< otherwise with a wall, an obstacle or the map's edge
 };
 
 template <class V>
@@ -52,13 +52,13 @@ void fields(V& v, Same<V, CollisionBegan>& e) {
 /// The script acted, or an action of limited duration ended: a lifted robot is put down, an obstacle removed.
 struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
-  std::string verb;  ///< the scenario language's: press, release, send, place, lift, lower, cover, obstacle,
-                     ///< clear, paint, erase, door, light, restore
+  std::string verb;  ///< a verb of the scenario language: press, release, send, place, lift, lower, cover,
+                     ///< obstacle, clear, paint, erase, door, light, restore
   std::string part;  ///< press, release, cover, and send to a part; else empty
   std::string text;  ///< send: the bytes; place: "X,Y,DIR"; obstacle, clear: "X,Y"
-  std::array<double, 3> disc_mm{};  ///< obstacle: its centre, and its radius
+  std::array<double, 3> disc_mm{};  ///< obstacle: x and y of its centre, and its radius
   std::array<double, 3>
-      moves{};  ///< obstacle: its target x and y, mm, and the duration in seconds; 0 s = it stands
+      moves{};  ///< obstacle: its target x and y, mm, and the duration in seconds; 0 s = it does not move
   std::array<double, 4> box_mm{};  ///< paint, erase, door: left, bottom, width, height of the area
 };
 
@@ -99,12 +99,12 @@ void fields(V& v, Same<V, FaultBegan>& e) {
   v("resets_chip", e.resets_chip, "`fault_began`: the supply no longer suffices for the chip");
 }
 
-/// A fault has ended: its time was up, or the script repaired it.
+/// A fault has ended: its duration was over, or the script repaired it.
 struct FaultEnded {
   static constexpr const char* kKind = "fault_ended";
   std::string part;
-  std::vector<std::string> arguments;  ///< of the fault; {"ok"} if the script ended it
-  bool repaired = false;               ///< by the script; else the fault's time was up
+  std::vector<std::string> arguments;  ///< the fault's arguments; {"ok"} if the script ended it
+  bool repaired = false;               ///< the script repaired it; otherwise its duration was over
 };
 
 template <class V>
@@ -117,7 +117,7 @@ void fields(V& v, Same<V, FaultEnded>& e) {
 /// The script switched the board off.
 struct PowerLost {
   static constexpr const char* kKind = "power_lost";
-  /// A byte of EEPROM that was being written, and its present value.
+  /// A byte of EEPROM whose write was interrupted, and its present value.
   struct HalfWritten {
     int address = 0;
     int value = 0;
@@ -136,7 +136,7 @@ void fields(V& v, Same<V, PowerLost>& e) {
   v("byte", e.byte, "`power_lost`: the byte of EEPROM that was being written; absent if none was");
 }
 
-/// The script switched it on, or the power cut ended: the firmware restarts.
+/// The script switched the board on, or the power cut ended: the firmware restarts.
 struct PowerBack {
   static constexpr const char* kKind = "power_back";
 };
@@ -144,11 +144,11 @@ struct PowerBack {
 template <class V>
 void fields(V&, Same<V, PowerBack>&) {}
 
-/// A part shows or sends something for people: a display, a Bluetooth module.
+/// A part displays or sends text for people: a display, a Bluetooth module.
 struct PartTold {
   static constexpr const char* kKind = "part_told";
   std::string part;
-  std::string text;  ///< a line that it received, or what it shows, its lines joined by "|"
+  std::string text;  ///< a received line, or the displayed lines joined by "|"
 };
 
 template <class V>
@@ -158,11 +158,11 @@ void fields(V& v, Same<V, PartTold>& e) {
     "`part_told`: what it shows, lines joined by `|`, or a line that the sketch has sent through it");
 }
 
-/// A score by the rules of a competition.
+/// A score under the rules of a competition.
 struct Scored {
   static constexpr const char* kKind = "scored";
   std::string what;    ///< "gap", "try 1, 24.31 s"
-  double value = 0.0;  ///< the value of the score
+  double value = 0.0;  ///< value of the score
   std::string unit;    ///< "s" or "points"
 };
 

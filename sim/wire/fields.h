@@ -8,8 +8,8 @@
 //     v("volts", r.volts, "what it reads", {.unit = "V"});
 //   }
 //
-// A visitor V is called for each key in the order of writing. json_writer.h has one that writes JSON,
-// json_reader.h one that reads and checks it, and tables.cpp one that makes the tables in docs/. This file
+// fields() calls the visitor V for each key in the order of writing. The visitor in json_writer.h writes
+// JSON. Those in json_reader.h and tables.cpp read and check JSON, and make the tables in docs/. This file
 // does not depend on JSON, so a struct and its description cost little to include.
 #pragma once
 
@@ -29,7 +29,7 @@ using Same = std::conditional_t<V::kReads, T, const T>;
 
 /// The presence of a key.
 struct Presence {
-  bool required = true;  ///< a reader requires it; else a missing key keeps its default
+  bool required = true;  ///< a reader requires the key; otherwise a missing key keeps its default
   bool written = true;
 };
 inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader
@@ -38,10 +38,10 @@ constexpr Presence when(bool written) { return {false, written}; }
 
 /// Further properties of a key.
 struct Rules {
-  const char* unit = "";       ///< "mm"; for an array: its elements'; "" = none
-  const char* otherwise = "";  ///< for people: a request's meaning without the key; "" = its default
+  const char* unit = "";       ///< "mm"; for arrays, the elements' unit; "" = none
+  const char* otherwise = "";  ///< for people: a request's meaning without the key; "" = the default value
   Presence presence = {};
-  /// For integers, both ends included.
+  /// For integers: the range, both ends included.
   std::int64_t least = std::numeric_limits<std::int64_t>::min();
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
   std::int64_t multiple_of = 1;
@@ -50,7 +50,7 @@ struct Rules {
   std::initializer_list<const char*> one_of = {};
 };
 
-/// Flags that are written as a list of the names of the true ones: ["pin", "io"].
+/// Flags, written as a list of the names of the true flags: ["pin", "io"].
 template <class Bool>
 struct Name {
   const char* name;
@@ -65,7 +65,7 @@ struct NameList {
 template <class Bool, std::size_t N>
 NameList(std::array<Name<Bool>, N>) -> NameList<Bool, N>;
 
-/// Pairs of a use and a pin, written as an object; a pin that is a number ("8") is written as one.
+/// Pairs of a use and a pin, written as an object. A numeric pin ("8") is written as a number.
 template <class List>
 struct PinsByUse {
   List& list;
@@ -82,7 +82,7 @@ concept Described = requires(V& v, Same<V, T>& t) {
 /// The maximum number of robots on one map.
 inline constexpr std::size_t kMostAgents = 256;
 
-/// The key of everything that is about one of several robots.
+/// Describes the key `agent` of messages about one of several robots.
 template <class V>
 void agent_field(V& v, Same<V, int>& agent) {
   v("agent", agent, "number of the robot that it is about, from 0; absent if 0",

@@ -1,4 +1,4 @@
-// Detects where a script moved the robot manually, so that it did not drive that path.
+// Detects where a script moved the robot manually, so that the robot did not drive that path.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace robosim::wire {
 
-/// Receives the notes and samples of a run, in their order.
+/// Processes the notes and samples of a run, in their order.
 class Hand {
  public:
   void add(const Note& note) {
@@ -18,7 +18,7 @@ class Hand {
     moved_ = true;
     sweeps_ = acted->verb == "sweep";
   }
-  /// For each sample: returns whether the robot was moved since the previous one.
+  /// Returns whether the robot was moved since the previous sample. Call once per sample.
   bool has_moved() { return std::exchange(moved_, sweeps_); }
 
  private:

@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Parses only what the protocol's programs write: strings without escapes, of printable ASCII; no blanks; no
-// deep nesting. It gives up on everything else, valid or not.
+// Parses only the subset that the protocol's programs write: strings of printable ASCII without escapes; no
+// spaces; no deep nesting. Gives up on everything else, valid or not.
 class PlainJson {
  public:
   explicit PlainJson(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
@@ -100,14 +100,14 @@ class PlainJson {
 
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-  /// Skips the digits there, of which there must be one.
+  /// Skips digits; at least one is required.
   bool pass_digits(const char*& p) const {
     const char* const first = p;
     while (p != end_ && is_digit(*p)) ++p;
     return p != first;
   }
 
-  // -0 and 007 are left to the other parser.
+  // Leaves -0 and 007 to the other parser.
   bool read_number(Json& value) {
     const char* last = at_;
     const bool negative = *last == '-';
@@ -149,7 +149,7 @@ class PlainJson {
 
 Json parsed_json(std::string_view text) {
   Json value;
-  const bool may_be_too_much = text.size() > kMostJsonValues;  // PlainJson already refuses deep nesting
+  const bool may_be_too_much = text.size() > kMostJsonValues;  // PlainJson rejects deep nesting
   if (may_be_too_much && !is_within_json_limits(text)) return Json(Json::value_t::discarded);
   if (PlainJson(text).read_all(value)) return value;
   if (!may_be_too_much && !is_within_json_limits(text)) return Json(Json::value_t::discarded);

@@ -1,8 +1,9 @@
-// Reads messages from JSON by their fields (fields.h), with checks. For .cpp files: nlohmann's header is slow
-// to compile.
+// Reads messages from JSON by their fields (fields.h), with checks. Include only in .cpp files: nlohmann's
+// header is slow to compile.
 //
-// Input may be hostile. Nothing here copies undescribed parts or descends into them, so that no nesting is
-// too deep. Numbers out of range, missing keys and values of another kind are one sentence each.
+// Input may be hostile. The reader neither copies undescribed parts nor descends into them, so that no
+// nesting is too deep. It reports a number out of range, a missing key or a value of another kind in one
+// sentence.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@
 
 namespace robosim::wire {
 
-/// A value does not match its key's description.
+/// Reports that a value does not match its key's description.
 class BadValue : public std::runtime_error {
  public:
   BadValue(std::string key, std::string problem)
@@ -42,7 +43,7 @@ class BadValue : public std::runtime_error {
   std::string key_, problem_;
 };
 
-/// Returns the beginning of a text, for a message: “GET / HTTP/1.1”.
+/// Returns the beginning of a text, for use in a message: “GET / HTTP/1.1”.
 std::string excerpt(std::string_view text);
 
 class JsonReader {
@@ -54,7 +55,7 @@ class JsonReader {
   /// Selects whether keys without a description are an error.
   enum class Unknown { allowed, refused };
 
-  /// Reads a message. Throws BadValue. `besides`: keys of the same object that others have read.
+  /// Reads a message. Throws BadValue. `besides` lists keys of the same object that other code has read.
   template <class T>
   static void read(const Json& object, T& message, Unknown unknown,
                    std::initializer_list<const char*> besides = {}) {
@@ -88,7 +89,7 @@ class JsonReader {
     take(key, *found, value, rules);
   }
 
-  /// Returns nothing for an unknown kind.
+  /// Reads the kind and its keys. Leaves `what` empty for an unknown kind.
   template <class... What>
   void kinds(const char* key, std::optional<std::variant<What...>>& what, const char*) {
     const Json* kind = find(key);
@@ -107,7 +108,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys, and if none of several choices was made.
+  /// Throws BadValue for unknown keys, and if several choices exist but none was made.
   void finish() const;
 
   template <class T>
@@ -141,7 +142,7 @@ class JsonReader {
 
 namespace detail {
 
-/// Returns the range of an integer: the limits of T and of the rules.
+/// Returns the lower limit of an integer: the stricter of T's and the rules' limits.
 template <class T>
 std::int64_t least(const Rules& rules) {
   return std::is_unsigned_v<T>
@@ -155,10 +156,10 @@ std::uint64_t most(const Rules& rules) {
   return std::min(kMost, static_cast<std::uint64_t>(rules.most));
 }
 
-/// Returns "a whole number from 0 to 65535"
+/// Returns "a whole number from 0 to 65535".
 std::string whole_number(const Rules& rules, std::int64_t least, std::uint64_t most);
 std::string text(const Rules& rules);
-/// Returns "\"a\", \"b\" and \"c\""
+/// Returns "\"a\", \"b\" and \"c\"".
 std::string all_of(const std::vector<const char*>& names);
 
 }  // namespace detail

@@ -1,6 +1,6 @@
-// Writes the JSON text of messages by their fields (fields.h), directly. The result equals
-// text_of(to_json(message)) (json_writer.h) to the last character, in a sixth of the instructions. For .cpp
-// files.
+// Writes the JSON text of messages directly from their fields (fields.h). The result equals
+// text_of(to_json(message)) (json_writer.h) to the last character, with a sixth of the instructions. Include
+// only in .cpp files.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class JsonText {
   static constexpr bool kReads = false;
   static constexpr bool kDescribes = false;
 
-  /// Appends to `out`.
+  /// Appends a value to `out`.
   template <class T>
   static void append(std::string& out, const T& value) {
     if constexpr (Described<JsonText, T>) {
@@ -53,7 +53,7 @@ class JsonText {
     }
   }
 
-  /// Appends an object to `out`, up to end().
+  /// Begins an object in `out`; end() completes it.
   explicit JsonText(std::string& out) : out_(out) { out_ += '{'; }
   void end() { out_ += '}'; }
 
@@ -90,7 +90,7 @@ class JsonText {
     add_key(key);
     append(out_, value);
   }
-  /// `text`: JSON.
+  /// Adds a key whose value `text` is JSON.
   void add_text(std::string_view key, std::string_view text) {
     add_key(key);
     out_ += text;

@@ -1,4 +1,5 @@
-// Converts messages to JSON by their fields (fields.h). For .cpp files: nlohmann's header is slow to compile.
+// Converts messages to JSON by their fields (fields.h). Include only in .cpp files: nlohmann's header is slow
+// to compile.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@
 
 namespace robosim::wire {
 
-/// Keys in the order of their descriptions.
+/// JSON that keeps keys in the order of their descriptions.
 using OrderedJson = nlohmann::ordered_json;
 
 namespace detail {
@@ -68,7 +69,7 @@ class JsonWriter {
     if (kind == own) (*this)(key, value, meaning, rules);
   }
 
-  /// Writes the name of the alternative, under `key`, and its own keys.
+  /// Writes the alternative's name under `key`, followed by its keys.
   template <class What>
   void kinds(const char* key, const std::optional<What>& what, const char*) {
     if (!what) return;
@@ -131,7 +132,8 @@ OrderedJson to_json(const T& message) {
   return JsonWriter<OrderedJson>::json(message);
 }
 
-/// File names, scripts and output of sketches may hold any bytes, unlike JSON: invalid ones become U+FFFD.
+/// Returns JSON as text. File names, scripts and output of sketches may contain any bytes, unlike JSON:
+/// invalid bytes become U+FFFD.
 template <class Json>
 std::string text_of(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);

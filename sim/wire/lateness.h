@@ -1,4 +1,4 @@
-// A delay of a sketch, as if its code took longer; or, if negative, less time.
+// Describes a delay of a sketch, as if its code took longer; if negative, less time.
 #pragma once
 
 #include <cstdint>

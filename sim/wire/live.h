@@ -1,5 +1,5 @@
-// Requests to a run in step with the wall clock (`robosim run --live`), allowed at any time. It answers like
-// a run that is driven step by step (driven.h).
+// Defines the requests to a run in step with the wall clock (`robosim run --live`), allowed at any time. Such
+// a run answers like a run that is driven step by step (driven.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robosim::wire {
 
-/// Continues until another request.
+/// Continues until the next request.
 struct Play {
   static constexpr const char* kDo = "play";
   double speed = 1.0;
@@ -27,7 +27,7 @@ struct Pause {
 template <class V>
 void fields(V&, Same<V, Pause>&) {}
 
-/// Continues for this duration, and pauses again.
+/// Continues for this duration, then pauses.
 struct StepOn {
   static constexpr const char* kDo = "step";
   std::int64_t ms = 1;

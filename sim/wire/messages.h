@@ -1,4 +1,4 @@
-// All messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
+// Includes all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
 #pragma once
 
 #include "sim/wire/driven.h"
@@ -9,14 +9,14 @@
 
 namespace robosim::wire {
 
-/// The protocol's version at both ends; other numbers are incompatible.
+/// The version of the protocol. Both ends must have the same version.
 inline constexpr int kProtocol = 1;
 
 /// The first message of a runner.
 struct Hello {
   std::string program;  ///< "robosim-host"
   int protocol = 0;
-  std::string version;       ///< of Robosim: "0.1.0"
+  std::string version;       ///< Robosim's version: "0.1.0"
   std::string target;        ///< "host"
   std::string sandbox = "";  ///< "on", "off", "missing"; empty if firmware is data
   std::string no_sandbox_why = "";

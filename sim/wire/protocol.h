@@ -1,5 +1,5 @@
-// Converts lines of the runner protocol from and to values, for both of its ends. Each line has its line feed
-// at the end here, and may be read with or without.
+// Converts lines of the runner protocol from and to values, for both ends of the protocol. Lines are written
+// with a line feed at the end, and may be read with or without it.
 #pragma once
 
 #include <cstddef>
@@ -15,46 +15,46 @@
 
 namespace robosim::wire {
 
-/// The runner broke the protocol, or died: a fault of Robosim (exit status 3).
+/// Reports that the runner broke the protocol, or died: a fault of Robosim (exit status 3).
 class RunnerError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An interrupted run did not answer within seconds, or was killed: there is no result.
+/// Reports that an interrupted run did not answer within seconds, or was killed. There is no result.
 class Unstoppable : public RunnerError {
  public:
   using RunnerError::RunnerError;
 };
 
-// The client's end.
+// The client's functions.
 
 std::string to_line(long long id, const Request& request);
-/// Converts a request to a paused run.
+/// Converts a request for a paused run.
 std::string to_line(long long id, const DrivenRequest& request);
-/// Converts a request to a run in step with the wall clock.
+/// Converts a request for a run in step with the wall clock.
 std::string to_line(long long id, const LiveRequest& request);
 
 /// One line from a runner.
 struct Line {
-  long long id = -1;  ///< of the request that it answers; -1 = none (hello)
+  long long id = -1;  ///< id of the answered request; -1 = none (hello)
   Answer content;
 };
 
-/// Parses a line. Throws RunnerError, quoting the line, if it is not of the protocol. Unknown keys are
-/// skipped. After the line of a Batch its bytes follow.
+/// Parses a line. Throws RunnerError, quoting the line, if the line does not match the protocol. Unknown keys
+/// are skipped. The line of a Batch is followed by the batch's bytes.
 Line parse_line(std::string_view text);
 
-/// Parses the first line of a runner, `program`. Throws RunnerError, with a sentence for users, if that is
-/// not a runner of Robosim or has another version of the protocol.
+/// Parses the first line of a runner, `program`. Throws RunnerError, with a sentence for users, if `program`
+/// is not a Robosim runner or has another protocol version.
 Hello parse_hello(std::string_view text, const std::string& program);
 
-// The runner's end.
+// The runner's functions.
 
-/// The number that a client has chosen for its request; monostate = none.
+/// The number that a client has chosen for a request; monostate = none.
 using Id = std::variant<std::monostate, std::int64_t, std::uint64_t, double>;
 
-/// A client's line: a request, or nothing and one sentence on the error.
+/// A client's line: a request, or one sentence on the error.
 template <class Any>
 struct Asked {
   Id id;
@@ -66,9 +66,9 @@ Asked<Request> parse_request(std::string_view text);
 Asked<DrivenRequest> parse_driven_request(std::string_view text);
 Asked<LiveRequest> parse_live_request(std::string_view text);
 
-/// Writes an answer; a Batch with its bytes.
+/// Writes an answer. The bytes of a Batch follow its line.
 std::string to_line(const Id& id, const Answer& answer);
-/// Writes the line of a Batch of that size, without its bytes.
+/// Writes the line of a Batch with `bytes` bytes, without these bytes.
 std::string batch_line(const Id& id, std::size_t bytes);
 
 }  // namespace robosim::wire

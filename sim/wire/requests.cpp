@@ -28,7 +28,7 @@ Id id_of(const Json& object) {
   return found->get<double>();
 }
 
-// Returns the first alternative of Any whose name is requested, if any.
+// Returns the alternative of Any whose name is requested, if any; tries them from number I.
 template <class Any, std::size_t I = 0>
 std::optional<Any> read_named(const std::string& name, const Json& object) {
   if constexpr (I == std::variant_size_v<Any>) {

@@ -1,4 +1,4 @@
-// The description of a robot for clients.
+// Defines the description of a robot for clients.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@ struct RobotInfo {
     std::string fqbn;   ///< "arduino:avr:uno"
     std::string macro;  ///< "ARDUINO_AVR_UNO"
   };
-  /// The maximum that firmware may use of the chip; 0 = everything.
+  /// The part of the chip that firmware may use; 0 = everything.
   struct Budget {
     std::int64_t flash_bytes = 0;
     std::int64_t ram_bytes = 0;
   };
   struct Sensor {
     std::string name;
-    double x_mm = 0.0;          ///< forward of the axle's centre
-    double y_mm = 0.0;          ///< left of it
+    double x_mm = 0.0;          ///< forward from the axle's centre
+    double y_mm = 0.0;          ///< to the left of the axle's centre
     double footprint_mm = 0.0;  ///< side of its square footprint on the floor; 0 = unknown
   };
-  /// A numeric reading; others are levels, or on and off.
+  /// A numeric reading. Other readings are levels, or on and off.
   struct Gauge {
     std::string name;
     std::string unit;  ///< "cm"; "" for a plain number
@@ -43,12 +43,12 @@ struct RobotInfo {
   };
   /// Wheels that a servo steers.
   struct Steering {
-    std::string servo;        ///< the servo with the reading
-    double base_mm = 0.0;     ///< from the driven axle, ahead of it
+    std::string servo;        ///< the servo that provides the reading
+    double base_mm = 0.0;     ///< how far the steered wheels are ahead of the driven axle
     int wheels = 1;           ///< two are `track` apart
     double middle_deg = 0.0;  ///< the reading for straight ahead
     double ratio = 0.0;       ///< degrees to the left per unit of the reading
-    double limit_deg = 0.0;   ///< in each direction
+    double limit_deg = 0.0;   ///< limit in each direction
   };
   std::string name;
   std::string file;
@@ -62,7 +62,7 @@ struct RobotInfo {
   std::vector<Sensor> sensors;
   std::vector<Gauge> gauges;
   std::vector<Part> parts;
-  std::string text;  ///< its file merged with the robots that it is based on; empty unless requested
+  std::string text;  ///< the robot's file, merged with its base robots; empty unless requested
 };
 
 template <class V>

@@ -19,7 +19,8 @@ struct Sample;
 /// The states of a pin as a logic analyser shows them.
 enum class PinLevel { low = 0, high = 1, floating = 2, pulsing = 3 };
 
-/// Pulsing: PWM or tone(), faster than single edges are reported. A pull-up alone is high.
+/// Returns the pin's state. Pulsing is PWM or tone(), whose edges are not reported one by one. A pull-up
+/// alone counts as high.
 constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, std::uint32_t tone_hz) {
   if (!output) return pullup ? PinLevel::high : PinLevel::floating;
   if (tone_hz > 0 || (pwm && duty > 0.0 && duty < 1.0)) return PinLevel::pulsing;
@@ -29,16 +30,16 @@ constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, st
 PinLevel pin_level(const PinChange& pin);
 
 std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings);
-/// `sources`: includes the lines that drive the pin.
+/// Returns the columns of a pin. `sources` adds a column for the lines that drive the pin.
 std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
 
-/// Numbers the lines that drive pins, from 1 in the order of appearance.
+/// Numbers the lines that drive pins, from 1 in the order of their appearance.
 class SourceNumbers {
  public:
-  /// Returns the line's number; 0 = not a line.
+  /// Returns the line's number; 0 = unknown line.
   int of(const SourceLine& line);
-  /// Returns the new ones since the last call.
+  /// Returns the lines that are new since the last call.
   std::vector<SourceLine> take_new();
 
  private:
@@ -46,12 +47,13 @@ class SourceNumbers {
   std::vector<SourceLine> new_;
 };
 
-/// The period of columns, simulated time.
+/// The period in simulated time at which columns are reported.
 constexpr std::int64_t kColumnsEvery_ns = 2'000'000'000;
 
 class RunColumns {
  public:
-  /// Makes columns for the board's pins, by number. `sources`: includes the lines that drive them.
+  /// Makes columns for the board's pins, in the order of their numbers. `sources` adds the lines that drive
+  /// the pins.
   explicit RunColumns(const std::vector<std::string>& pins, bool sources = false);
   /// Adds a pin, and returns its number.
   std::size_t add_board_pin(const std::string& name);
@@ -64,18 +66,18 @@ class RunColumns {
                const SourceLine* source = nullptr);
   void add_volts(std::size_t pin, std::int64_t t_ns, double volts);
 
-  /// Returns everything since the last call; without streams if there is nothing.
+  /// Returns all rows since the last call; without streams if there are none.
   Columns take();
 
  private:
   /// The events at one pin. Rows without a change are skipped.
   struct Changes {
     Stream stream;
-    std::array<double, 4> last{-1.0};  ///< unused for missing columns; the time is never negative
+    std::array<double, 4> last{-1.0};  ///< unused for missing columns; a time is never negative
   };
   void change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source);
 
-  std::vector<Stream> samples_;  ///< one, after the beginning
+  std::vector<Stream> samples_;  ///< one stream, after begin()
   std::vector<Changes> pins_, volts_;
   bool has_sources_;
   SourceNumbers sources_;

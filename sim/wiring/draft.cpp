@@ -5,7 +5,7 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr std::size_t kColumn = 36;  // where comments behind values begin
+constexpr std::size_t kColumn = 36;  // where comments after values begin
 
 std::string line(const std::string& text, const std::string& comment) {
   return comment.empty() ? text + '\n' : fmt::format("{:<{}}# {}\n", text, kColumn, comment);

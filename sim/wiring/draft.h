@@ -8,10 +8,10 @@
 
 namespace robosim::wiring {
 
-/// `remarks`: sentences for the top of the file.
+/// Returns the robot file's text. `remarks` are sentences for its top.
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks = {});
 
-/// Returns lines of a script that presses each button of the draft, twice.
+/// Returns lines of a script that presses each button of the draft twice.
 std::string presses(const RobotDraft& draft);
 
 }  // namespace robosim::wiring

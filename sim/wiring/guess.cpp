@@ -83,13 +83,14 @@ void guess_output(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue
   }
 }
 
-// Returns "pin 5", "pin A0"
+// Returns "pin 5" or "pin A0".
 std::string shown(const Evidence& evidence, Pin pin) {
   const std::string name = evidence.board().pins[pin].name;
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
 
-// Wire pulls its two pins up, and never reads them as pins.
+// Asks what is connected to the two-wire bus if it is used. Wire pulls its two pins up, and never reads them
+// as pins.
 void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
   const TwiSpec& bus = evidence.board().chip->twi;
   if (bus.address == 0) return;

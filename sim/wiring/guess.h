@@ -13,17 +13,17 @@ namespace robosim::wiring {
 struct PartDraft {
   std::string name;
   std::string type;
-  std::vector<std::pair<std::string, std::string>> keys;  ///< as TOML writes them, in their order
+  std::vector<std::pair<std::string, std::string>> keys;  ///< in their order, as written in TOML
   std::string why;                                        ///< the evidence: "ENA, IN1, IN2"
   std::vector<std::string> doubts;                        ///< sentences for the user
 };
 
-/// Properties that neither names nor a run without the part determine. All of them can be tried out.
+/// Properties that neither names nor a run without the part determine. A caller can try all of them.
 struct Ways {
   bool black_low = false;    ///< sensors read low over black
   bool other_order = false;  ///< the first sensor is the rightmost
-  bool other_sides = false;  ///< the motors are exchanged
-  bool close = false;        ///< two sensors are both on the line, not next to it
+  bool other_sides = false;  ///< the motors are swapped
+  bool close = false;        ///< two sensors are both on the line, not to its sides
 };
 
 /// The Ways that make a difference for this sketch.
@@ -31,14 +31,14 @@ struct Open {
   bool black = false;
   bool order = false;
   bool sides = false;
-  bool distance = false;  ///< between two sensors
+  bool distance = false;  ///< distance between two sensors
 };
 
 struct RobotDraft {
-  std::string base;  ///< a stock robot, for chassis and motors
+  std::string base;  ///< a stock robot that provides chassis and motors
   std::string board;
-  std::string driver;   ///< a chip
-  std::string standby;  ///< its pin, as TOML; empty = none
+  std::string driver;   ///< the motor driver's chip
+  std::string standby;  ///< standby pin, as TOML; empty = none
   std::vector<PartDraft> parts;
   std::vector<std::string> questions;  ///< about pins without a part
   Open open;
@@ -47,19 +47,19 @@ struct RobotDraft {
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
                  const Ways& ways);
 
-// The guesses, one for each kind of part; each takes the pins of its parts.
+// The next functions each guess one kind of part, and take the pins of the found parts.
 
 /// Guesses parts by libraries: servos, distance sensors, displays, serial modules, encoders.
 void guess_by_libraries(Evidence& evidence, RobotDraft& draft);
-/// Guesses motors on shields with libraries of their own, and devices on the two-wire bus.
+/// Guesses motors on shields that have their own libraries, and devices on the two-wire bus.
 void guess_shields(Evidence& evidence, const Ways& ways, RobotDraft& draft);
 void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
 void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
-/// Guesses buttons, encoders, LEDs, buzzers; adds a question about each remaining pin.
+/// Guesses buttons, encoders, LEDs and buzzers. Adds a question about each remaining pin.
 void guess_the_rest(Evidence& evidence, RobotDraft& draft);
 
-/// Returns a name for a part from the sketch's: letters, digits, `_` and `-`, different from other parts'
-/// names.
+/// Returns a part's name, made from `wanted`: letters, digits, `_` and `-`, different from the names of other
+/// parts.
 std::string part_name(const RobotDraft& draft, const std::string& wanted);
 
 }  // namespace robosim::wiring

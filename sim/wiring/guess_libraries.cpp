@@ -35,7 +35,7 @@ class Libraries {
       else
         part(given, "hc-sr04", {{"trig", pin(0)}, {"echo", pin(1)}});
     } else if (type == "SoftwareSerial") {
-      // By the module's labels: its txd is connected to the pin by which the sketch receives.
+      // Uses the module's labels: its txd is connected to the pin on which the sketch receives.
       part(given, "bluetooth", {{"txd", pin(0)}, {"rxd", pin(1)}});
       doubt("baud: the baud rate in " + given.name + ".begin(), if it is not 9600");
     } else if (type == "LiquidCrystal" && given.pins.size() == 6) {
@@ -96,7 +96,7 @@ class Libraries {
     return encoders <= 1 ? "\"left\"" : "\"right\"";
   }
 
-  // It steers a wheel if its name has a side; else it turns something else.
+  // Guesses that the servo drives a wheel if its name contains a side, and otherwise something else.
   void servo(const Given& given, Pin pin) {
     const Side side = side_of(words_of(given.name));
     if (side == Side::unknown) {
@@ -114,7 +114,7 @@ class Libraries {
     return "[" + text + "]";
   }
 
-  // Keypad(makeKeymap(keys), rowPins, colPins, ROWS, COLS)
+  // Reads Keypad(makeKeymap(keys), rowPins, colPins, ROWS, COLS).
   void keypad(const Given& given) {
     const std::vector<Pin>&rows = given.each[1], &columns = given.each[2];
     if (rows.empty() || columns.empty() || rows.size() > 8 || columns.size() > 8) return;
@@ -129,7 +129,7 @@ class Libraries {
       for (const Pin pin : *pins) clues_.take(pin);
   }
 
-  // shiftOut(data, clock, …): the latch is found by its name.
+  // Reads shiftOut(data, clock, …), and finds the latch by its name.
   void shift_register(const Given& given, Pin data, Pin clock) {
     if (!clues_.is_free(data) || !clues_.is_free(clock)) return;
     Pin latch = kNoPin;
@@ -146,7 +146,7 @@ class Libraries {
         "what is connected to the outputs of REG? Other parts use them as pins: \"REG.Q0\" to \"REG.Q7\"");
   }
 
-  // pulseIn() on a pin: the trigger is the pin with short pulses.
+  // Reads pulseIn() on a pin. The trigger is the pin with short pulses.
   void echo(const Given& given, Pin pin) {
     Pin trigger = kNoPin;
     for (const PinEvidence* clue : clues_.left()) {

@@ -19,20 +19,22 @@ bool is_motor_like(const PinEvidence& clue) {
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
-// analogWrite(pin, 0) makes a level: so the source counts, too.
+// Returns whether the sketch uses PWM. analogWrite(pin, 0) only sets a level, so calls in the source count,
+// too.
 bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
   return clue.facts->pwm || evidence.is_given_to({"analogWrite"}, clue.pin);
 }
 
-// Returns whether a pin is high all the time and its name has no side: the driver's enable, or standby.
+// Returns whether a pin is almost always high and has no side in its name. Such a pin is the driver's enable
+// or standby input.
 bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
-  constexpr double kMostly = 0.45;  // of 0.5
+  constexpr double kMostly = 0.45;  // of at most 0.5
   return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
          !says(clue.words, {"enc"}) && side_of(clue.words) == Side::unknown &&
          evidence.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
 }
 
-// Matches rmf, lf: a side and a direction in one word. The B of motorB is not a direction.
+// Matches rmf, lf: a side and a direction in one word. The B of motorB does not count as a direction.
 bool is_short_for(const PinEvidence& clue, char direction) {
   constexpr std::size_t kLongest = 4;
   const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
@@ -60,7 +62,7 @@ int number_of(const PinEvidence& clue) {
              : std::stoi(clue.words.back().substr(0, 4));
 }
 
-// Returns 1 if a is the input for forward, -1 if b is; 0 = their names do not show it.
+// Returns 1 if a is the forward input, -1 if b is, 0 if their names do not determine it.
 int named_order(const PinEvidence& a, const PinEvidence& b) {
   if (is_forward(a) != is_forward(b)) return is_forward(a) ? 1 : -1;
   if (is_backward(a) != is_backward(b)) return is_backward(a) ? -1 : 1;
@@ -70,7 +72,7 @@ int named_order(const PinEvidence& a, const PinEvidence& b) {
   return 0;
 }
 
-// The pins of one motor, and their functions.
+// The pins of one motor, with their functions.
 class Motor {
  public:
   Motor(const Evidence& evidence, Pins pins) : clues_(evidence) {
@@ -104,7 +106,7 @@ class Motor {
   bool is_transistor() const { return en_ && !in1_ && !phase_; }
   bool order_is_named() const { return named_; }
 
-  // Returns a value above 0 if it was mostly driven forward.
+  // Returns a value above 0 if the motor was mostly driven forward.
   double lean() const {
     const Pin enable = en_ ? en_->pin : kNoPin;
     if (phase_) return clues_.history().lean(enable, phase_->pin, kNoPin);
@@ -160,7 +162,7 @@ struct Sides {
   bool named = true;
 };
 
-// Pins of one object belong to one motor: Motor(5, 7, 8).
+// Returns the pins of object `number` whose pins belong to one motor: Motor(5, 7, 8).
 Pins given_together(const Evidence& evidence, const Pins& pins, std::size_t number) {
   for (const Given& given : evidence.names().given) {
     Pins group;
@@ -178,8 +180,8 @@ void put_half(const Pins& pins, Sides& sides) {
   for (std::size_t i = 0; i < pins.size(); ++i) (i < half ? sides.left : sides.right).push_back(pins[i]);
 }
 
-// Reads six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6): those of one motor, then those of the
-// other.
+// Reads six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6). The first half belongs to one motor, the
+// second half to the other.
 Sides given_as_pair(const Evidence& evidence, const Pins& pins) {
   for (const Given& given : evidence.names().given) {
     Sides sides{{}, {}, false};
@@ -216,9 +218,9 @@ Sides divide(const Evidence& evidence, const Pins& pins) {
   return sides;
 }
 
-// Four inputs with PWM and one pin that stays high: that one enables the driver.
+// Takes the driver's enable pin: the only pin without PWM, which stays high, among four inputs with PWM.
 void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft) {
-  constexpr double kMostly = 0.45;  // of 0.5
+  constexpr double kMostly = 0.45;  // of at most 0.5
   const auto is_level = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };
   if (pins.size() != 5 || std::count_if(pins.begin(), pins.end(), is_level) != 1) return;
   const auto enable = std::find_if(pins.begin(), pins.end(), is_level);
@@ -233,7 +235,7 @@ void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft)
 void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   if (std::any_of(draft.parts.begin(), draft.parts.end(),
                   [](const PartDraft& p) { return p.type == "motor"; }))
-    return;  // a shield has the motors
+    return;  // the motors are on a shield
   Pins pins;
   bool has_standby = false;
   for (const PinEvidence* clue : evidence.left()) {

@@ -9,7 +9,7 @@ namespace {
 
 using Pins = std::vector<const PinEvidence*>;
 
-// int pins[] = {2, 3, 13}: a name without information.
+// Returns whether a pin has a meaningful name. The array `int pins[] = {2, 3, 13}` has none.
 bool is_named(const PinEvidence& clue) {
   const auto says_nothing = [](const std::string& word) {
     return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
@@ -21,7 +21,7 @@ bool is_named(const PinEvidence& clue) {
 
 bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
-  // Encoders, buttons and remote controls' receivers use these. Edges of a line sensor are useless.
+  // Encoders, buttons and remote-control receivers use these functions. For line sensors, edges are useless.
   if (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
   if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
@@ -34,7 +34,7 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   return named || (!clue.facts->pulled_up && !is_named(clue));
 }
 
-// Returns the position from left to right by the name: far left, left, middle, right, far right.
+// Returns the position that the name describes, from left to right: far left, left, middle, right, far right.
 int place_of(const PinEvidence& clue) {
   const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
   switch (side_of(clue.words)) {
@@ -56,7 +56,7 @@ const char* kind_of(const Pins& sensors) {
   return "digital";
 }
 
-// Distance of two elements, and their distance ahead of the axle, as in the stock robots.
+// Distance between two elements, and from the axle to the elements ahead, as in the stock robots.
 struct Layout {
   const char* pitch;
   const char* ahead;

@@ -1,5 +1,5 @@
-// Guesses motor shields and devices on the two-wire bus: a library gets a number, which determines the
-// wiring.
+// Guesses motor shields and devices on the two-wire bus. A library receives only a number, which determines
+// the wiring.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 namespace robosim::wiring {
 namespace {
 
-/// The outputs of one motor, of four.
+/// The outputs of each of the four motors.
 struct Outputs {
   std::array<const char*, 4> en, in1, in2;
 };
-// Adafruit's motor shield v1 and its copies: AFMotor.h. A 74HC595 drives the directions.
+// Adafruit's motor shield v1 and its clones: AFMotor.h. A 74HC595 drives the directions.
 constexpr Outputs kFirst{{"11", "3", "6", "5"},
                          {"\"shield.Q2\"", "\"shield.Q1\"", "\"shield.Q5\"", "\"shield.Q0\""},
                          {"\"shield.Q3\"", "\"shield.Q4\"", "\"shield.Q7\"", "\"shield.Q6\""}};
-// Its version 2: Adafruit_MotorShield.h. A PCA9685 drives everything.
+// Version 2 of this shield: Adafruit_MotorShield.h. A PCA9685 drives everything.
 constexpr Outputs kSecond{{"\"shield.8\"", "\"shield.13\"", "\"shield.2\"", "\"shield.7\""},
                           {"\"shield.10\"", "\"shield.11\"", "\"shield.4\"", "\"shield.5\""},
                           {"\"shield.9\"", "\"shield.12\"", "\"shield.3\"", "\"shield.6\""}};
@@ -51,7 +51,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
                 const Outputs& outputs) {
   std::vector<Numbered> left, right, unknown;
   for (const Numbered& motor : motors) {
-    // motor1 has the same information as the shield's number.
+    // The digit in motor1 only repeats the shield's number.
     std::vector<std::string> words = words_of(motor.given->name);
     std::erase_if(words, [](const std::string& word) { return std::isdigit(word[0]) != 0; });
     const Side side = side_of(words);
@@ -90,7 +90,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
 }
 
 struct Device {
-  const char* type;  ///< of the library's object
+  const char* type;  ///< class of the library's object
   const char* part;
 };
 constexpr std::array kDevices = {

@@ -13,7 +13,7 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> list)
   return std::any_of(list.begin(), list.end(), [&](const char* one) { return word == one; });
 }
 
-// Matches lm, rmf, lpwm, rsensor: a letter, and a name of one motor or sensor.
+// Matches lm, rmf, lpwm, rsensor: a letter, followed by a name of one motor or sensor.
 bool begins_side(const std::string& word, char letter) {
   static const std::initializer_list<const char*> rests = {
       "",    "f",   "b",   "s",   "d",   "w",     "en",    "in",    "ir",    "fwd",

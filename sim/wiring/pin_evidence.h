@@ -1,4 +1,4 @@
-// The facts about each pin that a sketch uses: its name, and how it was used.
+// Collects the facts about each pin that a sketch uses: its name, and its use.
 #pragma once
 
 #include <initializer_list>
@@ -13,18 +13,18 @@ namespace robosim::wiring {
 
 enum class Side { unknown, left, right };
 
-/// Returns the side by a name's words: left, r, ENA, IN3, motorB, M2 … Of numbered motors and channels the
-/// first counts as the left one.
+/// Returns the side that a name's words describe: left, r, ENA, IN3, motorB, M2 … The first of numbered
+/// motors and channels counts as the left one.
 Side side_of(const std::vector<std::string>& words);
-/// Returns whether one of the words begins with one of these.
+/// Returns whether any of the words starts with any of the beginnings.
 bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
 
 struct PinEvidence {
   Pin pin = kNoPin;
   std::string name;                ///< empty = none
-  std::vector<std::string> words;  ///< of the name
+  std::vector<std::string> words;  ///< words of the name
   bool in_array = false;
-  int argument = -1;  ///< its position among the arguments of its object; -1 = none
+  int argument = -1;  ///< position among the object's arguments; -1 = none
   Spot spot;
   const PinFacts* facts = nullptr;
 
@@ -32,8 +32,8 @@ struct PinEvidence {
   bool is_used() const { return facts->driven || is_read() || facts->pulled_up; }
 };
 
-/// All pins that a sketch uses or names, sorted by their names' places in the source, then by number. A guess
-/// that identifies a pin's part takes the pin.
+/// All pins that a sketch uses or names, sorted by where their names are in the source, then by number. A
+/// guess that identifies a pin's part takes the pin.
 class Evidence {
  public:
   Evidence(const BoardSpec& board, const SketchNames& names, const PinHistory& history);
@@ -45,9 +45,10 @@ class Evidence {
   const PinEvidence& of(Pin pin) const { return by_pin_[pin]; }
   /// Returns the used pins that have not been taken.
   std::vector<const PinEvidence*> left() const;
-  /// Returns the pins that have a name in the source, and were never used.
+  /// Returns the pins that have a name in the source, but were never used.
   std::vector<const PinEvidence*> never_used() const;
-  /// Returns whether one of these functions gets it, or an array with it, as the first argument.
+  /// Returns whether one of these functions receives the pin, or an array that contains it, as the first
+  /// argument.
   bool is_given_to(std::initializer_list<const char*> functions, Pin pin) const;
   bool is_free(Pin pin) const { return pin != kNoPin && taken_.count(pin) == 0; }
   void take(Pin pin) { taken_.insert(pin); }

@@ -11,39 +11,38 @@
 namespace robosim::wiring {
 
 struct PinFacts {
-  bool driven = false;      ///< as an output
-  bool pwm = false;         ///< by analogWrite
-  bool toned = false;       ///< by tone()
+  bool driven = false;      ///< used as an output
+  bool pwm = false;         ///< with analogWrite
+  bool toned = false;       ///< with tone()
   bool looked = false;      ///< digitalRead, or an interrupt's edge, as an input
-  bool measured = false;    ///< by the ADC
-  bool pulled_up = false;   ///< its pull-up was on
+  bool measured = false;    ///< with the ADC
+  bool pulled_up = false;   ///< the pull-up was on
   bool discharged = false;  ///< driven HIGH, then read: the timing of RC sensors
   bool pulses = false;      ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo
 };
 
-/// The use of each pin by a sketch in one run or several.
+/// The use of each pin by a sketch, in one or more runs.
 class PinHistory {
  public:
   explicit PinHistory(const BoardSpec& board) : board_(board), facts_(board.pin_count) {}
 
-  /// Begins another run. Facts about a pin are retained, but its drive is that of the last run.
+  /// Begins another run. Keeps the facts about pins, but clears their recorded drive.
   void begin();
   void add(const wire::Event& event);
-  /// Ends a run of that duration.
+  /// Ends a run of duration `t_ns`.
   void end(std::int64_t t_ns);
 
   const PinFacts& of(Pin pin) const { return facts_[pin]; }
 
-  /// Returns the share of the run in which `high` was higher than `low` (kNoPin = than nothing), less the
-  /// share of the opposite. It is weighted by the duty cycle of `enable` (kNoPin = always). Above 0 = mostly
-  /// so.
+  /// Returns the mean over the run of `high`'s duty cycle minus that of `low` (kNoPin = 0.5). The difference
+  /// is multiplied by the duty cycle of `enable` (kNoPin = always on). Above 0, `high` was mostly higher.
   double lean(Pin enable, Pin high, Pin low) const;
 
  private:
   struct Change {
     std::int64_t t_ns;
     Pin pin;
-    double duty;  // share of the time at high; a level is 0 or 1
+    double duty;  // share of the time at high; 0 or 1 for a level
   };
 
   const BoardSpec& board_;

@@ -11,7 +11,7 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kMostSteps = 8;  // for names that refer to names
+constexpr int kMostSteps = 8;  // maximum number of names that refer to each other
 
 const std::set<std::string>& pin_functions() {
   static const std::set<std::string> names = {
@@ -22,7 +22,7 @@ const std::set<std::string>& pin_functions() {
   return names;
 }
 
-// Types of numbers, and words that precede them.
+// Returns whether a word is a type of numbers, or a qualifier of one.
 bool is_number_type(const std::string& word) {
   static const std::set<std::string> names = {"int",      "byte",    "char",   "short",    "long",
                                               "unsigned", "uint8_t", "int8_t", "uint16_t", "int16_t",
@@ -30,7 +30,7 @@ bool is_number_type(const std::string& word) {
   return names.count(word) != 0;
 }
 
-// Classes of devices on the two-wire bus, whose objects get no pins.
+// Returns whether a word is a class of devices on the two-wire bus. Their objects get no pins.
 bool is_device(const std::string& word) {
   static const std::set<std::string> names = {
       "MPU6050",          "Adafruit_MPU6050", "Adafruit_TCS34725", "VL53L0X",
@@ -39,7 +39,7 @@ bool is_device(const std::string& word) {
 }
 
 struct Value {
-  std::vector<std::string> words;  // its replacement: one, or an array's
+  std::vector<std::string> words;  // the replacement: one word, or those of an array
   bool is_array = false;
   Spot spot;
 };
@@ -101,7 +101,7 @@ class Reader {
     if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
   }
 
-  // Reads `#define NAME 5`, or with brackets: (5)
+  // Reads `#define NAME 5`, or `#define NAME (5)`.
   void read_define() {
     const std::string name = tokens_[at_].text;
     std::vector<std::string> words;
@@ -114,7 +114,7 @@ class Reader {
     }
   }
 
-  // Reads `enum { LEFT = 5, RIGHT = 6 };`
+  // Reads `enum { LEFT = 5, RIGHT = 6 };`.
   void read_enum() {
     while (!ahead(0).text.empty() && !ahead(0).is("{") && !ahead(0).is(";")) ++at_;
     for (; !ahead(0).text.empty() && !ahead(0).is("}") && !ahead(0).is(";"); ++at_)
@@ -175,7 +175,8 @@ class Reader {
     }
   }
 
-  // Returns the arguments of the brackets that are `from` ahead; each as in the source, without spaces.
+  // Returns the arguments of the parentheses `from` tokens ahead. Tokens within an argument are separated by
+  // one space.
   std::vector<std::string> arguments(std::size_t from) const {
     std::vector<std::string> list(1);
     int depth = 0;
@@ -192,7 +193,7 @@ class Reader {
     return list;
   }
 
-  // Returns the distance to the token after the brackets that are `from` ahead.
+  // Returns the distance to the token after the parentheses that are `from` tokens ahead.
   std::size_t behind_brackets(std::size_t from) const {
     int depth = 0;
     for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
@@ -235,13 +236,13 @@ class Reader {
     given_.push_back({tokens_[at_].text, object, {}, list, spot()});
   }
 
-  // lcd.begin(16, 2)
+  // Returns whether the arguments are a display's size: lcd.begin(16, 2).
   static bool is_size_of_display(const std::vector<std::string>& list) {
     return list.size() == 2 && (list[0] == "16" || list[0] == "20" || list[0] == "8") &&
            (list[1] == "1" || list[1] == "2" || list[1] == "4");
   }
 
-  // `int leftSensor = analogRead(A1);` names the pin, unless it has a name.
+  // Reads `int leftSensor = analogRead(A1);`, which names the pin unless it already has a name.
   void read_result(const std::string& argument) {
     if (at_ < 2 || !tokens_[at_ - 1].is("=") || tokens_[at_ - 2].kind != Token::Kind::word) return;
     if (argument.find(' ') != std::string::npos || values_.count(argument) != 0) return;
@@ -252,7 +253,7 @@ class Reader {
     used_.insert(name);
   }
 
-  // Reads `Type name(5, 6);`, but not a function's head
+  // Reads `Type name(5, 6);`, but not the head of a function.
   void read_object() {
     static const std::set<std::string> no_types = {"return", "else",    "new",    "case",   "void",
                                                    "bool",   "boolean", "float",  "double", "String",
@@ -272,14 +273,14 @@ class Reader {
     }
   }
 
-  // Reads `Type name = Type(5, 6);`
+  // Reads `Type name = Type(5, 6);`.
   void read_made() {
     const auto list = arguments(4);
     note_use(list);
     given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
   }
 
-  // Reads `name = new Type(5, 6);`
+  // Reads `name = new Type(5, 6);`.
   void read_new() {
     const bool has_name = at_ > 1 && tokens_[at_ - 1].is("=") && tokens_[at_ - 2].kind == Token::Kind::word;
     const auto list = arguments(2);
@@ -298,7 +299,7 @@ class Reader {
     given_.push_back({inner[0].text, outer, {}, list, spot()});
   }
 
-  // Returns the name of the pin for attachInterrupt(0, …).
+  // Returns the pin's name for attachInterrupt(0, …).
   std::optional<std::string> pin_of_interrupt(const std::vector<std::string>& list) const {
     if (list.empty() || list[0].size() != 1 || std::isdigit(static_cast<unsigned char>(list[0][0])) == 0)
       return {};
@@ -321,8 +322,8 @@ class Reader {
     return pin == kNoPin ? std::nullopt : std::optional<Pin>(first_number(board_, pin));
   }
 
-  // Returns the pins of an argument: one, or those of an array; `( const uint8_t [ ] ) { A0 , A1 }` is one,
-  // too. For `pins [ 1 ]` that one, for `pins [ i ]` all.
+  // Returns the pins of an argument: one pin, or those of an array. `( const uint8_t [ ] ) { A0 , A1 }` is
+  // also an array. For `pins [ 1 ]`, returns that pin; for `pins [ i ]`, all pins.
   std::vector<Pin> pins_of(const std::string& argument) const {
     if (const auto pin = pin_of(argument)) return {*pin};
     if (const std::size_t bracket = argument.find(" [ ");
@@ -357,7 +358,7 @@ class Reader {
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;
   std::set<std::string> handed_on_;  // names in an array, or passed to any function
-  std::set<std::string> used_;       // names passed to a function of pins, or to an object
+  std::set<std::string> used_;       // names passed to a pin function or to an object
   std::vector<Given> given_;
 };
 

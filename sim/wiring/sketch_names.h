@@ -1,5 +1,5 @@
-// Reads a sketch's source for its pins: their names, and the libraries that get them. The source is not
-// compiled: these are hints, and a run shows the sketch's behaviour.
+// Reads a sketch's source for its pins: their names, and the libraries that use them. The source is not
+// compiled: the results are hints, and a run shows the sketch's behaviour.
 #pragma once
 
 #include <string>
@@ -16,23 +16,23 @@ struct Spot {
   int line = 0;
 };
 
-/// A constant, or an array of them, that is used as a pin: `const int ENA = 5;`, `#define S1 A0`.
+/// A constant, or an array of constants, that is used as a pin: `const int ENA = 5;`, `#define S1 A0`.
 struct Named {
   std::string name;
-  std::vector<Pin> pins;  ///< of an array in its order
+  std::vector<Pin> pins;  ///< in the order of the array
   bool is_array = false;
-  bool sure = true;  ///< an argument of a function of pins; else it is only passed on, and may be any number
+  bool sure = true;  ///< the name is passed to a pin function; otherwise its value may be any number
   Spot spot;
 };
 
 /// Pins passed to a library, or to a class of the sketch: `NewPing sonar(12, 11, 200);`, `pan.attach(9);`.
 struct Given {
-  std::string type;                    ///< "NewPing", "Servo"; for a function its name: "attachInterrupt"
-  std::string name;                    ///< of the object: "sonar"; may be empty
-  std::vector<Pin> pins;               ///< of each argument; all of an array; kNoPin if it cannot be one
-  std::vector<std::string> arguments;  ///< all, as in the source
+  std::string type;                    ///< "NewPing", "Servo"; for a function, its name: "attachInterrupt"
+  std::string name;                    ///< the object's name: "sonar"; may be empty
+  std::vector<Pin> pins;               ///< pins of all arguments, arrays expanded; kNoPin if not a pin
+  std::vector<std::string> arguments;  ///< all arguments, as in the source
   Spot spot;
-  std::vector<std::vector<Pin>> each = {};  ///< pins of each argument; empty if it cannot be one
+  std::vector<std::vector<Pin>> each = {};  ///< pins of each argument; empty if it is not a pin
 };
 
 struct SketchNames {

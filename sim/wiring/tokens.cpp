@@ -116,7 +116,7 @@ class Lexer {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   int line_ = 1;
-  bool fresh_ = true;  // only space since the line began
+  bool fresh_ = true;  // only spaces since the line began
   bool in_define_ = false;
 };
 

@@ -1,4 +1,5 @@
-// Splits a C++ source into the tokens that names of pins need: no comments, no directives except #define.
+// Splits a C++ source into the tokens that the search for pin names needs. Skips comments, and all directives
+// except #define.
 #pragma once
 
 #include <string>

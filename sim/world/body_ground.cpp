@@ -13,8 +13,8 @@
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
 //   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
 // If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
-// is negative, the body turns about the line through the other side. f = m g sine + m a is the force across
-// that line, d the mass's distance from the line, and phi the angle:
+// is negative, the body turns about the line through the other side. The force across that line is f =
+// m g sine + m a. With the mass at the distance d from the line, and the tip angle phi,
 //   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
 // Beyond 45 degrees the body has toppled. At rest, it therefore tips where tan(slope) > d / h.
