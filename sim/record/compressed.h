@@ -14,7 +14,8 @@ struct z_stream_s;
 
 namespace robosim::record {
 
-/// Packs like zlib's fastest level: blocks that do not refer to earlier ones and end with a whole byte.
+/// Packs like zlib's fastest level, into blocks that do not refer to earlier blocks and end with a whole
+/// byte.
 class Deflater final : public Packer {
  public:
   Deflater();
@@ -26,13 +27,13 @@ class Deflater final : public Packer {
   std::string unpacked(std::string_view packed, std::size_t unpacked_size) override;
 
  private:
-  std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< the latter once it is needed
+  std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< unpacking_ is null until needed
 };
 
 /// Receives output, piece by piece.
 using Put = std::function<void(std::string_view)>;
 
-/// Writes a whole stream, from what was packed before.
+/// Writes a whole stream from bytes that were packed before.
 class Compressed {
  public:
   explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB, fastest
@@ -50,8 +51,8 @@ class Compressed {
 };
 
 std::string deflated(std::string_view bytes);
-/// Unpacks piece by piece: `put` can stop it. Throws InputError if the bytes are damaged or truncated, and
-/// the exceptions of `put`.
+/// Unpacks bytes piece by piece; `put` can stop the process. Throws InputError if the bytes are damaged or
+/// truncated, and passes on the exceptions of `put`.
 void inflate(std::string_view bytes, const Put& put);
 /// Unpacks the result of deflated(). Throws InputError if it is damaged or truncated, or longer than
 /// `most_bytes`.

@@ -1,4 +1,4 @@
-// Bytes of a recording that are compressed as they arrive. So almost no work is left at the end of the run.
+// Compresses the bytes of a recording as they arrive, so that almost no work is left at the end of the run.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace robosim::record {
 /// Compresses pieces independently: sim/record/compressed.h.
 class Packer {
  public:
-  /// Packed bytes, to which further pieces may be appended.
+  /// Packed bytes. Further pieces can be appended.
   struct Packed {
     std::string bytes;
     std::size_t unpacked_size = 0;
@@ -22,13 +22,13 @@ class Packer {
   virtual ~Packer() = default;
   /// Adds a piece.
   virtual void pack(std::string_view piece, Packed& to) = 0;
-  /// Unpacks one piece, or several consecutive ones.
+  /// Unpacks one piece, or several consecutive pieces.
   virtual std::string unpacked(std::string_view packed, std::size_t unpacked_size) = 0;
 };
 
 class CompressedBytes {
  public:
-  /// Without a packer (null) they are stored unchanged.
+  /// Without a packer (null), bytes are stored unchanged.
   explicit CompressedBytes(Packer* packer = nullptr) : packer_(packer) {}
 
   void add(std::string_view bytes) {
@@ -43,7 +43,7 @@ class CompressedBytes {
   const Packer::Packed& packed() const { return packed_; }
   /// Returns the number of packed pieces.
   std::size_t pieces() const { return ends_.size(); }
-  /// Returns one of them, unpacked.
+  /// Returns a packed piece, unpacked.
   std::string piece(std::size_t number) const {
     const End begin = number > 0 ? ends_[number - 1] : End{}, end = ends_[number];
     return packer_->unpacked(std::string_view(packed_.bytes).substr(begin.packed, end.packed - begin.packed),
@@ -53,7 +53,8 @@ class CompressedBytes {
   std::string_view rest() const { return rest_; }
 
  private:
-  // Larger ones compress slightly better; but half of one is left of each column at the end of the run.
+  // Larger pieces compress slightly better. At the end of the run, however, half a piece of each column is
+  // left to pack.
   static constexpr std::size_t kPiece_bytes = 4096;
 
   void pack_rest() {
@@ -63,7 +64,7 @@ class CompressedBytes {
   }
 
   Packer* packer_;
-  /// The end of a piece, counted from the first one's beginning.
+  /// The end of a piece, counted from the beginning of the first piece.
   struct End {
     std::size_t packed = 0, unpacked = 0;
   };

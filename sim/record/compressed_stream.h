@@ -1,4 +1,5 @@
-// Stores a stream of a run's columns (sim/wire/columns.h) as it arrives; thins it if it is too large.
+// Stores a stream of a run's columns (sim/wire/columns.h) as it arrives, and thins a stream that is too
+// large.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +15,19 @@ namespace robosim::record {
 
 class CompressedStream {
  public:
-  /// `packer`: as in CompressedBytes; must live as long as this.
+  /// `packer` works as in CompressedBytes, and must outlive this object.
   explicit CompressedStream(Packer* packer = nullptr) : packer_(packer), all_(0, packer) {}
 
-  /// Adds rows. Throws wire::BadValue if they do not match the earlier ones.
+  /// Adds rows. Throws wire::BadValue if the rows do not match the earlier ones.
   void add(const wire::Rows& rows);
-  /// Prepares for thin(): starts now, and works a little with each added row, so that less work is left.
+  /// Starts thinning ahead of thin(), a little with each added row, so that thin() has less to do.
   void prepare_to_thin(std::int64_t span_ns);
-  /// Stores only the last row in each span, of the present and all later rows. The first column is t_ns.
+  /// Reduces all present and later rows to the last row in each span. The first column must be t_ns.
   void thin(std::int64_t span_ns);
   /// Returns the unpacked size.
   std::size_t bytes() const;
   const std::vector<wire::ColumnSpec>& specs() const { return specs_; }
-  /// Returns the header's entry; appends its columns' bytes to `body`.
+  /// Returns the stream's entry for the header, and appends the columns' bytes to `body`.
   StreamInfo finish(const std::string& name, std::vector<const CompressedBytes*>& body);
 
  private:

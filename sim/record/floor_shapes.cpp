@@ -13,7 +13,7 @@
 namespace robosim::record {
 namespace {
 
-// Rounds to a micrometre: finer than anything drawn, with few digits.
+// Rounds to a micrometre, which is finer than any drawing and needs few digits.
 double millimetres(double metres) { return std::round(metres * 1e6) / 1e3; }
 std::array<double, 2> millimetres(Vec2 p) { return {millimetres(p.x), millimetres(p.y)}; }
 
@@ -33,7 +33,7 @@ std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
   return runs;
 }
 
-// For a rectangle, or a mark.
+// Returns the corners of a rectangle or a mark.
 template <class T>
 std::vector<std::array<double, 2>> corners_of(const T& shape) {
   std::vector<std::array<double, 2>> corners;
@@ -43,7 +43,7 @@ std::vector<std::array<double, 2>> corners_of(const T& shape) {
   return corners;
 }
 
-// Returns a tint between two, in HTML syntax.
+// Returns a mixture of two colours, in HTML syntax.
 std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, double share) {
   const auto mixed = [&](std::size_t i) {
     return static_cast<int>(std::lround(from[i] + share * (to[i] - from[i])));
@@ -51,7 +51,7 @@ std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, d
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
 }
 
-// Draws a hill in strips, darker (on a dark floor lighter) with height.
+// Adds a hill as strips that get darker with height (lighter on a dark floor).
 void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Area>& areas) {
   constexpr std::array<int, 3> kLow = {0xf6, 0xf0, 0xe2}, kHigh = {0xcf, 0xb3, 0x7e};
   constexpr std::array<int, 3> kLowOnDark = {0x2c, 0x29, 0x22}, kHighOnDark = {0x7d, 0x6a, 0x45};
@@ -83,7 +83,7 @@ const char* surface_tint(const grid::SurfaceFigures& surface, bool on_dark) {
   return on_dark ? "#372f3b" : "#e6dcea";
 }
 
-// Adds rows of equal cells.
+// Adds one area per run of equal cells in a row.
 void add_legend_surfaces(const grid::Map& map, std::vector<FloorShapes::Area>& areas) {
   if (map.surface_of_cell.empty()) return;
   for (grid::CellAt cell; cell.y < map.height; ++cell.y)

@@ -1,5 +1,6 @@
-// The floor of a map as shapes, for drawing: the geometry that the simulation uses (sim/grid/stripes.h), not
-// the map's characters. Lengths in mm, x east and y north, from the map's bottom-left corner.
+// Describes the floor of a map as shapes, for drawing. The shapes are the geometry that the simulation uses
+// (sim/grid/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
+// bottom-left corner.
 #pragma once
 
 #include <array>
@@ -18,11 +19,11 @@ struct FloorShapes {
   struct Stripe {
     std::array<double, 4> line{};  ///< from x, y to x, y
     std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
-    bool painted = true;           ///< false: followed, but invisible
+    bool painted = true;           ///< false: the stripe is part of the route, but invisible
     double width_mm = 0.0;         ///< 0 = the usual width
-    std::string colour;            ///< in HTML syntax; "" = the usual one
-    double worn = 0.0;             ///< the lost share of its paint
-    /// Returns whether both are drawn with one pen.
+    std::string colour;            ///< in HTML syntax; "" = the usual colour
+    double worn = 0.0;             ///< share of the paint that is gone
+    /// Returns whether both stripes are drawn with the same pen.
     bool is_like(const Stripe& o) const {
       return width_mm == o.width_mm && colour == o.colour && worn == o.worn;
     }
@@ -34,28 +35,28 @@ struct FloorShapes {
     bool over_lines = false;
   };
   struct Light {
-    std::optional<std::array<double, 2>> at;  ///< its target, or the place below it; none = everywhere
-    double radius_mm = 0.0;                   ///< for a patch of sun
+    std::optional<std::array<double, 2>> at;  ///< the point that it shines on, or below it; none = everywhere
+    double radius_mm = 0.0;                   ///< radius of a patch of sun
     std::array<double, 2> moves_mm_s{};       ///< velocity of the patch
   };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
-  double line_mm = 0.0;  ///< width of the painted stripes, whose ends and joints are round
-  /// For a floor that is a picture; its lower left corner is the map's.
+  double line_mm = 0.0;  ///< width of the painted stripes; their ends and joints are round
+  /// A floor that is a picture. Its lower left corner is that of the map.
   struct Picture {
     std::string png;  ///< the file in base64
     double width_mm = 0.0, height_mm = 0.0;
   };
   std::optional<Picture> picture;
-  bool light_line = false;  ///< the line and its marks are light, the floor dark
+  bool light_line = false;  ///< the line and the marks are light, the floor dark
   std::vector<Stripe> stripes;
-  std::vector<std::array<double, 5>> marks;  ///< bars: from x, y to x, y, and width; their ends are straight
-  std::vector<Area> areas;                   ///< in the order of painting
-  std::vector<Rectangle> dark;               ///< for a raster floor: painted cells, joined along rows
-  std::vector<Rectangle> walls;              ///< joined along rows
+  std::vector<std::array<double, 5>> marks;      ///< bars: from x, y to x, y, and width; ends are straight
+  std::vector<Area> areas;                       ///< in the order of painting
+  std::vector<Rectangle> dark;                   ///< raster floor: painted cells, joined along rows
+  std::vector<Rectangle> walls;                  ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
-  std::vector<Light> lights;                     ///< by number
-  std::vector<std::array<double, 2>> junctions;  ///< reachable ones, with three or four ways
+  std::vector<Light> lights;                     ///< in the order of their numbers
+  std::vector<std::array<double, 2>> junctions;  ///< reachable junctions with three or four ways
 };
 
 template <class V>
@@ -113,7 +114,7 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
   v("junctions", f.junctions, "centres");
 }
 
-/// A larger picture is neither drawn nor stored.
+/// Larger pictures are neither drawn nor stored.
 inline constexpr std::size_t kLargestPicture_bytes = 4'000'000;
 
 FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started);

@@ -14,7 +14,7 @@
 namespace robosim::record {
 namespace {
 
-// A larger map is neither drawn nor stored.
+// Larger maps are neither drawn nor stored.
 constexpr std::uintmax_t kLargestMap_bytes = 1'000'000;
 
 constexpr const char* kSamples = "samples";
@@ -160,8 +160,8 @@ void Gatherer::finish(std::size_t robot, const wire::RunResult& result,
   RobotRecord& record = record_of(robot);
   Streams& own = streams_[robot];
   record.result = result;
-  record.result.serial.clear();  // it is in the stream, with its times
-  record.result.others.clear();  // each has its own
+  record.result.serial.clear();  // the stream contains it, with times
+  record.result.others.clear();  // each has its own record
   if (own.line) record.line = own.line->watch.events();
   record.thinned_ns = own.thinned ? kThinned_ns : 0;
   for (auto& [name, stream] : own.columns) record.streams.push_back(stream.finish(name, body));

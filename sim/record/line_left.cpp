@@ -7,13 +7,13 @@
 namespace robosim::record {
 namespace {
 
-// The line counts as left when no sensor has seen it for this long: crossing a gap does not count.
+// The line counts as left if no sensor has seen it for this duration. Crossing a gap is shorter.
 constexpr std::int64_t kLeft_us = 20'000;
-// Each sensor has its own range, so the line begins a tenth above its smallest reading. One with constant
-// readings was over the line throughout, or never.
+// Each sensor has its own range. The line begins at a tenth of the range above the sensor's smallest reading.
+// A sensor with constant readings was over the line throughout, or never.
 constexpr float kSpread = 0.2f, kBegins = 0.1f, kAlways = 0.5f;
 
-/// Returns the reading above which a sensor sees line.
+/// Returns the reading above which a sensor sees the line.
 float threshold(float least, float most) {
   const float spread = most - least;
   if (spread > kSpread) return least + kBegins * spread;
@@ -47,8 +47,8 @@ std::vector<LineEvent> LineWatch::events() const {
 
   std::vector<LineEvent> events;
   bool left = false;
-  std::optional<std::size_t> last;  // the last sample that saw it
-  std::size_t by = 0;               // a sensor of that sample
+  std::optional<std::size_t> last;  // the last sample that saw the line
+  std::size_t by = 0;               // a sensor of that sample that saw it
   for (std::size_t i = 0; i < t_us_.size(); ++i) {
     of_sample = readings_.data() + i * names_.size();
     if (!(by < names_.size() && sees(by)))

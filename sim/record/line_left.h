@@ -1,4 +1,4 @@
-// Finds when a robot left the line, and which sensor saw it last.
+// Finds when a robot left the line, and which sensor was the last to see it.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,12 @@
 
 namespace robosim::record {
 
-/// The line was left at the last sample that saw it, and found at the first that sees it again.
+/// The robot left the line, or found it again. The time of leaving is the last sample that saw the line. The
+/// time of finding is the first sample that sees it again.
 struct LineEvent {
   std::int64_t t_us = 0;
-  std::string sensor;  ///< the sensor that saw it best
-  bool left = false;   ///< else found again
+  std::string sensor;  ///< the sensor that saw the line best
+  bool left = false;   ///< false: found again
 };
 
 template <class V>
@@ -26,23 +27,23 @@ void fields(V& v, wire::Same<V, LineEvent>& e) {
 /// Examines the samples of a run as they arrive.
 class LineWatch {
  public:
-  /// `sensors`: names.
+  /// `sensors` are the sensors' names.
   LineWatch(std::vector<std::string> sensors, bool light_line)
       : names_(std::move(sensors)), light_line_(light_line), least_(names_.size()), most_(names_.size()) {}
 
   const std::vector<std::string>& sensors() const { return names_; }
   /// Adds the readings of all sensors: 0 light .. 1 dark.
   void add(std::int64_t t_us, const std::vector<float>& readings);
-  /// Returns the events in all samples until now: the threshold of line depends on the extremes of all
-  /// readings.
+  /// Returns the events in all samples so far. The threshold of each sensor depends on the extremes of all
+  /// its readings.
   std::vector<LineEvent> events() const;
 
  private:
   std::vector<std::string> names_;
   bool light_line_;
-  std::vector<float> least_, most_;  ///< of each sensor
+  std::vector<float> least_, most_;  ///< per sensor
   std::vector<std::int64_t> t_us_;
-  std::vector<float> readings_;  ///< by sample: 0 no line .. 1 line
+  std::vector<float> readings_;  ///< sample by sample: 0 no line .. 1 line
 };
 
 }  // namespace robosim::record

@@ -1,5 +1,5 @@
-// Formats numbers like fmt: the shortest text that is read back exactly. Tables and waves take most of their
-// time here.
+// Formats numbers as fmt does: as the shortest text that is read back exactly. Writing tables and waves
+// spends most of its time here.
 #pragma once
 
 #include <fmt/compile.h>
@@ -15,7 +15,7 @@ namespace robosim::record {
 /// The maximum length of a number.
 inline constexpr std::size_t kLongestNumber = 32;
 
-/// Writes it, and returns its end.
+/// Writes a number, and returns the end of its text.
 inline char* put_number(char* to, double number) {
   // Most readings of switches are 0.
   if (std::bit_cast<std::uint64_t>(number) == 0) {
@@ -54,7 +54,7 @@ inline char* put_decimal(char* to, std::int64_t steps, int decimals) {
   return to + decimals;
 }
 
-/// Formats numbers that often repeat: stores the last text.
+/// Formats numbers that often repeat. Caches the last text.
 class LastNumber {
  public:
   char* put(char* to, double number) {

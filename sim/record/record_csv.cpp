@@ -55,7 +55,7 @@ void CsvRecorder::add_row(const wire::Sample& s) {
   // Ignores robots that are not in the request.
   if (agent >= wire::kMostAgents || (!robots_.empty() && agent >= robots_.size())) return;
   if (!has_header_) return early_.push_back(s);
-  cells_.resize(std::max(cells_.size(), agent + 1));  // a robot that has not begun has no readings
+  cells_.resize(std::max(cells_.size(), agent + 1));  // a robot that has not begun has no readings yet
   const Cells& cells = cells_[agent];
   const std::string name = robots_.empty() ? "" : "," + robots_[agent];
   const double pose[] = {s.x_mm, s.y_mm, s.yaw_rad, s.speed_mm_s, s.cross_track_mm, s.left, s.right};

@@ -7,17 +7,18 @@
 
 namespace robosim::record {
 
-/// Rows wait until all robots have begun, since the header has the names of all their readings.
+/// Writes a table. Rows wait until all robots have begun, because the header contains the names of all their
+/// readings.
 class CsvRecorder final : public Recorder {
  public:
   explicit CsvRecorder(const std::filesystem::path& path) : file_(path) {}
   void begin(const RecordedRun& run) override;
-  /// Takes `started` for the header and samples for the rows; ignores everything else.
+  /// Uses `started` for the header and samples for the rows. Ignores everything else.
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult&) override;
 
  private:
-  /// The robot's reading in each column; later columns of the table have none.
+  /// Maps the table's columns to the robot's readings. The robot has no readings in later columns.
   using Cells = std::vector<std::size_t>;
   static constexpr std::size_t kEmpty = static_cast<std::size_t>(-1);
 
@@ -28,9 +29,9 @@ class CsvRecorder final : public Recorder {
 
   NewFile file_;
   std::vector<std::string> robots_;    ///< names, if there are several
-  std::vector<std::string> readings_;  ///< columns
+  std::vector<std::string> readings_;  ///< columns of the table
   std::vector<Cells> cells_;           ///< per robot
-  std::size_t begun_ = 0;              ///< number of robots
+  std::size_t begun_ = 0;              ///< number of robots that have begun
   bool has_header_ = false;
   std::vector<wire::Sample> early_;  ///< samples that wait for the header
   std::vector<LastNumber> last_;     ///< per column

@@ -12,13 +12,13 @@
 namespace robosim::record {
 namespace {
 
-// In the page's source this is an empty element, with this beginning and end.
+// The page's source contains this element with this beginning and end, and empty.
 constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
 constexpr std::string_view kOver = R"(<script id="over" type="application/octet-stream">)";
 constexpr std::string_view kEnd = "</script>";
 constexpr std::size_t kPiece_bytes = std::size_t{1} << 16;
 
-/// Calls put(text) with each piece of the page, and put_recording() at the place of the recording's base64.
+/// Calls put(text) with each piece of the page, and put_recording() where the recording's base64 belongs.
 template <class PutRecording>
 void put_page(const Over* over, const Put& put, const PutRecording& put_recording) {
   const std::string_view page = page_text();

@@ -1,4 +1,5 @@
-// Writes recordings as .rec, and as .html: a recording inside the page of sim/page, which any browser opens.
+// Writes recordings as .rec, and as .html: a recording inside the page of sim/page, which opens in any
+// browser.
 #pragma once
 
 #include <memory>
@@ -27,13 +28,13 @@ class RecRecorder : public Recorder {
   Gatherer gatherer_{std::make_unique<Deflater>()};
 };
 
-/// Another run that a page overlays.
+/// Another run, drawn over the first one.
 struct Over {
-  std::string bytes;  ///< of a .rec or of a table
-  std::string name;   ///< of its file
+  std::string bytes;  ///< content of a .rec or of a table
+  std::string name;   ///< name of its file
 };
 
-/// Returns the page that replays a recording, the bytes of a .rec.
+/// Returns the page that replays a recording. `recording` is the content of a .rec.
 std::string page_of(const std::string& recording, const Over* over = nullptr);
 
 class PageRecorder final : public RecRecorder {
@@ -44,8 +45,8 @@ class PageRecorder final : public RecRecorder {
   void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const override;
 };
 
-/// Returns the bytes of a .rec: the argument, or the recording in a page. Throws InputError, without a place,
-/// for anything else.
+/// Returns the content of a .rec: the argument itself, or the recording inside a page. Throws InputError,
+/// without a place, for anything else.
 std::string recording_in(std::string content);
 
 }  // namespace robosim::record

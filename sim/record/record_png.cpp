@@ -12,9 +12,9 @@ namespace robosim::record {
 namespace {
 
 constexpr const char* kPainter = "rsvg-convert";
-constexpr const char* kTwice = "--zoom=2";  // for the resolution of present screens
+constexpr const char* kTwice = "--zoom=2";  // for the resolution of today's screens
 
-/// Returns a memory file.
+/// Returns a file in memory.
 Descriptor nameless() {
   Descriptor file(::memfd_create("robosim", MFD_CLOEXEC));
   if (!file.is_open()) throw std::system_error(errno, std::generic_category(), "memfd_create");

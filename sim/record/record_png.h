@@ -1,4 +1,4 @@
-// Writes pictures of a run as .png: those of record_svg.h, painted by Debian's rsvg-convert.
+// Writes pictures of a run as .png: rsvg-convert (Debian) renders those of record_svg.h.
 #pragma once
 
 #include <string>

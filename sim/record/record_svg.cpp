@@ -23,7 +23,7 @@ constexpr const char* kLight = "#f6f4ee";
 constexpr const char* kDark = "#1f1f1f";
 constexpr std::uintmax_t kLargestDrawnMap_bytes = 1'000'000;
 
-/// Returns a round length of about a fifth of the width.
+/// Returns a round number of about a fifth of the width.
 double scale_bar_mm(double width_mm) {
   double bar = std::pow(10.0, std::floor(std::log10(std::max(width_mm / 5.0, 1.0))));
   for (const double factor : {5.0, 2.0})
@@ -68,7 +68,7 @@ class Drawing {
     for (const auto& [x, y] : floor_.obstacles) cross(x, y, 0.3 * floor_.cell_mm, "#8a4b08");
   }
 
-  // Draws with one pen. Worn paint is translucent.
+  // Draws stripes with the same pen. Worn paint is translucent.
   template <class It>
   void stripes(It first, It last, const char* usual) {
     std::string path;
@@ -79,7 +79,7 @@ class Drawing {
       if (!s.painted) continue;
       const auto& [x, y, to_x, to_y] = s.line;
       fmt::format_to(to, "M{} ", point(x, y));
-      // A line of length 0 still has its round end.
+      // A line of length 0 still has round ends.
       if (s.arc[2] > 0.0)
         fmt::format_to(to, "A{:.1f} {:.1f} 0 0 0 {}", s.arc[2], s.arc[2], point(to_x, to_y));
       else
@@ -101,7 +101,7 @@ class Drawing {
                       : std::any_of(area.corners.begin(), area.corners.end(),
                                     [&](const auto& corner) { return off(corner[0], corner[1]); }));
     };
-    // Areas that reach beyond the floor are cut off there, by a nested picture.
+    // A nested picture clips areas that extend beyond the floor.
     const bool cut = std::any_of(floor_.areas.begin(), floor_.areas.end(), sticks_out);
     if (cut) put(R"(<svg width="{:.1f}" height="{:.1f}">)", floor_.width_mm, floor_.height_mm);
     for (const FloorShapes::Area& area : floor_.areas) {
@@ -232,7 +232,7 @@ class Drawing {
   std::string text_;
 };
 
-/// For a map that is too large to be drawn: only its size.
+/// Returns a map's shapes. A map that is too large to draw has only a size.
 FloorShapes shapes_of(const wire::RunRequest& request, const wire::Started& started) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.map, error);

@@ -14,11 +14,12 @@
 namespace robosim::record {
 namespace {
 
-// Viewers call groups and rows "processes" and "threads". Each robot has a group, and so do its pins.
+// Viewers call groups and rows "processes" and "threads". Each robot has one group for itself and one for its
+// pins.
 constexpr int group_of(std::size_t robot) { return static_cast<int>(2 * robot) + 1; }
 constexpr int pins_of(std::size_t robot) { return group_of(robot) + 1; }
 constexpr int kHappened = 1, kSerial = 2;  // rows of a robot's group
-constexpr int kWholeGroup = 0;             // instead of a row
+constexpr int kWholeGroup = 0;             // used instead of a row
 constexpr std::string_view kNext = ",\n";
 constexpr int kDecimalsOfMicroseconds = 3;
 
@@ -96,7 +97,7 @@ void TraceFile::name(int group, int row, const std::string& name) {
 
 void TraceFile::add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
                     const std::vector<std::vector<std::int64_t>>& columns) {
-  if (robot >= robots_.size()) return;  // that was not requested
+  if (robot >= robots_.size()) return;  // the request contains no such robot
   if (stream == "samples" || (stream.starts_with("volts ") && columns.size() == 2))
     add_counters(robot, stream, specs, columns);
   else if (stream.starts_with("pin ") && columns.size() >= 4)
@@ -121,7 +122,7 @@ void TraceFile::add_counters(std::size_t robot, const std::string& stream,
       count(counters[i], product(columns[0][row], ns), columns[i][row]);
 }
 
-/// Skips a value that equals the previous one.
+/// Writes a value, unless it equals the previous one.
 void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   if (counter.is_told && steps == counter.last) return;
   counter.is_told = true;
@@ -136,7 +137,7 @@ void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   file_.added(std::copy(kEnd.begin(), kEnd.end(), to));
 }
 
-/// Draws high, and pulsing, as bars; low and not driven as nothing.
+/// Draws a pin: high and pulsing as bars, low and not driven as nothing.
 void TraceFile::add_pin(std::size_t robot, const std::string& stream,
                         const std::vector<wire::ColumnSpec>& specs,
                         const std::vector<std::vector<std::int64_t>>& columns) {

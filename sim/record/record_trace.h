@@ -1,5 +1,5 @@
 // Writes recordings as .perfetto.json: a run as a trace, for ui.perfetto.dev and chrome://tracing. The format
-// is "Trace Event Format" (Chromium's, JSON object form); docs/reference/recordings.md describes the content.
+// is Chromium's "Trace Event Format" (JSON object form); docs/reference/recordings.md describes the content.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,21 @@
 
 namespace robosim::record {
 
-/// A trace that is written as its data arrives, stream by stream or a piece of each at a time.
+/// A trace that is written as its data arrives. Data may come stream by stream, or in pieces of several
+/// streams.
 class TraceFile {
  public:
   struct Robot {
-    std::string name;  ///< of one of several; else empty
+    std::string name;  ///< empty if there is only one robot
     std::string sketch, robot, board;
   };
   TraceFile(const std::filesystem::path& path, const std::string& map, std::uint64_t seed,
             const std::vector<Robot>& robots);
 
-  /// Adds rows of a stream, as integers, column by column; those of a stream have equal columns.
+  /// Adds rows of a stream, as integers, column by column. A stream always has the same columns.
   void add(std::size_t robot, const std::string& stream, const std::vector<wire::ColumnSpec>& specs,
            const std::vector<std::vector<std::int64_t>>& columns);
-  /// Takes notes and serial text; ignores everything else.
+  /// Adds notes and serial text. Ignores everything else.
   void add(const wire::Event& event);
   void finish(const wire::RunResult& result);
 
@@ -35,7 +36,7 @@ class TraceFile {
   struct Counter {
     std::string head;
     double scale = 1.0;
-    int decimals = -1;  ///< of its values; -1: the scale is not a power of ten
+    int decimals = -1;  ///< decimals of the values; -1: the scale is not a power of ten
     std::int64_t last = 0;
     bool is_told = false;
   };
@@ -43,7 +44,7 @@ class TraceFile {
   struct Pin {
     std::string head;
     std::int64_t from_ns = 0;
-    std::string text;  ///< of the present bar; empty = none
+    std::string text;  ///< text of the present bar; empty = no bar
   };
   struct Streams {
     std::map<std::string, std::vector<Counter>> counters;

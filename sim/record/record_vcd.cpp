@@ -17,11 +17,11 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
-// Changes that are later than this are not sorted any more.
+// Changes that arrive later than this are no longer sorted.
 constexpr std::int64_t kLatest_ns = 1'000'000'000;
 constexpr std::size_t kFewWaiting = 4096;
 
-// Uses printable characters, the shortest identifiers first.
+// Returns an identifier of printable characters. The first numbers get the shortest identifiers.
 std::string identifier(std::size_t number) {
   constexpr std::size_t kFirst = 33, kCount = 94;
   std::string id;
@@ -161,7 +161,7 @@ void VcdRecorder::write_header() {
   for (const Board& board : boards_)
     for (const auto& [name, signals] : board.pins)
       if (signals.level != kNone)
-        values_[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset leaves inputs
+        values_[signals.level] = static_cast<int>(wire::PinLevel::floating);  // a reset makes all pins inputs
   char line[kLongestLine];
   for (std::size_t i = 0; i < signals_.size(); ++i) out.append(line, write(line, signals_[i], values_[i]));
   file_.add(out += "$end\n");
@@ -196,7 +196,7 @@ void VcdRecorder::finish(const wire::RunResult& result) {
   file_.finish();
 }
 
-// The file ends with the last whole hundredth of a second.
+// Moves the file's end to the last whole hundredth of a second.
 void VcdRecorder::ended(const wire::RunResult& result) {
   const std::int64_t end_ns = std::llround(result.time_s * 1e9);
   last_ns_ = std::max(last_ns_, end_ns - end_ns % kRecordEvery_ns);

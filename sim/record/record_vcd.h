@@ -1,6 +1,6 @@
 // Writes recordings as .vcd: the signals at the board's pins, for GTKWave, PulseView and other wave viewers
-// (IEEE 1364-2005, chapter 18). docs/reference/recordings.md lists the signals. With several robots each has
-// a scope.
+// (IEEE 1364-2005, chapter 18). docs/reference/recordings.md lists the signals. Each of several robots has
+// its own scope.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@
 
 namespace robosim::record {
 
-/// Changes arrive almost in the order of time: they wait until no earlier one can arrive.
+/// Writes changes in the order of time. They arrive almost in this order, so each waits until no earlier
+/// change can arrive.
 class VcdRecorder final : public Recorder {
  public:
   explicit VcdRecorder(const std::filesystem::path& path) : file_(path) {}
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
-  /// Takes pin changes, what the firmware read on its pins, and bytes; ignores everything else.
+  /// Adds pin changes, the firmware's readings of pins, and bytes. Ignores everything else.
   void add(const wire::Event& event) override;
   void finish(const wire::RunResult& result) override;
 
@@ -35,9 +36,9 @@ class VcdRecorder final : public Recorder {
     enum class Kind { wire, real, byte };
     std::string name;
     Kind kind;
-    std::string id;  ///< its abbreviation in the file
+    std::string id;  ///< identifier in the file
   };
-  /// A pin's signals by number; 0xFFFFFFFF = no such signal.
+  /// The numbers of a pin's signals; 0xFFFFFFFF = no such signal.
   struct PinSignals {
     std::uint32_t level, duty, tone, volts;
   };
@@ -46,11 +47,11 @@ class VcdRecorder final : public Recorder {
   struct Board {
     std::string scope;
     std::map<std::string, PinSignals> pins;
-    /// The few of them with any events, by the bytes of their names.
+    /// The few pins with any events, with the bytes of their names as keys.
     std::vector<std::pair<std::uint64_t, const PinSignals*>> met;
-    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that toggles with each
+    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that toggles with each byte
     bool flipped[2] = {false, false};
-    std::size_t end = 0;  ///< its signals end here, and begin at the end of the previous board's
+    std::size_t end = 0;  ///< end of its signals, which begin at the previous board's end
   };
 
   void begin_board(const std::string& scope, const BoardSpec& spec);
@@ -67,10 +68,10 @@ class VcdRecorder final : public Recorder {
   NewFile file_;
   std::vector<Signal> signals_;
   std::vector<Board> boards_;     ///< by robot number
-  std::vector<double> values_;    ///< of the signals, as in the file
-  std::vector<Change> waiting_;   ///< by time
-  std::size_t most_waiting_ = 0;  ///< before the next flush
-  std::int64_t now_ns_ = 0;       ///< in the file
+  std::vector<double> values_;    ///< values of the signals in the file so far
+  std::vector<Change> waiting_;   ///< sorted by time
+  std::size_t most_waiting_ = 0;  ///< largest number before the next flush
+  std::int64_t now_ns_ = 0;       ///< the file's current time
   std::int64_t last_ns_ = 0;
 };
 

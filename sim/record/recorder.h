@@ -1,8 +1,8 @@
-// Listens to a run and writes a file: a table, a wave, a page, a picture. The file's ending selects the
+// Listens to a run and writes a file: a table, a wave, a page, a picture. The file name extension selects the
 // format.
 //
 //   Recorders recorders({"run.csv", "run.html"});
-//   recorders.ask(request);            // subscribes to the events that they need
+//   recorders.ask(request);            // subscribes to the events that the recorders need
 //   recorders.begin(run);
 //   … recorders.add(event) for each event …
 //   recorders.finish(result);          // writes the files
@@ -21,7 +21,7 @@ namespace robosim::record {
 /// The sample period of recordings, simulated time.
 constexpr std::int64_t kRecordEvery_ns = 10'000'000;
 
-/// A robot of several.
+/// One of several robots.
 struct RecordedRobot {
   std::string name, sketch, robot, target;
   wire::RobotInfo info;
@@ -29,14 +29,14 @@ struct RecordedRobot {
 
 /// The recorded run, as known before it begins. Names are as the user typed them.
 struct RecordedRun {
-  std::string robosim;  ///< version
+  std::string robosim;  ///< version of Robosim
   std::string sketch;
   std::string map;
   std::string robot;
   std::string target;
   wire::RobotInfo robot_info;
   wire::RunRequest request;
-  std::vector<RecordedRobot> robots = {};  ///< if there are several: all, including the first one
+  std::vector<RecordedRobot> robots = {};  ///< all robots, including the first, if there are several
 };
 
 class Recorder {
@@ -46,28 +46,29 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Subscribes to the events that it needs. No result depends on that.
+  /// Subscribes to the events that this recorder needs. The subscription does not affect the run's result.
   virtual void ask(wire::RunRequest& request) const;
   /// Called before the first event. Throws InputError.
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
-  /// Writes the file, completely or not at all. Throws InputError.
+  /// Writes the whole file, or nothing. Throws InputError.
   virtual void finish(const wire::RunResult& result) = 0;
 };
 
-/// Returns the supported endings of files: ".csv", ".html" …
+/// Returns the supported file name extensions: ".csv", ".html" …
 const std::vector<std::string>& record_endings();
-/// Throws InputError, with the endings of pictures, for a file with another one.
+/// Throws InputError, with the extensions of pictures, unless the file has one of them.
 void check_is_picture(const std::filesystem::path& file);
 
-/// Returns the recorder for a file. Throws InputError, with the supported endings, for another one.
+/// Returns the recorder for a file. Throws InputError, with the supported extensions, for an unknown
+/// extension.
 std::unique_ptr<Recorder> make_recorder(const std::filesystem::path& file);
 
-/// Several recorders, each with its file.
+/// Several recorders, one for each file.
 class Recorders {
  public:
   Recorders() = default;
-  /// Throws as make_recorder() does.
+  /// Throws the same errors as make_recorder().
   explicit Recorders(const std::vector<std::string>& files);
 
   bool empty() const { return recorders_.empty(); }
@@ -78,7 +79,7 @@ class Recorders {
 
  private:
   std::vector<std::string> files_;
-  std::vector<std::unique_ptr<Recorder>> recorders_;  ///< per file
+  std::vector<std::unique_ptr<Recorder>> recorders_;  ///< one per file
 };
 
 }  // namespace robosim::record

@@ -14,9 +14,9 @@
 namespace robosim::record {
 namespace {
 
-// Gatherer's recordings are far smaller: an hour of one robot has 5 million numbers.
-constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // of a file, a page too
-constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // detects the wrong kind of file
+// Limits, which Gatherer's recordings never reach: an hour of one robot has 5 million numbers.
+constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // size of a file, also of a page
+constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // detects the wrong kind of file early
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
 constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;
@@ -161,11 +161,11 @@ void Recording::play(const wire::OnEvent& on_event) const {
   constexpr std::size_t kFixed = 10;
   struct Robot {
     std::vector<std::vector<double>> samples, serial;
-    std::string_view text;  // of the serial rows that have not been reported
+    std::string_view text;  // text of the serial rows that have not been reported yet
   };
   std::vector<Robot> robots(header_.robot_count());
-  // An event's source: 0 = a note, 2 n + 1 = a sample of robot n, 2 n + 2 = its serial text. Equal times keep
-  // this order.
+  // The source of an event is 0 (a note), 2 n + 1 (a sample of robot n) or 2 n + 2 (its serial text). Events
+  // with equal times keep this order.
   struct Timed {
     std::uint32_t source, index;
   };

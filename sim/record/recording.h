@@ -1,5 +1,5 @@
-// A recorded run: collects it while it lasts, and reads it back. run.rec holds it directly, run.html inside a
-// page.
+// Collects a run while it lasts, and reads recordings. A run.rec contains only the recording, a run.html
+// contains it inside a page.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,15 @@
 
 namespace robosim::record {
 
-/// Collects a run. encode() writes the recording, and content() is its uncompressed form.
+/// Collects a run. encode() writes the recording; content() returns its uncompressed form.
 class Gatherer {
  public:
-  /// For all robots together: if there are more bytes of changes, they are thinned, and more serial text is
-  /// dropped.
+  /// Limits for all robots together. Beyond them, changes are thinned, and further serial text is dropped.
   static constexpr std::size_t kMostChanges_bytes = 4'000'000;
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
 
-  /// With a packer it compresses during the run.
+  /// With a packer, it compresses during the run.
   explicit Gatherer(std::unique_ptr<Packer> packer = nullptr,
                     std::size_t most_changes_bytes = kMostChanges_bytes)
       : packer_(std::move(packer)), most_changes_bytes_(most_changes_bytes) {
@@ -36,14 +35,14 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// Returns the known part: without result and streams until content() or encode().
+  /// Returns what is known so far: result and streams are missing until content() or encode().
   const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
   void encode(const wire::RunResult& result, const Put& put);
   std::string encoded(const wire::RunResult& result);
 
  private:
-  /// The samples' columns for detecting when the line is left: the time, then those of sensors.
+  /// The columns of samples that detect when the line is left: first the time, then the sensors.
   struct LineColumns {
     LineWatch watch;
     std::vector<std::size_t> numbers;
@@ -66,30 +65,32 @@ class Gatherer {
   void watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns, const wire::Rows& rows);
   void add_serial(const wire::SerialText& serial);
   void finish(std::size_t robot, const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
-  /// Returns the header's line; `body` is the rest.
+  /// Returns the header's line, and adds the remaining content to `body`.
   std::string finish(const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
 
   std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
   std::optional<grid::Map> map_;
-  std::vector<Streams> streams_;  ///< by robot number
+  std::vector<Streams> streams_;  ///< in the order of robot numbers
 };
 
-/// A recording that was read.
+/// A recording, read from a file.
 class Recording {
  public:
-  /// Reads a .rec, or a page that holds one. Throws InputError with one sentence for any other file, a
-  /// damaged one, or one from a newer version.
+  /// Reads a .rec, or a page that contains one. Throws InputError with one sentence for any other file, and
+  /// for a file that is damaged or from a newer version.
   static Recording read(const std::filesystem::path& file);
   static Recording decode(std::string_view bytes, const std::string& file);
 
   const RecordingHeader& header() const { return header_; }
-  /// Returns a stream's columns in their units; empty if there is none of that name. `robot`: its number.
+  /// Returns a stream's columns in their units; empty if there is no such stream. `robot` is the robot's
+  /// number.
   std::vector<std::vector<double>> stream(const std::string& name, std::size_t robot = 0) const;
-  /// Returns the columns as integers, each times its column's scale.
+  /// Returns a stream's columns as integers: values times the column's scale.
   std::vector<std::vector<std::int64_t>> steps(const std::string& name, std::size_t robot = 0) const;
-  /// Reports samples, serial text and notes in the order of time, after `started`; of all robots.
+  /// Reports the events of all robots: first `started`, then samples, serial text and notes in the order of
+  /// time.
   void play(const wire::OnEvent& on_event) const;
 
  private:

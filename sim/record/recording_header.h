@@ -1,4 +1,4 @@
-// The header of a recording, as JSON. docs/reference/recordings.md describes the whole format.
+// Describes the header of a recording, as JSON. docs/reference/recordings.md describes the whole format.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace robosim::record {
 /// The first line of a recording's file.
 inline constexpr const char* kRecordingMagic = "robosim.rec/1\n";
 
-/// Returns whether a file begins as a recording, of any version.
+/// Returns whether a file begins like a recording, of any version.
 inline bool is_recording(std::string_view content) { return content.starts_with("robosim.rec/"); }
 
-/// One column of a stream; its bytes follow those of the columns before it.
+/// One column of a stream. Its bytes follow those of the previous columns.
 struct ColumnInfo {
   std::string name;
   double scale = 1.0;  ///< divisor: the stored value is an integer
@@ -30,34 +30,34 @@ struct ColumnInfo {
 /// Rows of equal columns: samples, changes of a pin …
 struct StreamInfo {
   std::string name;        ///< "samples", "pin D5", "volts A0", "serial"
-  std::int64_t count = 0;  ///< of rows
+  std::int64_t count = 0;  ///< number of rows
   std::vector<ColumnInfo> columns;
 };
 
 /// The recorded data of one robot.
 struct RobotRecord {
-  std::string name;  ///< of one of several; else empty
+  std::string name;  ///< empty if there is only one robot
   std::string sketch, robot, target;
-  std::string script;  ///< events that happened to the robot from outside
+  std::string script;  ///< the scenario: events from outside the robot
   wire::RobotInfo robot_info;
   std::vector<std::string> pins;  ///< names of the board's pins, by number
   wire::Started started;
   wire::RunResult result;
-  std::vector<LineEvent> line;            ///< when the line was left, and found again
+  std::vector<LineEvent> line;            ///< when the robot left the line, and found it again
   std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
   /// Only the last change of a pin or voltage in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
 };
 
-/// The run, and its first robot.
+/// Describes the run, and its first robot.
 struct RecordingHeader : RobotRecord {
-  std::string robosim;  ///< version that wrote it
+  std::string robosim;  ///< version of Robosim that wrote it
   std::string map;
-  std::string map_text;  ///< empty, without `floor`, if the map is too large
+  std::string map_text;  ///< empty, like `floor`, if the map is too large
   std::optional<FloorShapes> floor;
-  std::vector<wire::Note> notes;    ///< of all robots
-  std::vector<RobotRecord> others;  ///< further robots, by number
+  std::vector<wire::Note> notes;    ///< notes about all robots
+  std::vector<RobotRecord> others;  ///< further robots, in the order of their numbers
 
   std::size_t robot_count() const { return 1 + others.size(); }
   const RobotRecord& of(std::size_t number) const { return number == 0 ? *this : others.at(number - 1); }

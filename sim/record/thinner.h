@@ -1,4 +1,4 @@
-// Thins rows of changes to the last one in each span of time, for runs with too many of them.
+// Thins rows of changes to the last one in each span of time, for runs with too many changes.
 #pragma once
 
 #include <cstddef>
@@ -25,36 +25,37 @@ struct CompressedRows {
   std::int64_t count = 0;
 };
 
-/// Follows rows that are stored in full, a little each time. All of them at once would take so long that the
-/// run waits. The first column is t_ns.
+/// Thins rows that are also stored in full, a little at a time. Thinning all of them at once would make the
+/// run wait. The first column is t_ns.
 class Thinner {
  public:
-  /// `packer`: as in CompressedBytes.
+  /// `packer` works as in CompressedBytes.
   Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
 
-  /// Takes at most `most_rows` next rows of `all`, without those that wait to be packed. Throws
-  /// wire::BadValue, like the others, if the columns do not hold as many numbers as there are rows.
+  /// Thins at most `most_rows` further rows of `all`, ignoring rows that are not packed yet. Throws
+  /// wire::BadValue, like the next two functions, if the columns do not contain as many numbers as there are
+  /// rows.
   void follow(const CompressedRows& all, std::size_t most_rows);
-  /// Takes all remaining rows of `all`.
+  /// Thins all remaining rows of `all`.
   void catch_up(const CompressedRows& all);
-  /// Adds rows that come after those.
+  /// Thins rows that follow those of `all`.
   void add(const std::vector<std::string>& bytes, std::int64_t count);
-  /// Stores the last row, too.
+  /// Stores the last row.
   void finish();
 
   const CompressedRows& kept() const { return kept_; }
 
  private:
-  /// For a column of `all`: unpacked, but unread data.
+  /// Unpacked but unread data of a column of `all`.
   struct Ahead {
     std::size_t pieces = 0;  ///< number of unpacked pieces
     std::string bytes;
     std::size_t numbers = 0;
   };
   static void unpack(Ahead& ahead, std::string_view bytes);
-  /// Takes `count` numbers.
+  /// Removes and returns `count` numbers.
   static std::string take(Ahead& ahead, std::size_t count);
-  /// Returns false if there are none.
+  /// Reads some rows. Returns false if there are none.
   bool read_some(const CompressedRows& all, std::size_t most_rows);
   void keep_last();
 
@@ -62,9 +63,9 @@ class Thinner {
   std::vector<wire::ColumnSpec> specs_;
   std::vector<wire::ColumnReader> readers_;
   std::vector<Ahead> ahead_;
-  std::int64_t read_ = 0;           ///< rows of `all`
-  std::uint64_t begin_ns_ = 0;      ///< of the span of the last row
-  std::vector<std::int64_t> last_;  ///< a row that is not stored yet
+  std::int64_t read_ = 0;           ///< number of rows read from `all`
+  std::uint64_t begin_ns_ = 0;      ///< start of the last row's span
+  std::vector<std::int64_t> last_;  ///< the last row, which is not stored yet
   bool has_last_ = false;
   wire::Stream few_;
   CompressedRows kept_;

@@ -19,12 +19,12 @@ namespace {
 
 struct Unit {
   const char* name;
-  double factor;  ///< to s, or mm
+  double factor;  ///< converts to s, or mm
 };
 constexpr Unit kTimes[] = {{"t", 1},       {"t_s", 1},       {"time", 1},       {"time_s", 1},
                            {"seconds", 1}, {"t_ms", 1e-3},   {"time_ms", 1e-3}, {"millis", 1e-3},
                            {"t_us", 1e-6}, {"micros", 1e-6}, {"t_ns", 1e-9}};
-constexpr Unit kPlaces[] = {{"", 1}, {"_mm", 1}, {"_cm", 10}, {"_m", 1000}};  // after x or y
+constexpr Unit kPlaces[] = {{"", 1}, {"_mm", 1}, {"_cm", 10}, {"_m", 1000}};  // suffixes of x or y
 
 struct Found {
   std::size_t column;
@@ -43,7 +43,7 @@ std::optional<Found> find(const std::vector<std::string>& names, const std::stri
   return std::nullopt;
 }
 
-/// If commas do not separate, they may be decimal ones.
+/// Splits a line into cells. If commas do not separate the cells, they are decimal commas.
 std::vector<std::string> cells_of(const std::string& line, char separator) {
   std::vector<std::string> cells;
   if (separator == ',')

@@ -11,14 +11,14 @@ using grid::Cell;
 using grid::CellAt;
 using grid::Direction;
 
-// By neighbours: bit 1 east, 2 south, 4 west, 8 north.
+// Characters by a cell's neighbours: sum of 1 east, 2 south, 4 west, 8 north.
 constexpr char32_t kBoxes[] = U"•╶╷┌╴─┐┬╵└│├┘┴┤┼";
 constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Returns where to begin showing `count` cells of those from `least` to `most`. It began at `now`, and
-// `middle` must be well in view.
+// Returns the first of `count` visible cells, out of those from `least` to `most`. The first visible cell was
+// `now`. `middle` must be well in view.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;
@@ -74,7 +74,7 @@ CellPicture::Part CellPicture::choose_part(int columns, int rows, CellAt around)
     part.rows = map_.height;
     return part;
   }
-  // If not everything fits, floor and walls around the line are dropped first.
+  // If the map does not fit, floor and walls around the line are dropped first.
   const int least_x = std::min(left_line_, around.x), most_x = std::max(right_line_, around.x + 1);
   const int least_y = std::min(top_line_, around.y), most_y = std::max(bottom_line_, around.y + 1);
   part.columns = std::clamp(columns / part.wide, 1, most_x - least_x);
@@ -132,7 +132,8 @@ int CellPicture::draw(Frame& frame, int row, int rows, CellAt around, const std:
   const auto row_of = [&](CellAt c) { return row + (c.y - part.y) * part.high; };
   for (const CellLabel& label : labels) {
     if (!shows(label.cell)) continue;
-    // If the line comes from the right, a word ends on its cell, if there is room. It is next to the robot.
+    // If the line comes from the right, the label ends on its cell if there is room. Otherwise it begins
+    // there. A robot on the cell shifts it by one column.
     const int length = static_cast<int>(label.text.size());
     const int beside = robot && robot->cell == label.cell ? 1 : 0;
     const bool ends_here =

@@ -1,5 +1,5 @@
-// A map for the robot on cells: each cell as large as possible on the screen, with the robot, its trail and
-// names. If the map is too large, it shows the part around the robot.
+// Draws a map for the robot on cells, with the robot, its trail and names. Each cell is as large as possible
+// on the screen. If the map is too large, only the part around the robot is drawn.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace robosim::tui {
 
-/// A word on a cell: "S1".
+/// A label on a cell: "S1".
 struct CellLabel {
   grid::CellAt cell;
   std::string text;
   Ink ink = Ink::mark;
 };
 
-/// Returns labels "S1", "J1" for every station and junction of a graph.
+/// Returns labels "S1", "J1" for all stations and junctions of a graph.
 std::vector<CellLabel> graph_labels(const grid::TrueGraph& graph);
 
 class CellPicture {
@@ -31,13 +31,13 @@ class CellPicture {
   void add_trail(grid::CellAt cell);
   void clear_trail() { trail_.clear(); }
 
-  /// Draws into `rows` rows from `row` on, over the frame's whole width; `around` stays in view. Returns the
-  /// number of rows taken.
+  /// Draws into `rows` rows from `row` on, over the frame's whole width. `around` stays in view. Returns the
+  /// number of rows used.
   int draw(Frame& frame, int row, int rows, grid::CellAt around, const std::optional<grid::Start>& robot,
            const std::vector<CellLabel>& labels, Look look);
 
  private:
-  // The visible part: the cells from (x, y) on, and their number, each `wide` x `high` characters.
+  // The visible part: its first cell (x, y), and its size in cells. Each cell has `wide` x `high` characters.
   struct Part {
     int x = 0, y = 0;
     int columns = 0, rows = 0;
@@ -50,9 +50,9 @@ class CellPicture {
   }
 
   const grid::Map& map_;
-  int left_line_, top_line_, right_line_, bottom_line_;  // the line's surroundings
-  std::vector<bool> trail_;                              // by cell; empty until the robot has a place
-  int left_ = 0, top_ = 0;                               // of the last visible part: moves only if necessary
+  int left_line_, top_line_, right_line_, bottom_line_;  // extent of the line, with a margin
+  std::vector<bool> trail_;                              // by cell; empty until the robot has a position
+  int left_ = 0, top_ = 0;                               // of the last visible part; moves only if necessary
 };
 
 }  // namespace robosim::tui

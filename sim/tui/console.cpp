@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Press::Kind;
 
-constexpr int kLook_ms = 200;  // delay until a signal is noticed
+constexpr int kLook_ms = 200;  // longest delay until a signal is noticed
 
 }  // namespace
 
@@ -96,7 +96,7 @@ Press LineConsole::wait(int timeout_ms) {
       return {Kind::end};
     }
     if (!in_line_) flush();
-    // Byte by byte, so that later input is left to the next reader.
+    // Reads byte by byte, so that further input is left to the next reader.
     char c = 0;
     const ssize_t n = ::read(input_, &c, 1);
     if (n == 1 && c != '\r') bytes_ += c;

@@ -1,5 +1,5 @@
-// The screen and keyboard of a session: frames out, keys in. With a pipe, input is read without a previous
-// picture.
+// Provides the screen and keyboard of a session: frames out, keys in. Through a pipe, the user may type ahead
+// of the output.
 #pragma once
 
 #include <cstdint>
@@ -17,26 +17,26 @@ class Console {
   virtual ~Console() = default;
   virtual TerminalSize size() = 0;
   virtual Look look() const = 0;
-  /// Returns whether a user is watching: then walks are shown move by move. Otherwise only frames that wait
+  /// Returns whether a user is watching. If so, walks are shown move by move. Otherwise only frames that wait
   /// for an answer are shown, without delays.
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
-  /// Returns the next key; `nothing` after at most `timeout_ms`, and after a resize (draw again). Negative:
-  /// no time limit, but `nothing` is still possible.
+  /// Returns the next key. Returns `nothing` after at most `timeout_ms`, and after a resize, which requires a
+  /// redraw. A negative `timeout_ms` means no limit, but `nothing` is still possible.
   virtual Press wait(int timeout_ms) = 0;
-  /// Returns a clock for pacing, microseconds.
+  /// Returns the time of a clock for pacing, in microseconds.
   virtual std::int64_t now_us() = 0;
   /// Calls `use` with the terminal in its original state.
   virtual void lend(const std::function<void()>& use) = 0;
 };
 
-/// The whole screen of a terminal with cursor addressing. If the window is too small it shows a message, and
+/// The whole screen of a terminal with cursor addressing. If the window is too small, it shows a message, and
 /// only q works.
 class ScreenConsole final : public Console {
  public:
   static constexpr TerminalSize kLeast{40, 14};
 
-  /// `stopped` returns whether the user wants to leave (a signal came).
+  /// `stopped` returns whether a signal has requested the end.
   ScreenConsole(Look look, std::function<bool()> stopped);
 
   TerminalSize size() override { return screen_->size(); }
@@ -55,11 +55,11 @@ class ScreenConsole final : public Console {
   std::optional<Screen> screen_;
 };
 
-/// Lines of text, for pipes and terminals without other features (TERM=dumb). Input is read as keys, the end
-/// of a line as Enter. A frame is written when an answer is needed and the last line has been used up.
+/// Lines of text, for pipes and terminals without other features (TERM=dumb). Input is read as keys, and the
+/// end of a line as Enter. A frame is written when an answer is needed and the last input line is used up.
 class LineConsole final : public Console {
  public:
-  /// Takes file descriptors. Writes only text, without escape sequences.
+  /// Reads and writes these file descriptors. Writes only text, without escape sequences.
   LineConsole(int input, int output, Look look);
 
   TerminalSize size() override { return {80, 60}; }
@@ -78,7 +78,7 @@ class LineConsole final : public Console {
   Frame pending_{0, 0};
   std::string shown_;
   std::string bytes_;
-  bool in_line_ = false;  ///< a part of a line has been read, but not its end
+  bool in_line_ = false;  ///< only a part of the present line has been read
   bool ended_ = false;
 };
 

@@ -35,7 +35,7 @@ std::string fleet_picture(const FleetReport& report, const grid::Map& map, int c
   return to_text(frame, look);
 }
 
-/// Formats columns as wide as their content. The cells' texts may be untrusted names.
+/// Formats columns as wide as their content. The cells may contain untrusted names.
 std::string table(std::vector<std::vector<std::string>> rows) {
   for (auto& row : rows)
     for (std::string& cell : row) cell = in_one_line(cell);
@@ -87,7 +87,7 @@ std::string fleet_screen(const FleetReport& report, const grid::Map* map, int co
                     fmt::format("{} on {}, {}", row.sketch, row.robot, row.target)});
   }
   text += table(std::move(rows)) + "\n";
-  // Failures come first if not all robots fit.
+  // If not all robots fit, only failures are listed.
   std::size_t told = 0, untold = 0;
   const bool all = report.rows.size() <= kMostRobotsTold;
   for (const FleetRow& row : report.rows) {

@@ -1,4 +1,4 @@
-// The final screen of a run of several robots: a line for each.
+// Formats the final screen of a run of several robots: one line per robot.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace robosim::tui {
 
 struct FleetRow {
   std::string name;
-  std::string sketch;  ///< sketch and robot are as the user named them
+  std::string sketch;  ///< sketch and robot are named as the user typed them
   std::string robot;
   std::string target;
   wire::RunResult result;
@@ -21,12 +21,12 @@ struct FleetRow {
 
 struct FleetReport {
   std::string map;
-  wire::Started started;  ///< of the first
+  wire::Started started;  ///< the first robot's
   std::vector<FleetRow> rows;
   std::optional<double> wall_s;  ///< empty = not shown
 };
 
-/// `map` may be null: then there is no picture.
+/// Returns the screen. Without a `map` (null) there is no picture.
 std::string fleet_screen(const FleetReport& report, const grid::Map* map, int columns, Look look);
 
 }  // namespace robosim::tui

@@ -9,10 +9,11 @@
 namespace robosim::tui {
 namespace {
 
-// A line narrower than this number of dots would have holes.
+// Minimum width of a line, in dots. A narrower line would have holes.
 constexpr double kLeastLine_dots = 1.2;
 constexpr double kMostDotsPerCell = 16.0;
-// In dots. A place between two dots, such as the centre of a cell, counts as the right and lower one.
+// An offset in dots. A point between two dots, such as the centre of a cell, belongs to the right and lower
+// dot.
 constexpr Vec2 kAside{-0.1, 0.1};
 // Returns the largest distance from a stripe to a painted dot, m: half of the widest line or dot.
 double reach(const grid::Map& map) {
@@ -36,7 +37,7 @@ Window fit(const grid::Map& map, Area area, int columns, int rows) {
   rows = std::max(rows, 1);
   Window window;
   window.dot_m = std::max(size.x / (2.0 * columns), size.y / (4.0 * rows));
-  // The small number protects an exact fit from rounding.
+  // The small constant protects an exact fit from rounding.
   const double dots_per_cell = std::min(map.cell_m / window.dot_m + 1e-9, kMostDotsPerCell);
   if (dots_per_cell >= 1.0) window.dot_m = map.cell_m / std::floor(dots_per_cell);
   window.columns = std::clamp(static_cast<int>(std::ceil(size.x / window.dot_m / 2.0 - 1e-6)), 1, columns);
@@ -73,14 +74,14 @@ void FloorPicture::look_at(const Window& window) {
       const grid::CellAt cell = cell_of(map_, middle);
       const auto i = static_cast<std::size_t>(row * window.columns + column);
       wall_[i] = map_.contains(cell) && map_.at(cell) == grid::Cell::wall;
-      // Every second one is enough, and the line stays dominant.
+      // Every second character is enough, so that the line stays dominant.
       if ((row + column) % 2 == 0) relief_[i] = static_cast<std::uint8_t>(relief_at(middle));
     }
   }
 }
 
 char FloorPicture::relief_at(Vec2 p) const {
-  constexpr double kLevel_m = 1e-5;  // a slope between dots
+  constexpr double kLevel_m = 1e-5;  // smallest visible height difference between dots
   const grid::Hill* highest = nullptr;
   for (const grid::Hill& hill : map_.course.hills)
     if (hill.contains(p) && (!highest || hill.height_at(p) >= highest->height_at(p))) highest = &hill;
@@ -105,7 +106,7 @@ bool FloorPicture::has_surface(Vec2 p) const {
 bool FloorPicture::is_painted(Vec2 p, double reach_m, bool whole) const {
   const grid::CellAt cell = cell_of(map_, p);
   if (!map_.contains(cell)) return false;
-  // Any area with a colour other than the floor's counts as painted.
+  // An area counts as painted if its colour differs from the floor's.
   for (const grid::Area& area : map_.course.areas)
     if (area.contains(p) && area.colour.hue != (map_.light_line ? grid::Hue::black : grid::Hue::white))
       return true;
@@ -124,7 +125,7 @@ bool FloorPicture::is_painted(Vec2 p, double reach_m, bool whole) const {
 
 FloorPicture::Dot FloorPicture::dot_of(Vec2 p) const {
   const Vec2 d = p - kAside * window_.dot_m - window_.top_left;
-  // Distant places would overflow an int; "outside" is all that matters there.
+  // Distant points would overflow an int. They only need to be outside.
   const auto index = [&](double metres) {
     return static_cast<int>(std::floor(std::clamp(metres / window_.dot_m, -1e6, 1e6)));
   };
@@ -164,7 +165,7 @@ void FloorPicture::draw(Frame& frame, int column, int row, const std::vector<Mar
       } else if (trail_[i]) {
         glyph = {0x2800 + char32_t{trail_[i]}, Ink::trail};
       } else if (look.colour ? line_[i] : thin_line_[i]) {
-        // Without colours, braille dots of line and of trail would look the same.
+        // Without colours, braille dots of line and trail would look the same.
         glyph = {look.colour ? 0x2800 + char32_t{line_[i]} : U'·', Ink::line};
       } else if (wall_[i]) {
         glyph = {U'░', Ink::wall};

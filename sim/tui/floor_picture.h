@@ -1,5 +1,5 @@
-// A part of the floor, drawn in braille dots: 2 x 4 per character, which makes them square, since characters
-// are twice as high as they are wide.
+// Draws a part of the floor in braille dots: 2 x 4 per character. The dots are square, because characters are
+// twice as high as wide.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Area {
 Area area_of(const grid::Map& map);
 
 /// Returns a window of at most `columns` x `rows` characters that shows `area` as large as possible. A map
-/// cell gets a whole number of dots if it gets one at all, and at most 16.
+/// cell has at most 16 dots, and a whole number of them unless it is smaller than a dot.
 Window fit(const grid::Map& map, Area area, int columns, int rows);
 
 /// A character on the floor: a station's number, an arrow.
@@ -49,28 +49,28 @@ class FloorPicture {
   explicit FloorPicture(const grid::Map& map);
 
   const Window& window() const { return window_; }
-  /// Draws walls, hills and line again; drops the trail.
+  /// Redraws walls, hills and line for another window. Clears the trail.
   void look_at(const Window& window);
 
   void add_trail(Vec2 from, Vec2 to);
-  /// Replaces the robot: its outline, closed, and a line from its middle to its front.
+  /// Replaces the robot's drawing: its closed outline, and a line from its middle to its front.
   void set_robot(const std::vector<Vec2>& outline, Vec2 middle, Vec2 front);
 
-  /// Draws it with its top left corner at (column, row) of the frame; marks are on top.
+  /// Draws the picture with its top left corner at (column, row) of the frame. Marks are on top.
   void draw(Frame& frame, int column, int row, const std::vector<Mark>& marks, Look look) const;
 
  private:
-  using Layer = std::vector<std::uint8_t>;  // braille bits of each character
+  using Layer = std::vector<std::uint8_t>;  // braille bits, one byte per character
 
   struct Dot {
     int x, y;
   };
   Dot dot_of(Vec2 p) const;
-  /// Returns whether p is within `reach_m` of a centre line; with `whole`, within half of a wider line's
-  /// width.
+  /// Returns whether p is within `reach_m` of a centre line. With `whole`, half of the line's width counts if
+  /// that is more.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
-  /// Returns the sign of a hill at p, in a character's middle: ^ > v < is uphill, : is level, = a seesaw; 0 =
-  /// none.
+  /// Returns the sign of the hill at p, the middle of a character: ^ > v < point uphill, : is level, = a
+  /// seesaw; 0 = no hill.
   char relief_at(Vec2 p) const;
   bool has_surface(Vec2 p) const;
   void set(Layer& layer, Dot dot) const;
@@ -81,7 +81,7 @@ class FloorPicture {
   grid::Stripes stripes_;
   Window window_;
   Layer wall_;    // 1 = the character's middle is wall
-  Layer relief_;  // a character's sign of a hill or a surface, or 0
+  Layer relief_;  // sign of a hill or a surface at each character, or 0
   Layer line_, thin_line_, trail_, robot_;
 };
 

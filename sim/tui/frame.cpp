@@ -160,7 +160,7 @@ std::string changes(const Frame& before, const Frame& after, Look look) {
   if (everything) bytes += select(Ink::plain, look) + "\033[2J";
   Ink ink = Ink::plain;
   for (int row = 0; row < after.rows(); ++row) {
-    int cursor = -1;  // column after the last written character of this row
+    int cursor = -1;  // column after the last character written in this row
     for (int column = 0; column < after.columns(); ++column) {
       const Glyph& glyph = after.at(column, row);
       if (everything ? glyph == Glyph{} : glyph == before.at(column, row)) continue;

@@ -30,7 +30,7 @@ std::string node_name(const TrueGraph& graph, Behind kind, int number) {
   return fmt::format("J{} {}", number, at(junction(graph, number).cell));
 }
 
-// Returns the other end of a link, without its place.
+// Returns the name of a link's other end, without its position.
 std::string behind(const TrueGraph& graph, const Arm& arm) {
   switch (arm.behind) {
     case Behind::station:
@@ -47,7 +47,7 @@ std::string behind(const TrueGraph& graph, const Arm& arm) {
 
 std::string link_text(const Arm& arm) { return fmt::format("{} {}", direction_word(arm.out), arm.length); }
 
-// The depth-first tree, without recursion: its depth may equal the network's length.
+// Prints the depth-first tree, without recursion: its depth may equal the network's length.
 class Tree {
  public:
   Tree(const TrueGraph& graph, bool utf8)
@@ -107,7 +107,7 @@ class Tree {
     if (!is_junction) return;
     Open deeper{{}, 0, indent + (last ? "   " : utf8_ ? "│  " : "|  ")};
     const auto& arms = junction(graph_, arm.id).arms;
-    for (std::size_t i = 1; i < arms.size(); ++i)  // to the right of its entry
+    for (std::size_t i = 1; i < arms.size(); ++i)  // clockwise from the entry
       deeper.arms.push_back(arms[(static_cast<std::size_t>(arm.slot) + i) % arms.size()]);
     open_.push_back(std::move(deeper));
   }
@@ -119,7 +119,7 @@ class Tree {
   std::vector<std::string> lines_;
 };
 
-// More than any user reads; a deep tree's indentation grows quadratically.
+// More nodes than any user reads. A deep tree's indentation grows quadratically.
 constexpr std::size_t kMostTreeNodes = 500;
 
 }  // namespace

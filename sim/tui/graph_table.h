@@ -9,27 +9,27 @@
 
 namespace robosim::tui {
 
-/// Returns "east".
+/// Returns a word such as "east".
 const char* direction_word(grid::Direction d);
 
 /// Returns "7 stations, 5 junctions, 11 links; 1 cycle; 2 dead ends cannot be reached".
 std::string graph_summary(const grid::TrueGraph& graph);
 
-/// Returns the tree of a depth-first walk of the graph, from station 1 on (else from junction 1). Links have
-/// their initial direction, and their moves:
+/// Returns the tree of a depth-first walk of the graph, from station 1, or from junction 1 if there are no
+/// stations. Each link has its initial direction and its number of moves:
 ///
 ///   S1 at 3,10
 ///   `- east 8: J1 at 11,10
 ///      |- south 9: S2 at 6,15
 ///      `- north 12: J2 at 15,10
 ///
-/// A junction that appears above already is only named. If the tree gets wider than `columns`, returns a
-/// table of neighbours, one node per line. Example: "J1 at 11,10: west 8 S1, south 9 S2, east 4 J2".
+/// A junction that already appears above is only named. If the tree is wider than `columns`, returns a table
+/// of neighbours, one node per line. Example: "J1 at 11,10: west 8 S1, south 9 S2, east 4 J2".
 std::vector<std::string> graph_lines(const grid::TrueGraph& graph, int columns, Look look);
 
-/// Returns "S3", or "S3 dock" if the map names it.
+/// Returns "S3", or "S3 dock" if the map names the station.
 std::string station_name(const grid::TrueGraph& graph, int number);
-/// Returns the station for a number ("3", "S3") or name; 0 = none.
+/// Returns the number of the station with this number ("3", "S3") or name; 0 = none.
 int find_station(const grid::TrueGraph& graph, const std::string& answer);
 
 }  // namespace robosim::tui

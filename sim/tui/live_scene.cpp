@@ -16,8 +16,8 @@ constexpr int kMostReadingRows = 4;
 constexpr int kMostTold = 3;
 constexpr int kBar = 10;  // characters
 constexpr std::size_t kSerialKept = 4096;
-// A map is shown whole if a cell gets at least this many dots; else the window follows the robot at a larger
-// scale.
+// A map is shown whole if a cell gets at least this many dots. Otherwise the window follows the robot at a
+// larger scale.
 constexpr double kLeastDotsPerCell = 3.0;
 constexpr double kFollowDotsPerCell = 8.0;
 
@@ -95,7 +95,7 @@ void LiveScene::move_window(Vec2 top_left) {
   Window window = floor_.window();
   const Area all = area_of(map_);
   const Vec2 size{window.columns * 2 * window.dot_m, window.rows * 4 * window.dot_m};
-  // Whole characters, so that the floor does not creep within them; limited to the map.
+  // Moves by whole characters, so that the floor does not creep within them, and stays on the map.
   const auto snap = [](double metres, double step) { return std::round(metres / step) * step; };
   window.top_left.x = std::clamp(snap(top_left.x, 2 * window.dot_m), 0.0, std::max(all.most.x - size.x, 0.0));
   window.top_left.y =
@@ -117,7 +117,7 @@ void LiveScene::choose_window(int columns, int rows) {
   if (window.columns == now.columns && window.rows == now.rows && window.dot_m == now.dot_m) return;
   const Vec2 top_left = now.columns ? now.top_left : window.top_left;
   floor_.look_at(window);
-  // Also draws the trail, which look_at dropped.
+  // Moving the window also draws the trail, which look_at() cleared.
   Window nowhere = window;
   nowhere.top_left = {-1.0, -1.0};
   floor_.look_at(nowhere);
@@ -128,7 +128,7 @@ void LiveScene::keep_robot_in_sight() {
   if (!follows_ || !sample_) return;
   const Window& w = floor_.window();
   const Vec2 size{w.columns * 2 * w.dot_m, w.rows * 4 * w.dot_m};
-  const Vec2 in = trail_.last() - w.top_left;  // y is negative downwards
+  const Vec2 in = trail_.last() - w.top_left;  // y is negative below the top
   if (in.x >= 0.2 * size.x && in.x <= 0.8 * size.x && -in.y >= 0.2 * size.y && -in.y <= 0.8 * size.y) return;
   move_window(trail_.last() + Vec2{-0.5 * size.x, 0.5 * size.y});
 }
@@ -187,7 +187,7 @@ int LiveScene::draw_readings(Frame& frame, int row, Look look) const {
   for (std::size_t i = 0; i < count && row - first < kMostReadingRows; ++i) {
     if (is_level(started_.readings[i])) item(started_.readings[i], s.readings[i], Ink::strong, "");
   }
-  // Servos and similar parts are numbers; buttons, LEDs and similar parts are on or off.
+  // Servos and similar parts have numbers. Buttons, LEDs and similar parts are on or off.
   if (column > 0) ++row;
   column = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -220,7 +220,7 @@ int LiveScene::draw_told(Frame& frame, int row) const {
 
 Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look) {
   Frame frame(columns, rows);
-  // The panel is first drawn on a separate frame, to find its height.
+  // Draws the panel on a separate frame first, to find its height.
   Frame panel(columns, 2 + 2 * kMostReadingRows + kMostTold + 1 + kSerialRows + 1);
   int panel_rows = draw_told(panel, draw_readings(panel, 0, look));
   if (result_) {
@@ -235,7 +235,7 @@ Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look
     panel.put(panel.put(0, serial_row, look.utf8 ? "› " : "> ", Ink::faint), serial_row, line);
     ++serial_row;
   }
-  panel_rows += kSerialRows;  // even if empty: the floor must not change its size
+  panel_rows += kSerialRows;  // even if empty, so that the floor keeps its size
   const int floor_rows = std::max(rows - panel_rows - 2, 3);
 
   choose_window(columns, floor_rows);

@@ -12,7 +12,7 @@ namespace robosim::tui {
 namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
-constexpr int kEndLook_ms = 200;  // at the end: delay until a resize or a signal is noticed
+constexpr int kEndLook_ms = 200;  // at the end: longest delay until a resize or a signal is noticed
 
 std::string speed_text(const Pacer& pacer) {
   if (pacer.paused()) return "paused";
@@ -43,7 +43,7 @@ void LiveView::on_event(const wire::Event& event) {
       continue;
     }
     if (wait == 0) return;
-    // At most one millisecond more: poll counts in whole ones.
+    // May wait up to one millisecond longer, because poll() uses whole milliseconds.
     const std::int64_t pause = changed_ ? std::min(wait, next_frame) : wait;
     handle(screen_.wait_key(static_cast<int>(pause / 1000 + 1)));
   }

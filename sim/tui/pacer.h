@@ -1,4 +1,4 @@
-// Couples simulated time to wall time for a viewer: a run's result never depends on it.
+// Couples simulated time to wall time for a viewer. A run's result never depends on the pacing.
 #pragma once
 
 #include <algorithm>
@@ -6,10 +6,10 @@
 
 namespace robosim::tui {
 
-/// Both clocks in microseconds; the wall clock's origin does not matter.
+/// Both clocks count microseconds. The wall clock's origin does not matter.
 class Pacer {
  public:
-  /// `speed` in simulated seconds per second of wall time; 0 = as fast as possible.
+  /// `speed` is in simulated seconds per second of wall time; 0 = as fast as possible.
   explicit Pacer(double speed) : speed_(speed) {}
 
   double speed() const { return speed_; }
@@ -30,7 +30,7 @@ class Pacer {
     speed_ = speed;
     running_ = false;
   }
-  /// Steps through 1/16 … 64 by factors of two; beyond that, as fast as possible.
+  /// Steps through 1/16 … 64 by factors of two. The step after 64 is "as fast as possible".
   void faster() { set_speed(speed_ <= 0.0 || speed_ * 2.0 > kFastest ? 0.0 : speed_ * 2.0); }
   void slower() { set_speed(speed_ <= 0.0 ? kFastest : std::max(speed_ / 2.0, kSlowest)); }
   void set_paused(bool paused) {

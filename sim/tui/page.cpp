@@ -29,7 +29,7 @@ void Page::list(const std::vector<std::string>& lines, std::size_t selected, int
   const auto room = static_cast<std::size_t>(std::max(std::min(rows, rows_left()), 1));
   std::size_t first = 0, count = lines.size();
   if (count > room) {
-    count = room > 2 ? room - 1 : 1;  // one row for the number of the others
+    count = room > 2 ? room - 1 : 1;  // one row shows the visible range
     first = std::min(selected - std::min(selected, count / 2), lines.size() - count);
   }
   for (std::size_t i = first; i < first + count; ++i) {

@@ -1,5 +1,5 @@
-// One screen of a session, from the top: a title, text, lists, a map. Directly below them is a footer, which
-// is always shown.
+// Builds one screen of a session, from the top: a title, text, lists, a map. Directly below follows a footer,
+// which is always shown.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace robosim::tui {
 
 class Page {
  public:
-  /// The footer's lines come last, wrapped, and are always visible.
+  /// A line of the footer. The footer comes last, wrapped, and is always visible.
   struct Line {
     std::string text;
     Ink ink = Ink::plain;
@@ -31,9 +31,9 @@ class Page {
   /// Adds text, with as many rows as necessary.
   void text(std::string_view text, Ink ink = Ink::plain);
   void blank() { ++row_; }
-  /// Adds a list, in at most `rows`. Without room for all lines, those around `selected` are shown.
+  /// Adds a list, in at most `rows` rows. If not all lines fit, those around `selected` are shown.
   void list(const std::vector<std::string>& lines, std::size_t selected, int rows, bool mark_selected = true);
-  /// Returns the frame, to draw from row() on; took() then gets the number of rows.
+  /// Returns the frame. After drawing into it from row() on, pass the number of used rows to took().
   Frame& frame() { return frame_; }
   int row() const { return row_; }
   void took(int rows) { row_ += rows; }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kQuiet_us = 500'000;
 constexpr std::int64_t kEvery_us = 100'000;
 
-// The loss of the terminal is not a reason to stop.
+// Ignores errors: the loss of the terminal is not a reason to stop.
 void put_on_terminal(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);

@@ -1,4 +1,4 @@
-// One line of progress on a terminal's standard error; nothing in a pipe.
+// Shows one line of progress on a terminal's standard error. Shows nothing in a pipe.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace robosim::tui {
 
 class Progress {
  public:
-  /// Silent if standard error is not a terminal or `wanted` is false.
+  /// Stays silent if standard error is not a terminal, or if `wanted` is false.
   explicit Progress(bool wanted);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -17,11 +17,11 @@ class Progress {
   bool active() const { return active_; }
   /// Shows a line immediately.
   void say(const std::string& text);
-  /// Shows a line that changes often: ten times a second at most, and nothing in the first half second.
+  /// Shows a line that changes often: at most ten times a second, and not in the first half second.
   void update(const std::string& text);
-  /// Shows simulated time as such a line.
+  /// Shows simulated time in a line that changes often.
   void advance(std::int64_t t_us, double for_s);
-  /// Wipes the line.
+  /// Clears the line.
   void clear();
 
  private:

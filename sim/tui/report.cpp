@@ -17,7 +17,7 @@ namespace {
 constexpr int kPictureRows = 20;
 constexpr std::size_t kMostTrailPoints = 8192;
 constexpr std::size_t kSerialLines = 5;
-// The minimum for a map cell in a useful picture of the whole map.
+// The fewest dots per map cell in a useful picture of the whole map.
 constexpr double kLeastDotsPerPrintedCell = 2.0;
 
 /// Extends an area by a point.
@@ -26,7 +26,7 @@ void include(Area& area, Vec2 p) {
   area.most = {std::max(area.most.x, p.x), std::max(area.most.y, p.y)};
 }
 
-/// Returns whole cells with a margin around them, inside the map.
+/// Returns the area extended to whole cells, with a margin, inside the map.
 Area with_margin(const Area& area, const grid::Map& map, double cells) {
   const auto down = [&](double metres) { return (std::floor(metres / map.cell_m) - cells) * map.cell_m; };
   const auto up = [&](double metres) { return (std::ceil(metres / map.cell_m) + cells) * map.cell_m; };
@@ -93,7 +93,7 @@ class Writer {
   void text(std::string_view words, Ink ink) {
     for (const std::string& part : wrap(words, std::max(columns_, 20))) line(part, ink);
   }
-  /// Adds "label: text", with further lines of the text indented equally.
+  /// Adds "label: text". Further lines of the text have the same indentation.
   void labelled(std::string_view label, std::string_view text, Ink ink = Ink::plain) {
     std::string start = in_one_line(label);
     const int indent = width_of(start) + 1;
@@ -120,7 +120,7 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
-// Returns "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if everything was used.
+// Returns "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if there is nothing to report.
 std::string usage_text(const wire::Usage& usage) {
   std::string text;
   const auto listed = [&](const char* label, const auto& things, auto told) {
@@ -251,7 +251,7 @@ std::int64_t trail_every_ns(std::int64_t for_ns) {
 }
 
 void Trail::add(const wire::Sample& sample) {
-  const auto place = [](double mm) { return std::round(100.0 * mm) / 100'000.0; };  // as in recordings
+  const auto place = [](double mm) { return std::round(100.0 * mm) / 100'000.0; };  // rounds as in recordings
   last_ = {place(sample.x_mm), place(sample.y_mm)};
   yaw_rad_ = sample.yaw_rad;
   carried_ = hand_.has_moved();

@@ -19,7 +19,7 @@ constexpr std::string_view kLeave = "\033[0m\033[?25h\033[?1049l";
 
 constexpr std::array kFaults = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
-// State for the signal handlers.
+// State that the signal handlers use.
 volatile sig_atomic_t resized = 0;
 volatile sig_atomic_t stop_asked = 0;
 int restore_input = -1;
@@ -34,7 +34,7 @@ extern "C" void on_stop(int) { stop_asked = 1; }
 extern "C" void on_fault(int number) {
   write_all(restore_output, kLeave);
   if (restore_input >= 0) ::tcsetattr(restore_input, TCSANOW, &before_us);
-  ::raise(number);  // SA_RESETHAND: now the default action
+  ::raise(number);  // SA_RESETHAND: runs the default action now
 }
 
 void handle(int number, void (*handler)(int), int flags, struct sigaction* before) {
@@ -59,14 +59,14 @@ Key take_key(std::string& bytes) {
   constexpr Key kKeys[] = {Key::up, Key::down, Key::right, Key::left};
   if (bytes.empty()) return Key::none;
   if (bytes[0] == '\033' && bytes.size() > 1 && (bytes[1] == '[' || bytes[1] == 'O')) {
-    // ESC [ parameters final, or ESC O final
+    // Matches ESC [ parameters final, or ESC O final.
     const std::size_t end = bytes.find_first_not_of("0123456789;", 2);
     if (end == std::string::npos) return Key::none;
     const std::size_t which = kArrows.find(bytes[end]);
     bytes.erase(0, end + 1);
     return which == std::string_view::npos ? Key::other : kKeys[which];
   }
-  if (bytes == "\033") return Key::none;  // the rest may still come
+  if (bytes == "\033") return Key::none;  // the rest may still arrive
   const char c = bytes[0];
   bytes.erase(0, 1);
   switch (c) {
@@ -144,7 +144,7 @@ Screen::~Screen() {
 void Screen::enter() {
   if (has_keys_) {
     termios raw = before_us;
-    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // ISIG stays: Ctrl-C is a signal
+    raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // keeps ISIG: Ctrl-C is a signal
     raw.c_cc[VMIN] = 0;
     raw.c_cc[VTIME] = 0;
     ::tcsetattr(input_, TCSANOW, &raw);
@@ -177,7 +177,8 @@ void Screen::read_bytes(int timeout_ms) {
   if (n > 0) {
     bytes_.append(chunk, static_cast<std::size_t>(n));
   } else if (n == 0) {
-    // No more keys, since Ctrl-C discards earlier input; or hung up: avoids a busy loop.
+    // Nothing was read: Ctrl-C discarded the input, or the terminal hung up. After a hang-up, further polling
+    // would be a busy loop.
     has_keys_ = (ready.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
   } else if (errno != EINTR) {
     has_keys_ = false;

@@ -1,4 +1,4 @@
-// The terminal: its properties, and full-screen mode.
+// Provides the terminal: its properties, and full-screen mode.
 #pragma once
 
 #include <termios.h>
@@ -23,8 +23,8 @@ std::optional<TerminalSize> terminal_size(int fd);
 /// The user's keys.
 enum class Key { none, space, plus, minus, quit, follow, up, down, left, right, other };
 
-/// Takes keys from the front of a terminal's input: removes the recognised bytes from `bytes`. An incomplete
-/// escape sequence stays.
+/// Removes a key from the front of a terminal's input, `bytes`, and returns it. An incomplete escape sequence
+/// stays.
 Key take_key(std::string& bytes);
 
 /// A key, for callers that also need letters.
@@ -39,7 +39,7 @@ struct Press {
     left,
     right,
     other,
-    end,       ///< no further input: end of the input, Ctrl-D, the terminal is gone
+    end,       ///< no further input: end of file, Ctrl-D, or the terminal is gone
     interrupt  ///< Ctrl-C, or another signal that requests the program's end
   };
   Kind kind = Kind::nothing;
@@ -49,11 +49,11 @@ struct Press {
 Press take_press(std::string& bytes);
 
 /// Full-screen mode, from construction to destruction: alternate screen, no cursor, keys unbuffered and not
-/// echoed. Afterwards the terminal is restored, also when the process dies of a fault (SIGSEGV, SIGABRT, …)
-/// or is stopped by Ctrl-Z and continues. Only one at a time.
+/// echoed. Afterwards the terminal is restored, even if the process dies of a fault (SIGSEGV, SIGABRT, …).
+/// Ctrl-Z also restores it, until the process continues. Only one Screen may exist at a time.
 class Screen {
  public:
-  /// `output` must be a terminal; keys come from `input` if that is one, too.
+  /// `output` must be a terminal. Keys are read from `input` if that is also a terminal.
   Screen(int input, int output, Look look);
   ~Screen();
   Screen(const Screen&) = delete;
@@ -61,13 +61,13 @@ class Screen {
 
   TerminalSize size() const;
   bool has_keys() const { return has_keys_; }
-  /// Writes the changes since the last frame.
+  /// Writes the changes since the previous frame.
   void show(const Frame& frame);
-  /// Waits at most `timeout_ms` for a key; returns none after that, after a signal, and after a resize.
+  /// Waits at most `timeout_ms` for a key. Returns `none` after that, after a signal, and after a resize.
   Key wait_key(int timeout_ms);
-  /// Includes letters; returns `end` once there is no keyboard any more.
+  /// Waits for a key, including letters. Returns `end` once there is no keyboard any more.
   Press wait_press(int timeout_ms);
-  /// Returns whether the window was resized, or the process continued after a stop, since the last call.
+  /// Returns whether, since the last call, the window was resized or the process continued after a stop.
   bool take_resized();
 
  private:
@@ -79,9 +79,9 @@ class Screen {
   int input_, output_;
   Look look_;
   bool has_keys_;
-  bool raw_ = false;  // the terminal passes on single keys without echo
+  bool raw_ = false;  // the terminal sends single keys, without echo
   Frame shown_{0, 0};
-  std::string bytes_;  // unrecognised input so far
+  std::string bytes_;  // input that is not recognised yet
 };
 
 }  // namespace robosim::tui

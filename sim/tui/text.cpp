@@ -58,7 +58,7 @@ std::u32string bar(double share, int columns, bool utf8) {
 
 std::string time_text(double seconds) {
   if (seconds < 60.0) return fmt::format("{:.2f} s", seconds);
-  // Rounded first, so that 119.96 s is not "1 min 60.0 s".
+  // Rounds first, so that 119.96 s does not become "1 min 60.0 s".
   const auto tenths = static_cast<long long>(std::llround(seconds * 10.0));
   return fmt::format("{} min {}.{} s", tenths / 600, tenths % 600 / 10, tenths % 10);
 }

@@ -9,14 +9,15 @@
 
 namespace robosim::worlds {
 
-/// The possible faults, and their maximum severity; 0 = never. docs/reference/robots.md describes each.
+/// The possible faults, with their maximum severity; 0 = never. docs/reference/robots.md describes each
+/// fault.
 struct FaultLimits {
-  int at_most = 1;               ///< per run
-  int from_ms = 0;               ///< the interval of their beginnings
-  int until_ms = 20'000;         ///<
-  double sensor_offset = 0.05;   ///< share of white to black, in either direction
-  double sensor_noise = 0.03;    ///< standard deviation, a share of white to black
-  std::int64_t covered_us = 0;   ///< duration of black readings of a sensor
+  int at_most = 1;               ///< faults per run
+  int from_ms = 0;               ///< first possible beginning
+  int until_ms = 20'000;         ///<last possible beginning
+  double sensor_offset = 0.05;   ///< share of the range from white to black, in either direction
+  double sensor_noise = 0.03;    ///< standard deviation, share of the range from white to black
+  std::int64_t covered_us = 0;   ///< duration for which a sensor reads black
   double motor_weakness = 0.1;   ///< share of the voltage that a motor loses
   double clock_drift_ppm = 5e3;  ///< in either direction
 };
@@ -28,8 +29,8 @@ struct Fault {
   Kind kind = Kind::offset;
   std::string part;  ///< "" for drift
   int at_ms = 0;
-  int level = kLevels;    ///< severity, from 1 to kLevels, which is the limit
-  bool negative = false;  ///< offset, drift
+  int level = kLevels;    ///< severity, from 1 to kLevels (the limit)
+  bool negative = false;  ///< for offset and drift
 };
 
 struct FaultPlan {

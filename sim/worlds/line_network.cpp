@@ -32,11 +32,11 @@ std::set<Knot> reached_from(Knot from, const LineNetwork& network) {
   return reached;
 }
 
-/// Compares in row order.
+/// Compares knots in row order.
 bool comes_before(Knot a, Knot b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-/// Sorts the pieces, moves the network to the lattice's corner, and drops columns and rows without line. A
-/// start that is not a station any more moves to the first one.
+/// Sorts the pieces, moves the network to the lattice's corner, and drops columns and rows without line. If
+/// the start is no longer a station, it becomes the first station.
 void tidy(LineNetwork& network) {
   const std::set<Knot> knots = knots_of(network.pieces);
   if (knots.empty()) return;
@@ -63,7 +63,7 @@ void tidy(LineNetwork& network) {
     network.start = stations.front();
 }
 
-/// Returns the network on the side of `keep` without a piece.
+/// Returns the network without a piece, reduced to the side of `keep`.
 LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   LineNetwork left = network;
   std::erase(left.pieces, piece);
@@ -73,7 +73,7 @@ LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   return left;
 }
 
-/// Merges lattice column `column` into the previous one. Unsound if separate lines would meet.
+/// Merges lattice column `column` into the previous one. Returns false if separate lines would meet.
 bool fold_column(LineNetwork& network, int column) {
   const auto moved = [&](Knot knot) { return knot.x >= column ? Knot{knot.x - 1, knot.y} : knot; };
   const std::set<Knot> knots = knots_of(network.pieces);
@@ -112,7 +112,7 @@ void add_folded(const LineNetwork& network, std::vector<LineNetwork>& found) {
   }
 }
 
-/// Adds free room around it.
+/// Adds free room around the network.
 LineNetwork padded(LineNetwork network) {
   for (std::vector<int>* widths : {&network.columns, &network.rows}) {
     widths->insert(widths->begin(), network.apart);
@@ -124,7 +124,8 @@ LineNetwork padded(LineNetwork network) {
   return network;
 }
 
-/// Replaces a line of several pieces that ends at a station by a single piece, at any place with enough room.
+/// Replaces a line of several pieces that ends at a station by a single piece. Adds a network for every place
+/// with enough room.
 void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& found) {
   for (const Knot station : padded(network).stations()) {
     LineNetwork rest = padded(network);
@@ -242,7 +243,7 @@ std::string LineNetwork::map() const {
 }
 
 LineNetwork grow(const GrowthLimits& limits, const RandomSource& rng) {
-  // Enough room that growth is seldom blocked, little enough that lines become neighbours.
+  // The lattice is large enough that growth is seldom blocked, and small enough that lines become neighbours.
   int side = 3;
   while (side * side < 3 * limits.pieces) ++side;
   LineNetwork network;

@@ -1,4 +1,4 @@
-// A network of lines on a lattice: the basis of random maps, and of shrinking them.
+// Describes a network of lines on a lattice: the basis for generating random maps, and for shrinking them.
 #pragma once
 
 #include <algorithm>
@@ -26,28 +26,27 @@ struct Piece {
 bool has(const std::vector<Piece>& pieces, const Piece& piece);
 
 struct LineNetwork {
-  int apart = 3;              ///< cells: the smallest distance of two knots; at least 2, or lines would touch
-  int most_ways = 4;          ///< per knot
+  int apart = 3;              ///< cells: smallest distance between knots; at least 2, or lines would touch
+  int most_ways = 4;          ///< maximum per knot
   std::vector<Piece> pieces;  ///< sorted
-  std::vector<int> columns, rows;  ///< cells from a lattice column, or row, to the next
-  std::vector<Piece> obstacles;    ///< pieces with one in their middle
+  std::vector<int> columns, rows;  ///< cells from each lattice column, or row, to the next
+  std::vector<Piece> obstacles;    ///< pieces with an obstacle in their middle
   Knot start;
 
-  /// Returns neighbouring knots with a line between.
+  /// Returns the neighbouring knots that a line connects to `knot`.
   std::vector<Knot> neighbours(Knot knot) const;
   bool is_connected() const;
-  /// Returns knots with one neighbour, in row order.
+  /// Returns the knots with one neighbour, in row order.
   std::vector<Knot> stations() const;
-  /// Returns whether it is a connected network that starts at a station, without knots that have too many
-  /// ways.
+  /// Returns whether the network is connected, starts at a station, and has no knot with too many ways.
   bool is_sound() const;
 
-  /// Returns networks that are a step smaller, sound ones only; the smallest come first. Repeated calls end
-  /// after finitely many steps.
+  /// Returns networks that are one step smaller. All are sound, and the smallest come first. Repeated calls
+  /// end after finitely many steps.
   std::vector<LineNetwork> smaller() const;
-  /// Returns the number of cells from lines to the map's edge: a robot needs them to turn round.
+  /// Returns the number of cells from lines to the map's edge. A robot needs them to turn round.
   int margin() const { return std::max(apart, 3); }
-  /// Return the column, or row, of the map's cell at a knot.
+  /// The next two functions return the column, or row, of the map's cell at a knot.
   int column_of(int x) const;
   int row_of(int y) const;
   /// Returns the rows of a map, without the start.
@@ -59,11 +58,11 @@ struct LineNetwork {
 struct GrowthLimits {
   int pieces = 1;
   int apart = 3;
-  int most_ways = 4;  ///< per knot
+  int most_ways = 4;  ///< maximum per knot
   int cycles = 0;
   int obstacles = 0;
 };
-/// Returns a random sound network, with at most that number of pieces.
+/// Returns a random sound network with at most `limits.pieces` pieces.
 LineNetwork grow(const GrowthLimits& limits, const RandomSource& rng);
 
 }  // namespace robosim::worlds

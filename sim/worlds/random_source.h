@@ -1,4 +1,4 @@
-// Random numbers for code that does not need to know RapidCheck.
+// Provides random numbers to code that must not depend on RapidCheck.
 #pragma once
 
 #include <functional>

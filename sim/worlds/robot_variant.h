@@ -1,4 +1,4 @@
-// One of the robots that a robot file with spreads describes.
+// Describes one of the robots that a robot file with spreads allows.
 #pragma once
 
 #include <string>
@@ -11,23 +11,24 @@ namespace robosim::worlds {
 
 /// A parameter that varies between robots.
 struct Figure {
-  std::string table;  ///< "chassis"; or "part S"
+  std::string table;  ///< "chassis", or "part S"
   std::string key;    ///< "track"; or "at 0", "at 1": the first and second item of `at`
   double value = 0.0;
-  double spread = 0.0;  ///< in the same unit
+  double spread = 0.0;  ///< in the unit of `value`
   std::string unit;     ///< "mm"; "" = none
 };
 
-/// Returns the parameters of a robot file with a spread, in its order. Adds the places of its floor sensors,
-/// plus or minus `mounting_mm`. Skips values or spreads that are not numbers with the same unit.
+/// Returns the parameters with a spread in a robot file, in the file's order. Adds the positions of its floor
+/// sensors, plus or minus `mounting_mm`. Skips parameters whose value or spread is not a number in the same
+/// unit.
 std::vector<Figure> figures_of(std::string_view robot_file, const std::string& name, double mounting_mm);
 
 struct RobotVariant {
   static constexpr int kLevels = 10;
-  std::vector<int> levels;  ///< of each parameter: −kLevels is value − spread, 0 is the file's value
+  std::vector<int> levels;  ///< per parameter: −kLevels is value − spread, 0 is the file's value
 
   std::vector<RobotVariant> smaller() const;
-  /// Returns the text of a robot file; `base` itself if nothing differs.
+  /// Returns the text of the variant's robot file. Returns `base` itself if nothing differs.
   std::string file(const std::string& base, const std::vector<Figure>& figures) const;
 };
 RobotVariant assemble(const std::vector<Figure>& figures, const RandomSource& rng);

@@ -7,7 +7,7 @@ namespace robosim::worlds {
 namespace {
 
 /// Moves the squares to the lattice's corner. Drops empty columns and rows, and gaps that are not on the
-/// line. A start that is not on it moves to the first piece.
+/// line. If the start is not on the line, moves it to the first piece.
 void tidy(Track& track) {
   if (track.squares.empty()) return;
   std::sort(track.squares.begin(), track.squares.end());
@@ -30,7 +30,8 @@ void tidy(Track& track) {
   track.gaps.erase(std::unique(track.gaps.begin(), track.gaps.end()), track.gaps.end());
 }
 
-/// Returns the track with squares right of this column, or below this row, merged into the previous ones.
+/// Returns the track with the squares from column, or row, `at` on moved back by one. They merge with those
+/// there.
 Track folded(const Track& track, int at, bool across) {
   Track less = track;
   const auto move = [&](Knot knot) {
@@ -53,7 +54,7 @@ Track folded(const Track& track, int at, bool across) {
 LineNetwork Track::outline() const {
   std::set<Piece> pieces;
   for (const Knot& s : squares) {
-    // A common side of two squares is not part of the outline.
+    // A side that two squares share is not part of the outline.
     for (const Piece side :
          {Piece{s, false}, Piece{s, true}, Piece{{s.x, s.y + 1}, false}, Piece{{s.x + 1, s.y}, true}})
       if (!pieces.insert(side).second) pieces.erase(side);

@@ -1,4 +1,4 @@
-// A closed loop of line that does not cross itself: the outline of squares of a lattice.
+// Describes a closed loop of line that does not cross itself: the outline of squares of a lattice.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@ namespace robosim::worlds {
 
 struct Track {
   int apart = 4;                   ///< cells: the smallest width of a square
-  std::vector<Knot> squares;       ///< by their upper left corners, sorted
-  std::vector<int> columns, rows;  ///< cells: their widths and heights
+  std::vector<Knot> squares;       ///< sorted upper left corners
+  std::vector<int> columns, rows;  ///< cells: widths and heights of the lattice
   std::vector<Piece> gaps;         ///< pieces whose middle cell is not painted
   Piece start;                     ///< the piece with the start in its middle
 
-  /// Returns the loop; its start is meaningless.
+  /// Returns the loop as a network. Its start is meaningless.
   LineNetwork outline() const;
-  /// Returns whether it is one loop, with its start on it, and not in a gap.
+  /// Returns whether the track is one loop whose start lies on it, and not in a gap.
   bool is_sound() const;
 
-  /// Returns tracks that are a step smaller, sound ones only. Repeated calls end after finitely many steps.
+  /// Returns tracks that are one step smaller, and sound. Repeated calls end after finitely many steps.
   std::vector<Track> smaller() const;
-  /// Returns the grid of a map file: `S`, and `3` for gaps.
+  /// Returns the grid of a map file, with `S` for the start, and `3` for gaps.
   std::string grid() const;
 };
 
