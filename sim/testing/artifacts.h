@@ -8,32 +8,33 @@
 
 namespace robosim::testing {
 
-/// The file in the folder that a browser opens.
+/// The file in the folder to open in a browser.
 inline constexpr const char* kPage = "run.html";
 
-/// Returns the folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts; "" if
-/// that is "none", and in silent runs. Does not create it.
+/// Returns the folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts.
+/// Returns "" if ROBOSIM_ARTIFACTS is "none", and in silent runs. Does not create the folder.
 std::string artifact_folder();
 
-/// Returns the robosim command for a resolved trial, without --for; `script` is its file, or empty.
+/// Returns the robosim command for a resolved trial, without --for. `script` selects whether the command
+/// names a script file.
 std::string replay_command(const ResolvedTrial& resolved_trial, const std::string& folder, bool script);
 
-/// Creates the folder, and writes the files that the command names. Does nothing if `folder` is "".
+/// Creates the folder, and writes the files that the replay command names. Does nothing if `folder` is "".
 void keep_inputs(const std::string& folder, const ResolvedTrial& resolved_trial, const std::string& script);
 
-/// Returns the command for several robots, whose file is in the folder.
+/// Returns the command for several robots. Their file is in the folder.
 std::string replay_command(const FleetTrial& trial, const std::string& folder);
-/// Writes that file and the files that it names; `scripts` are those of the robots.
+/// Writes the robots' file and the files that it names; `scripts` contains each robot's script.
 void keep_inputs(const std::string& folder, const launch::Fleet& fleet,
                  const std::vector<ResolvedTrial>& resolved_trials, const std::vector<std::string>& scripts);
-/// Saves one robot's texts for the test's reader.
+/// Saves one robot's log as text files.
 void keep_texts(const RunLog& log, const std::string& folder, const std::string& prefix);
-/// Runs several robots again, with a recording. Returns what went wrong, or "".
+/// Runs several robots again, and records them. Returns an error message, or "".
 std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedTrial>& resolved_trials,
                          const std::vector<std::string>& scripts, const wire::RunResult* expected,
                          std::int64_t until_ns, const std::string& folder, client::Runner& runner);
 
-/// Runs it again without stops, and writes the folder. Returns what went wrong, or "".
+/// Runs one robot again without stops, and writes the folder. Returns an error message, or "".
 std::string keep(const RunLog& log, const ResolvedTrial& resolved_trial, const std::string& script,
                  client::Runner& runner);
 

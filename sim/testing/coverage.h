@@ -1,4 +1,4 @@
-// Line coverage of a sketch by its tests: $ROBOSIM_COVERAGE, docs/howto/coverage.md.
+// Collects the line coverage of a sketch by its tests: $ROBOSIM_COVERAGE, docs/howto/coverage.md.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace robosim::testing {
 
-/// Returns the folder, if runs on this target are counted; else "".
+/// Returns the coverage folder if runs on this target are counted, else "".
 std::string coverage_folder(const std::string& target);
 
-/// Returns a new file in the folder for a run's counters; creates the folder.
+/// Creates the folder, and returns a new file in it for a run's counters.
 std::string new_counter_file(const std::string& folder);
 
 /// Adds a run to the folder, and removes its counters. Equal descriptions count as one run.

@@ -66,7 +66,7 @@ Moment Drive::worst() const {
     if (!worst || leg.worst_mm > worst->worst_mm) worst = &leg;
   }
   if (!worst) return moments().empty() ? Moment{} : moments().front();
-  // Take the other values from the sample before it.
+  // The leg stores only these values: takes the others from the last sample before that moment.
   wire::Sample sample;
   for (const wire::Sample& s : log_->samples)
     if (s.t_us * 1000 <= worst->worst_ns) sample = s;

@@ -10,8 +10,8 @@
 
 namespace robosim::testing {
 
-/// A run that the test is driving. Meanwhile each failure that does not mention a run is followed by
-/// state_at_failure(), but only once until something changes.
+/// A run that the test is driving. Every failure in the meantime that does not mention a run is followed by
+/// state_at_failure(). Equal states are printed only once.
 class FailureContext {
  public:
   explicit FailureContext(std::shared_ptr<const RunLog> log);
@@ -23,8 +23,8 @@ class FailureContext {
   std::shared_ptr<const RunLog> log_;
 };
 
-/// Describes each such run like a failed matcher: the robot, the last events, its place, the command that
-/// replays it. Returns "" if the failure mentions a run itself, or there is none.
+/// Describes each driven run as a failed matcher would: robot, last events, position, and the replay command.
+/// Returns "" if the failure mentions a run itself, or if no run is driven.
 std::string state_at_failure(const ::testing::TestPartResult& failure);
 
 }  // namespace robosim::testing

@@ -15,12 +15,12 @@ std::string sizes(const Graph& graph) {
          pluralize(static_cast<std::size_t>(graph.junctions()), "junction");
 }
 
-/// Returns whether the graphs agree if arm 0 of `found`'s node 0 is arm `arm` of `truth`'s node `node`. Walks
-/// both graphs in the same order, from known nodes to new ones.
+/// Returns whether the graphs agree if arm 0 of node 0 in `found` is arm `arm` of node `node` in `truth`.
+/// Walks both graphs in the same order, from known nodes to new ones.
 bool agree(const Graph& truth, const Graph& found, int node, int arm) {
   struct Place {
     int node = Graph::kBlocked;
-    int turn = 0;  ///< arm k there is arm k + turn here
+    int turn = 0;  ///< arm k here is arm k + turn in the other graph
   };
   std::vector<Place> place(found.nodes.size());
   std::vector<bool> taken(truth.nodes.size());

@@ -12,7 +12,7 @@
 namespace robosim::testing {
 namespace {
 
-constexpr double kMoved_mm = 10.0;  // a shorter way does not count as driving
+constexpr double kMoved_mm = 10.0;  // shorter movements do not count as driving
 constexpr double kBackwards_mm_s = 5.0;
 
 using Finding = Requirement::Finding;
@@ -31,7 +31,7 @@ std::vector<std::string> as_names(std::initializer_list<int> numbers) {
   return names;
 }
 
-/// Returns the map's name of a station that is given by name or by number.
+/// Returns the name that the map gives to a station. `station` is a name or a number.
 std::string name_of(const RunLog& log, const std::string& station) {
   for (const auto& known : log.started.stations)
     if (known.name == station || std::to_string(known.id) == station) return known.name;
@@ -47,7 +47,7 @@ std::string shortened(const std::string& text) {
   return text.size() > kMost ? "… " + in_quotes(text.substr(text.size() - kMost)) : in_quotes(text);
 }
 
-/// Returns the moment when the robot stopped for good; the end of the drive if it still moves.
+/// Returns the moment at which the robot stopped for good, or the end of the drive if the robot still moves.
 Moment last_movement(const std::vector<Moment>& moments) {
   Moment last = moments.front();
   for (std::size_t i = 1; i < moments.size(); ++i)
@@ -210,7 +210,7 @@ Requirement SerialSays(std::string text) {
   });
 }
 
-// std::regex uses stack for each character. Waiting for a line has the same limit.
+// Limits the stack that std::regex uses for each character. Waiting for a line has the same limit.
 constexpr std::size_t kLongestLine = 1000;
 
 Requirement SerialMatches(std::string regex) {

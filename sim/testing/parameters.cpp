@@ -5,7 +5,7 @@
 
 #include "sim/client/runner.h"
 
-// Returns the targets passed to robosim_add_test() (toolchain/cmake); "" = all.
+// Returns the targets that were passed to robosim_add_test() (toolchain/cmake); "" = all.
 extern "C" const char* robosim_test_targets() __attribute__((weak));
 
 namespace robosim::testing {

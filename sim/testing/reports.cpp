@@ -34,7 +34,8 @@ std::string annotation(const std::string& text) {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Summarises a failure in one line. Of a matcher's message, it is the finding and how the run ended.
+/// Summarises a failure in one line. From a matcher's message, it extracts the finding and the end of the
+/// run.
 std::string essence(const std::string& message) {
   const std::string mark = "  Actual: ";
   const std::size_t at = message.find(mark);
@@ -63,7 +64,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestPartResult(const ::testing::TestPartResult& part) override {
     if (!part.failed()) return;
-    // Google Test holds a lock here, so its functions for the current test would deadlock.
+    // Google Test holds a lock here. Its functions for the current test would deadlock.
     const std::string then = state_at_failure(part);
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
                part.line_number() > 0 ? part.line_number() : 1, test_,
@@ -74,7 +75,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
     if (summary_.empty()) return;
-    const bool alone = tests.test_to_run_count() == 1;  // by ctest: all failures share a table
+    const bool alone = tests.test_to_run_count() == 1;  // ctest runs single tests: all failures share a table
     if (alone && rows_.empty()) return;
     const bool continued = alone && ends_in_table();
     std::ofstream out(summary_, std::ios::app | std::ios::binary);

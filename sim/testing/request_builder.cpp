@@ -30,7 +30,8 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-/// Returns a name unchanged. Writes a text to a file in the folder `scratch`, which it creates if necessary.
+/// Returns the name or path of a map or robot. Writes a text to a file in the folder `scratch`, which it
+/// creates if necessary.
 std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {
@@ -44,15 +45,15 @@ std::string name_of(const std::string& name_or_text, const std::string& file, fs
 
 constexpr std::int64_t kSamplesEvery_ns = 10'000'000;
 
-/// Returns the sketch's name; "." has the folder's name.
+/// Returns the sketch's name. For ".", this is the folder's name.
 std::string title_of(const std::string& sketch, const fs::path& path) {
   const fs::path whole = fs::absolute(path).lexically_normal();
   return launch::is_path(sketch) ? (whole.has_filename() ? whole : whole.parent_path()).stem().string()
                                  : sketch;
 }
 
-/// Applies ROBOSIM_MUTANT="/sketch=/copy", which robosim mutate sets: files of the first folder are read from
-/// the second.
+/// Returns the sketch, or its copy for robosim mutate. That command sets ROBOSIM_MUTANT="/sketch=/copy":
+/// files of the first folder are read from the second.
 std::string in_place_of(const std::string& sketch) {
   const char* words = std::getenv("ROBOSIM_MUTANT");
   const std::string_view mutant = words ? words : "";
@@ -69,12 +70,13 @@ launch::SketchChoice choose_sketch(const Trial& trial) {
   return launch::choose_sketch(in_place_of(trial.sketch));
 }
 
-/// Returns the argument of the robosim command that selects the same choice.
+/// Returns the robosim command's argument that makes this choice.
 std::string word_for(const launch::Choice& choice) {
   return launch::is_path(choice.name) ? choice.path.string() : choice.name;
 }
 
-/// Returns the process's launcher, which compiles each sketch once and then skips even the cache on disk.
+/// Returns the launcher of this process. It compiles each sketch once, and does not even read the cache on
+/// disk again.
 launch::Launcher& launcher() {
   static launch::Launcher launcher;
   return launcher;
@@ -97,7 +99,7 @@ Borrowed::~Borrowed() {
 }
 
 std::string target_of(const Trial& trial) {
-  // "host" is the default of a Trial without a target.
+  // A Trial without a target has "host".
   return launch::choose_target(trial.target == "host" ? "" : trial.target, choose_sketch(trial));
 }
 
@@ -200,7 +202,7 @@ std::vector<ResolvedTrial> resolve_trials(const FleetTrial& trial, ResolvedFleet
     resolved_trial.robot_name = one.request.robot;
     resolved_trial.robot = std::move(one.robot_info);
     resolved_trial.request = run.request;
-    resolved_trial.request.start = named.request.start;  // this robot's start, for true_graph()
+    resolved_trial.request.start = named.request.start;  // start of this robot, for true_graph()
     Trial& alone = all.trials.emplace_back();
     alone.sketch = named.sketch;
     alone.map = fs::path(run.request.map).string();

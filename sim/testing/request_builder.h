@@ -15,7 +15,7 @@
 
 namespace robosim::testing {
 
-/// A runner from a pool, which keeps runners for later tests.
+/// A runner from a pool. The pool keeps it for later tests.
 class Borrowed {
  public:
   explicit Borrowed(const std::string& target);
@@ -24,7 +24,7 @@ class Borrowed {
   Borrowed& operator=(const Borrowed&) = delete;
   client::Runner& operator*() { return *runner_; }
   client::Runner* operator->() { return runner_.get(); }
-  /// It has broken the protocol or died: it is not returned to the pool.
+  /// Marks the runner as broken: it violated the protocol or died. It does not return to the pool.
   void condemn() { sound_ = false; }
 
  private:
@@ -43,32 +43,32 @@ struct Built {
 struct ResolvedTrial {
   wire::RunRequest request;
   wire::RobotInfo robot;
-  std::string sketch, map, robot_name, target;  ///< as the robosim command takes them
+  std::string sketch, map, robot_name, target;  ///< in the form of the robosim command's arguments
   std::vector<std::string> libraries;
   std::string sketch_title;      ///< for messages: "PidFollower"
-  std::optional<Built> counted;  ///< build whose lines are counted, if any; request.counters is set then
+  std::optional<Built> counted;  ///< the build whose lines are counted; implies that request.counters is set
   bool map_is_text = false, robot_is_text = false;
-  std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
+  std::filesystem::path scratch;  ///< folder of the files written for texts; empty = none
 };
 
-/// Returns the target of a finished .elf, else the Trial's.
+/// Returns the target of a finished .elf, or else the Trial's target.
 std::string target_of(const Trial& trial);
-/// Returns the graph of a request's map, as it is reachable from its start.
+/// Returns the part of a request's graph that is reachable from its start.
 Graph graph_of_floor(const wire::RunRequest& request);
-/// Resolves a Trial. Throws as Simulation's constructor does.
+/// Resolves a Trial. Throws the same exceptions as Simulation's constructor.
 ResolvedTrial resolve_trial(const Trial& trial, client::Runner& runner);
 
 /// The resolved names of a FleetTrial.
 struct ResolvedFleetTrial {
-  std::vector<Trial> trials;  ///< of each robot, as if it were alone
+  std::vector<Trial> trials;  ///< each robot as if it were alone
   launch::Fleet fleet;
   launch::ChosenFleet chosen;
   bool map_is_text = false;
-  std::filesystem::path scratch;  ///< folder of files made of texts; empty = none
+  std::filesystem::path scratch;  ///< folder of the files written for texts; empty = none
 };
-/// Resolves a FleetTrial. Throws as Fleet's constructor does.
+/// Resolves a FleetTrial. Throws the same exceptions as Fleet's constructor.
 ResolvedFleetTrial resolve_fleet_trial(const FleetTrial& trial);
-/// Returns each robot's resolved trial; the first one's request is that of the whole run.
+/// Returns each robot's resolved trial. The first one contains the request of the whole run.
 std::vector<ResolvedTrial> resolve_trials(const FleetTrial& trial, ResolvedFleetTrial& all,
                                           client::Runner& runner);
 

@@ -17,7 +17,7 @@ void RunLog::add(Entry entry) {
 
 std::string seconds(std::int64_t ns) {
   std::string text = fmt::format("{:.3f}", static_cast<double>(ns) * 1e-9);
-  // At least two decimals; drop the third if it is 0.
+  // Keeps at least two decimals, and drops the third if it is 0.
   if (text.back() == '0') text.pop_back();
   return text + " s";
 }

@@ -1,4 +1,4 @@
-// The record of a run so far. Drives are windows on it.
+// Records a run so far. Drives are windows on this record.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct RunLog {
     std::string text;
     bool collision = false;  ///< the entry is a collision
   };
-  /// Between two stands.
+  /// The part of a run between two pauses.
   struct Leg {
     std::int64_t begin_ns = 0, end_ns = 0;
     double worst_mm = 0.0;
@@ -26,14 +26,14 @@ struct RunLog {
   };
   struct Said {
     std::int64_t t_ns = 0;
-    std::size_t end = 0;  ///< bytes of `serial` until then
+    std::size_t end = 0;  ///< length of `serial` at that time
   };
 
   Trial trial;
-  std::string name;  ///< of one of several robots; else empty
+  std::string name;  ///< name of one of several robots; else empty
   std::string sketch_name, map_name, robot_name;
   wire::Started started;
-  std::vector<wire::Sample> samples;  ///< every 10 ms and at each stand, each moment once
+  std::vector<wire::Sample> samples;  ///< every 10 ms and at each pause; no moment twice
   std::vector<Leg> legs;
   std::string serial;
   std::vector<Said> said;
@@ -43,13 +43,14 @@ struct RunLog {
   std::optional<wire::RunResult> result;
   std::string replay;                  ///< the command without its duration
   std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
-  mutable bool verdict_asked = false;  ///< the test knows that the run may end
+  mutable bool verdict_asked = false;  ///< the test expects that the run may end
 
-  /// Inserts an entry by its time. Notes of a tick arrive at its end, after the sketch's output in it.
+  /// Inserts an entry at its time. Notes of a tick arrive at the tick's end, after the sketch's output in
+  /// that tick.
   void add(Entry entry);
 };
 
-/// Converts a sample to a test's view of it.
+/// Converts a sample to a Moment for tests.
 Moment moment_of(const RunLog& log, const wire::Sample& sample);
 /// Returns "12.34 s".
 std::string seconds(std::int64_t ns);

@@ -58,7 +58,7 @@ void rerun_and_report(const Trial& trial, const std::function<void(Simulation&)>
         kept.empty() ? "nothing is kept" : "kept: " + kept + ", with the command that replays it");
     try {
       body(robot);
-    } catch (const std::exception& problem) {  // the robot still exists for the report
+    } catch (const std::exception& problem) {  // the robot must still exist for the report
       ADD_FAILURE_AT(file, line) << problem.what();
     }
   } catch (const std::exception& problem) {

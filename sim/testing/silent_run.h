@@ -1,4 +1,4 @@
-// Runs whose failures are not reported: a search tries many, and reports one.
+// Runs tests without reporting their failures: a search tries many runs, and reports only one.
 #pragma once
 
 #include <functional>
@@ -8,15 +8,14 @@
 
 namespace robosim::testing {
 
-/// Returns whether a silent run is in progress: its runs save no files and record no values.
+/// Returns whether a silent run is in progress. Silent runs save no files and record no values.
 bool is_silent_run();
 
-/// Returns whether the body fails, or throws, in such a run; reports nothing. Throws InputError or
-/// ToolMissing if there was no run: the sketch does not compile, or the trial names something that does not
-/// exist.
+/// Runs `body` silently, and returns whether it fails or throws. Throws InputError or ToolMissing if no run
+/// took place: the sketch does not compile, or the trial names something that does not exist.
 bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body);
 
-/// Runs the body with its failures reported: they fail the test, with `why` below them.
+/// Runs `body` and reports its failures: they fail the test, followed by `why`.
 void rerun_and_report(const Trial& trial, const std::function<void(Simulation&)>& body,
                       const std::string& why, const char* file, int line);
 

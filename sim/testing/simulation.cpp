@@ -98,7 +98,7 @@ void Simulation::act(const std::string& line, const char* file, int at) {
   try {
     impl_->shared->run->act(line, impl_->number);
   } catch (const InputError& error) {
-    // Remove the place "script:1: ", since the script has only this line.
+    // Removes the place "script:1: ", because the script has only this line.
     constexpr std::string_view kOnlyLine = "1: ";
     std::string message = error.message();
     const std::size_t place = message.find(kOnlyLine);

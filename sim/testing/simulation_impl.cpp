@@ -98,7 +98,7 @@ void Simulation::Impl::note_leg(std::int64_t begin_ns, Spot spot) {
   RunLog::Leg leg;
   leg.begin_ns = begin_ns;
   if (shared->over()) {
-    log->result = shared->result(number);  // replaces the early verdict by the full result
+    log->result = shared->result(number);  // the full result replaces the early verdict
     if (had_verdict) return;
     ended = spot;
     leg.end_ns = std::max<std::int64_t>(leg.begin_ns, std::llround(log->result->time_s * 1e3) * 1'000'000);

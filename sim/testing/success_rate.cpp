@@ -61,7 +61,7 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
   }();
   const Cleaner cleaner{resolved_trial};
   resolved_trial.request.samples_every_ns = 0;
-  resolved_trial.request.counters.clear();  // these runs do not count for coverage
+  resolved_trial.request.counters.clear();  // these runs are not counted for coverage
   resolved_trial.request.serial = resolved_trial.request.notes = false;
 
   analysis::Tally tally(static_cast<std::int64_t>(seeds.size()), demand);

@@ -107,7 +107,7 @@ class Tree {
     if (!is_junction) return;
     Open deeper{{}, 0, indent + (last ? "   " : utf8_ ? "│  " : "|  ")};
     const auto& arms = junction(graph_, arm.id).arms;
-    for (std::size_t i = 1; i < arms.size(); ++i)  // clockwise from the entry
+    for (std::size_t i = 1; i < arms.size(); ++i)  // counter-clockwise: rightmost arm first
       deeper.arms.push_back(arms[(static_cast<std::size_t>(arm.slot) + i) % arms.size()]);
     open_.push_back(std::move(deeper));
   }

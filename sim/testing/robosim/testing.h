@@ -1,4 +1,4 @@
-// Tests of line-follower firmware that read like the requirement: docs/howto/testing.md.
+// Provides tests of line-follower firmware that read like requirements: docs/howto/testing.md.
 //
 //   #include <robosim/testing.h>
 //   using namespace robosim::testing;
@@ -8,7 +8,7 @@
 //     EXPECT_THAT(robot.run_to_the_end(), AllOf(Reaches("laps:1"), Follows(line(), within(20_mm))));
 //   }
 //
-// Time is simulated: no test waits, and each gives the same result on every run.
+// Time is simulated: no test waits, and each test gives the same result on every run.
 #pragma once
 
 #include "robosim/testing/drive.h"

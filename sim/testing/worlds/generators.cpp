@@ -22,7 +22,7 @@ namespace {
 
 using namespace worlds;
 
-/// Returns a generator of things that can shrink by themselves; `draw(die, size)` draws one.
+/// Returns a generator of objects that can shrink themselves. `draw(rng, size)` draws one object.
 template <typename Thing, typename Draw>
 rc::Gen<Thing> drawn(Draw draw) {
   return [draw](const rc::Random& seed, int size) {

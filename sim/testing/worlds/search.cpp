@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/Random.h>
 #include <rapidcheck/detail/Configuration.h>
-#include <rapidcheck/seq/Transform.h>  // the next header needs it and does not include it
+#include <rapidcheck/seq/Transform.h>  // the next header needs this one but does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 namespace robosim::testing {
 namespace {
 
-constexpr int kMostTries = 1'000;  // smaller worlds to try, each of which takes a run
+constexpr int kMostTries = 1'000;  // maximum number of smaller worlds to try; each takes a run
 
 /// Returns a text that identifies a world within a search.
 std::string contents(const Trial& trial) {

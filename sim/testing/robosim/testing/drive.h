@@ -1,4 +1,4 @@
-// A stretch of a run, between two moments. Matchers check it.
+// Represents a stretch of a run, between two moments. Matchers check it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 
 namespace robosim::testing {
 
-/// The robot's pose. World coordinates: x east, y north from the map's bottom-left corner, of the axle's
-/// centre; yaw counter-clockwise from east. Columns and rows count from 0 at the map's top left.
+/// The robot's pose. x (east) and y (north) are those of the axle's centre, from the map's bottom-left
+/// corner. yaw is counter-clockwise from east. Columns and rows count from 0 at the map's top left.
 struct Pose {
   double x_mm = 0.0;
   double y_mm = 0.0;
@@ -24,12 +24,12 @@ struct Pose {
   int row = 0;
 };
 
-/// The robot at a moment; one is recorded every 10 ms.
+/// The robot's state at a moment. A moment is recorded every 10 ms.
 struct Moment {
   Duration t{};
   Pose pose;
   Speed speed;            ///< forward
-  Length cross_track;     ///< midpoint of the line sensors to the nearest centre line
+  Length cross_track;     ///< distance from the midpoint of the line sensors to the nearest centre line
   double left = 0.0;      ///< motor command, -1..1
   double right = 0.0;     ///< motor command, -1..1
   bool off_line = false;  ///< no line sensor sees any line
@@ -37,24 +37,24 @@ struct Moment {
   std::vector<double> readings;
 };
 
-/// The resources of the chip that firmware uses.
+/// The chip's resources that the firmware uses.
 struct Usage {
   std::int64_t flash_bytes = 0;
   std::int64_t ram_bytes = 0;    ///< variables
-  std::int64_t stack_bytes = 0;  ///< at most, interrupt handlers included
-  Duration longest_loop{};       ///< 0 = not known
+  std::int64_t stack_bytes = 0;  ///< maximum, including interrupt handlers
+  Duration longest_loop{};       ///< 0 = unknown
 };
 
-/// A run's score by the rules of a goal such as "robotrace".
+/// A run's score under the rules of a goal such as "robotrace".
 struct Score {
   /// One item of the score: "gap", 3 times, 30 points in all.
   struct Part {
     std::string what;
     int count = 0;
-    double value = 0.0;  ///< of all of them together
+    double value = 0.0;  ///< sum over the count
   };
   double value = 0.0;
-  std::string unit;  ///< "s", of which less is better, or "points"
+  std::string unit;  ///< "s" (less is better) or "points"
   std::vector<Part> parts;
 };
 
@@ -67,32 +67,34 @@ class Drive {
   Duration begin() const { return begin_; }
   Duration end() const { return end_; }
 
-  /// Returns whether the awaited event has occurred; true if it was run for a time and did not end early.
+  /// Returns whether the awaited event has occurred. After run_for(), returns true unless the run ended
+  /// early.
   bool arrived() const { return complaint_.empty(); }
   explicit operator bool() const { return arrived(); }
-  /// Converts for ASSERT_TRUE and EXPECT_TRUE, with the reason.
+  /// Converts for ASSERT_TRUE and EXPECT_TRUE. Includes the reason for a failure.
   operator ::testing::AssertionResult() const;  // NOLINT(google-explicit-constructor)
 
-  /// Returns what the sketch has sent during it.
+  /// Returns what the sketch has sent during this drive.
   std::string serial() const;
-  /// Returns its moments, in order of time; the first is the one with which it began.
+  /// Returns the drive's moments, in order of time. The first is its beginning.
   std::vector<Moment> moments() const;
-  /// Returns stations in the order of arrival; one that it left and came back to is there twice.
+  /// Returns the stations in the order of arrival. A station that the robot left and visited again is listed
+  /// twice.
   std::vector<std::string> stations() const;
-  /// Returns when and where it was farthest from the line.
+  /// Returns when and where the robot was farthest from the line.
   Moment worst() const;
   Length distance() const;
   int collisions() const;
-  /// Returns "lost", "reached", … if the run ended with it; else "".
+  /// Returns the verdict with which the run ended: "lost", "reached", …; else "".
   std::string verdict() const;
-  /// Returns one sentence about the verdict, if the run ended.
+  /// Returns one sentence about the verdict if the run has ended.
   std::string why() const;
-  /// Returns the score of a competition, if the run ended and there is one; docs/reference/courses.md.
+  /// Returns the score of a competition if the run has ended and has one; docs/reference/courses.md.
   std::optional<Score> score() const;
-  /// Returns the usage until now, on a chip.
+  /// Returns the resources used until now. Available only on a chip.
   std::optional<Usage> usage() const;
 
-  /// Returns lines for messages: the last events before `until`, the robot's place at the end, and the
+  /// Returns lines for messages: the last events before `until`, the robot's position at the end, and the
   /// command that replays the run.
   std::string epilogue(Duration until) const;
   /// Returns "PidFollower on oval, seed 3, host, from 0 s to 20 s".

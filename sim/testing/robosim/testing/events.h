@@ -1,4 +1,5 @@
-// Events that end a stretch of a run: ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(5_s))).
+// Defines events that end a stretch of a run: ASSERT_TRUE(robot.run_until(serial_says("Ready"),
+// within(5_s))).
 #pragma once
 
 #include <cstdint>
@@ -9,21 +10,21 @@
 
 namespace robosim::testing {
 
-/// An event; a || b is whichever comes first. Events are checked every millisecond.
+/// An event. a || b occurs when either of them occurs. Events are checked every millisecond.
 class Event {
  public:
   enum class Kind { serial, line, note, event, visited, at, reading, pin, motors, rest, end };
   struct One {
     Kind kind;
     std::string text;    ///< text, regular expression, note, kind of event, station, part, pin, or verdict
-    bool level = true;   ///< of reading, pin, motors
-    Duration time{};     ///< of rest
+    bool level = true;   ///< for reading, pin, motors
+    Duration time{};     ///< for rest
     std::string clause;  ///< for messages: `the sketch says "Ready"`
   };
 
   explicit Event(One one) : any_{std::move(one)} {}
   const std::vector<One>& any() const { return any_; }
-  /// Returns "the sketch says "Ready", or the LED is on".
+  /// Returns a text such as "the sketch says "Ready", or the LED is on".
   std::string clause() const;
 
   friend Event operator||(Event a, const Event& b) {
@@ -35,31 +36,33 @@ class Event {
   std::vector<One> any_;
 };
 
-/// Occurs when the sketch has sent this text. It searches after the last such event or action (press,
+/// Occurs when the sketch has sent this text. The search begins after the last such event or action (press,
 /// send, …), so that the answer to a question is found after the question.
 Event serial_says(const std::string& text);
-/// Occurs when part of a whole line sent since then, without its end, matches this regular expression
-/// (ECMAScript's).
+/// Occurs when this regular expression (ECMAScript's) matches part of a whole line, without the line end. The
+/// search begins as for serial_says().
 Event serial_matches(const std::string& regex);
-/// Occurs when a display shows a text that begins so, its lines joined by "|". Also occurs when a Bluetooth
-/// module has received such a line.
+/// Occurs when a display shows a text with this beginning, its lines joined by "|". Also occurs when a
+/// Bluetooth module has received a line with this beginning.
 Event tells(const std::string& part, const std::string& text);
-/// Occurs when the body has covered a station's centre at least once since the start. By number or name.
+/// Occurs when the body has covered the station's centre at least once since the start. `station` is a number
+/// or a name.
 Event visits(const std::string& station);
 Event visits(int station);
 /// Occurs while the body covers a station's centre.
 Event is_at(const std::string& station);
 Event is_at(int station);
-/// Occur when an LED, or another part that people can see or touch, is on or off.
+/// The next two events occur when an LED, or another part that people can see or touch, is on or off.
 Event turns_on(const std::string& part);
 Event turns_off(const std::string& part);
-/// Occur when the firmware drives a pin ("D13", "A5") high, or with PWM; or low. However briefly.
+/// The next two events occur when the firmware drives a pin ("D13", "A5") high or with PWM, or low, even
+/// briefly.
 Event pin_goes_high(const std::string& pin);
 Event pin_goes_low(const std::string& pin);
-/// Occur when a motor is commanded, or none is.
+/// The next two events occur when a motor is commanded, or no motor is.
 Event motors_start();
 Event motors_stop();
-/// Occurs when no wheel has turned for that duration.
+/// Occurs when no wheel has turned for this duration.
 Event stands_still(Duration time = 500_ms);
 /// Occurs when the robot has hit a wall, an obstacle or the map's edge.
 Event collides();

@@ -1,4 +1,4 @@
-// Several robots on one map, driven step by step: docs/howto/testing.md.
+// Runs several robots on one map, driven step by step: docs/howto/testing.md.
 //
 //   Fleet both({.robots = {{.name = "A", .sketch = "MyFollower", .goal = "laps:1"},
 //                          {.name = "B", .sketch = "MyFollower", .target = "avr", .start = "20,2,W"}},
@@ -19,7 +19,7 @@
 
 namespace robosim::testing {
 
-/// One robot, with members as in a Trial. Only name and sketch have no default.
+/// One robot. The members are those of a Trial. Only name and sketch have no default.
 struct FleetMember {
   std::string name;  ///< letters, digits, _ and -
   std::string sketch;
@@ -32,7 +32,7 @@ struct FleetMember {
   std::vector<std::string> libraries;
 };
 
-/// The robots to run, or a file with them.
+/// The robots to run, or a file that lists them.
 struct FleetTrial {
   std::vector<FleetMember> robots;  ///< in the order of their numbers
   std::string file;                 ///< a file with [[agent]] tables: docs/howto/fleets.md
@@ -45,36 +45,37 @@ struct FleetTrial {
 
 class Fleet {
  public:
-  /// Compiles the sketches and puts the robots on the map; time is 0. Throws as Simulation does, with the
-  /// robot's name.
+  /// Compiles the sketches and puts the robots on the map at time 0. Throws the same exceptions as
+  /// Simulation, with the robot's name.
   explicit Fleet(FleetTrial trial);
-  /// Ends the run. Failures and saved files are as for a Simulation.
+  /// Ends the run. Reports failures and saves files as Simulation does.
   ~Fleet();
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
 
-  /// Returns the Simulation of this robot. All robots share one time: running one runs the others, too.
+  /// Returns the Simulation of this robot. All robots share one time: running one robot runs the others, too.
   /// Throws for an unknown name.
   Simulation& robot(const std::string& name);
   const std::vector<std::string>& names() const { return names_; }
 
   void run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
-  /// Runs to each robot's verdict.
+  /// Runs until all robots have their verdicts.
   void run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
-  /// Returns whether each robot has its verdict.
+  /// Returns whether all robots have their verdicts.
   bool over() const;
-  /// Returns the verdicts in the robots' order; "" for a robot without one.
+  /// Returns the verdicts in the order of the robots; "" for a robot without a verdict.
   std::vector<std::string> verdicts() const;
-  /// Returns success if all robots have reached their goals, for EXPECT_TRUE; else which have not, and why.
+  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the others,
+  /// with the reasons.
   ::testing::AssertionResult all_reached() const;
-  /// Returns the command that reproduces this run until now; its files exist if the test fails.
+  /// Returns the command that reproduces this run until now. Its files exist if the test fails.
   std::string replay_command() const;
 
  private:
   struct Impl;
   std::vector<std::string> names_;
-  std::filesystem::path scratch_;  ///< folder with the files of texts, such as a map
+  std::filesystem::path scratch_;  ///< folder of the files written for texts, such as a map
   std::vector<std::unique_ptr<Simulation>> robots_;
   std::unique_ptr<Impl> impl_;
 };

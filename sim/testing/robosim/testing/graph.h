@@ -1,4 +1,4 @@
-// A floor's network of lines as a graph, to compare what firmware has explored with the truth.
+// Represents a floor's network of lines as a graph, to compare what firmware has explored with the truth.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -9,17 +9,17 @@
 
 namespace robosim::testing {
 
-/// Stations (one arm, or none if it stands alone) and junctions (three or four), in any numbering.
+/// Stations (one arm, or none if isolated) and junctions (three or four arms), in any numbering.
 struct Graph {
   /// The other end of a line.
   struct End {
     int node = kBlocked;  ///< index into `nodes`
-    int arm = 0;          ///< index of the node's arm that this line is
+    int arm = 0;          ///< index of this line's arm at that node
   };
   static constexpr int kBlocked = -1;  ///< an obstacle is on the line
 
   struct Node {
-    std::vector<End> arms;  ///< in counter-clockwise order; any of them may be first
+    std::vector<End> arms;  ///< in counter-clockwise order, starting with any arm
   };
   std::vector<Node> nodes;
 
@@ -27,10 +27,11 @@ struct Graph {
   int junctions() const;
 };
 
-/// Returns "" if the graphs are equal except for the numbers of nodes and the order of arms; else a sentence.
+/// Returns "" if the graphs are equal except for the numbers of nodes and the first arms. Otherwise returns a
+/// sentence.
 std::string difference(const Graph& truth, const Graph& found);
 
-/// Matches an equal graph: EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph()))
+/// Matches an equal graph: EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph())).
 class IsTheSameGraphAs {
  public:
   explicit IsTheSameGraphAs(Graph truth) : truth_(std::move(truth)) {}

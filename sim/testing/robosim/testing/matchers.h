@@ -1,8 +1,8 @@
-// Matchers for drives: EXPECT_THAT(robot.run_for(20_s), Follows(line(), within(15_mm))).
+// Defines matchers for drives: EXPECT_THAT(robot.run_for(20_s), Follows(line(), within(15_mm))).
 //
-// Each accepts a Drive or a whole Simulation (everything so far), and combines with Not(), AllOf() and
-// AnyOf(). A failure prints what happened, when and where, what happened before, and the command that replays
-// it.
+// Each matcher accepts a Drive or a whole Simulation (everything so far), and combines with Not(), AllOf()
+// and AnyOf(). A failure prints the finding with its time and place, the events before it, and the command
+// that replays the run.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -24,18 +24,19 @@ using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::Not;
 
-/// A requirement on a drive: a sentence, and the check of what is wrong.
+/// A requirement on a drive: a sentence, and a check.
 class Requirement {
  public:
   /// The result of a check.
   struct Finding {
     bool holds = true;
-    std::string sentence;  ///< what was found, either way; may be empty if it holds
-    Duration when{};       ///< of what was found
+    std::string sentence;  ///< the finding, in either case; may be empty if the requirement holds
+    Duration when{};       ///< time of the finding
   };
   using Look = std::function<Finding(const Drive&)>;
 
-  /// Makes a requirement; `holds` and `fails` as in "follows the line within 15 mm", "does not follow …".
+  /// Makes a requirement. `holds` and `fails` are clauses: "follows the line within 15 mm", "does not follow
+  /// …".
   Requirement(std::string holds, std::string fails, Look look)
       : holds_(std::move(holds)), fails_(std::move(fails)), look_(std::move(look)) {}
 
@@ -56,47 +57,48 @@ class Requirement {
 struct Line {};
 inline Line line() { return {}; }
 
-/// Requires that it drove. In every millisecond, the midpoint of its line sensors must have been within this
-/// distance of the nearest centre line.
+/// Requires that the robot drove, and that the midpoint of its line sensors stayed near the line. In every
+/// millisecond, the midpoint must be within this distance of the nearest centre line.
 Requirement Follows(Line, Within<Length> within);
 
-/// Requires that it came to all these stations, in any order.
+/// Requires that the robot visited all these stations, in any order.
 Requirement Visits(std::initializer_list<int> stations);
 Requirement Visits(std::vector<std::string> stations);
-/// Requires that it came to exactly these stations, in this order. Leaving one and returning counts twice.
-/// The station at which the drive began counts only if it returns.
+/// Requires that the robot visited exactly these stations, in this order. Leaving a station and returning
+/// counts twice. The station at which the drive began counts only if the robot returns.
 Requirement VisitsInOrder(std::initializer_list<int> stations);
 
-/// Requires that after this time, or this distance, from the drive's beginning, no wheel turns until its end.
+/// Require that no wheel turns from this time, or this distance, after the drive's beginning until its end.
 Requirement StopsWithin(Duration time);
 Requirement StopsWithin(Length way);
 
-/// An activity of a robot at a moment.
+/// An activity of a robot at one moment.
 struct Doing {
   std::string clause;  ///< "backwards"
   std::function<bool(const Moment& before, const Moment& now)> is;
 };
 Doing at_all();        ///< a motor is commanded
 Doing backwards();     ///< faster than 5 mm/s
-Doing off_the_line();  ///< no line sensor sees it
+Doing off_the_line();  ///< no line sensor sees the line
 Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
-/// Requires that it never drives while this holds, at samples every 10 ms.
+/// Requires that the robot never drives while `what` is true. Checks samples every 10 ms.
 Requirement NeverDrives(Doing what);
 /// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();
 
-/// Require that the sketch has sent this text, or a line that this regular expression matches in part.
+/// The next two require that the sketch has sent this text, or a line that the regular expression matches in
+/// part.
 Requirement SerialSays(std::string text);
 Requirement SerialMatches(std::string regex);
 
-/// Requires that the run ended by itself, with the goal reached. `goal` as in Trial.
+/// Requires that the run ended by itself and reached the goal. `goal` is as in Trial.
 Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// Require that the run ended with a competition score of at least, or at most, this value: seconds or
-/// points.
+/// The next two require that the run ended with a score of at least, or at most, `value`:
+/// seconds or points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 
@@ -109,8 +111,8 @@ constexpr Limit flash(std::int64_t bytes) { return {Limit::Of::flash, bytes}; }
 constexpr Limit ram(std::int64_t bytes) { return {Limit::Of::ram, bytes}; }  ///< variables
 constexpr Limit stack(std::int64_t bytes) { return {Limit::Of::stack, bytes}; }
 constexpr Limit loop_time(Duration most) { return {Limit::Of::loop_time, most.count()}; }
-/// Requires limits from power-on to the drive's end. On chips only: on the host these values are unknown, and
-/// it fails.
+/// Requires limits from power-on to the drive's end. Only for chips: on the host the values are unknown, and
+/// the requirement fails.
 Requirement UsesAtMost(std::initializer_list<Limit> limits);
 template <typename... Limits>
 Requirement UsesAtMost(Limit first, Limits... more) {

@@ -1,4 +1,4 @@
-// Values for TEST_P: INSTANTIATE_TEST_SUITE_P(On, MyTest, AllTargets(), Named());
+// Provides values for TEST_P: INSTANTIATE_TEST_SUITE_P(On, MyTest, AllTargets(), Named());
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 
 namespace robosim::testing {
 
-/// Returns the names of all targets, "host" first; ROBOSIM_TARGETS="host" selects some of them.
+/// Returns the names of all targets, "host" first. ROBOSIM_TARGETS="host" selects some of them.
 std::vector<std::string> target_names();
 inline auto AllTargets() { return ::testing::ValuesIn(target_names()); }
 
-/// Returns seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N sets their number, from `first` on.
+/// Returns seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N overrides the number of seeds.
 std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last);
 /// Returns seeds from 1 to `count`.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count) { return seeds(1, count); }
@@ -25,13 +25,13 @@ auto Targets(Names... names) {
   return ::testing::ValuesIn(std::vector<std::string>{names...});
 }
 
-/// Returns values for maps by name or path.
+/// Returns values for these maps, given by name or path.
 template <typename... Names>
 auto Maps(Names... names) {
   return ::testing::ValuesIn(std::vector<std::string>{names...});
 }
 
-/// Returns a name for the test, made of its parameter: letters, digits and _.
+/// Returns the test's name for a parameter value: letters, digits and _.
 std::string word_of(const std::string& value);
 inline std::string word_of(std::uint64_t value) { return std::to_string(value); }
 

@@ -1,4 +1,4 @@
-// Repeats a test with a power failure at every possible place.
+// Repeats a test with a power failure at every write to the EEPROM.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,10 @@
 
 namespace robosim::testing {
 
-/// Runs `body`, which drives the robot and has expectations as any test, first without a power cut. Then
-/// repeats the run for each byte that the sketch wrote to its EEPROM. The power is off for 20 ms in the
-/// middle of that write. Each repetition is made with three contents of the byte: the old one, erased (0xFF),
-/// and the new one.
+/// Runs `body` first without a power cut. `body` drives the robot and contains expectations like any test.
+/// Then repeats the run for each byte that the sketch wrote to its EEPROM. The power is off for 20 ms in the
+/// middle of that write. Each repetition runs with three contents of the byte: the old value, erased (0xFF),
+/// and the new value.
 ///
 /// The expectations of `body` must hold with and without a cut. Ends after the first run that fails. The
 /// message names the write, and the command that replays the run.

@@ -1,4 +1,4 @@
-// Times, lengths and speeds with their units: 2_s, 1.5_s, 100_ms, 15_mm, 0.4_m_per_s.
+// Defines times, lengths and speeds with their units: 2_s, 1.5_s, 100_ms, 15_mm, 0.4_m_per_s.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ struct Speed {
 
 constexpr Length mm(double value) { return {value}; }
 
-/// A limit of a duration or a distance.
+/// An upper limit of a duration or a distance.
 template <typename Quantity>
 struct Within {
   Quantity most;

@@ -1,4 +1,4 @@
-// A test fixture with one robot.
+// Defines a test fixture with one robot.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// One robot with one sketch on one map, driven step by step.
+// Simulates one robot with one sketch on one map, driven step by step.
 #pragma once
 
 #include <cstdint>
@@ -16,53 +16,54 @@ namespace robosim::testing {
 
 /// The run to simulate. Only the sketch has no default. Paths are relative to the current folder.
 struct Trial {
-  std::string sketch;  ///< a folder, an .ino, one of Robosim's by name, or a finished .elf
-  std::string map;     ///< name, path, or the map itself (several lines); "" = the only one beside the
-                       ///< sketch, else oval
-  std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml beside the sketch, else uno5
-                       ///< (on stm32 bluepill5)
+  std::string sketch;  ///< a folder, an .ino, the name of one of Robosim's sketches, or a finished .elf
+  std::string map;     ///< name, path, or the map itself (several lines); "" = the only map next to
+                       ///< the sketch, else oval
+  std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml next to the sketch, else
+                       ///< uno5 (on stm32 bluepill5)
   std::string target = "host";
   std::uint64_t seed = 1;
   std::string profile = "typical";         ///< or "ideal": no noise, no spread
-  std::string start;                       ///< "X,Y,DIR"; "" = the map's
-  std::string goal = "none";               ///< where the run ends by itself; docs/reference/verdicts.md
-  std::string script;                      ///< a scenario, from the beginning on
-  Duration limit = std::chrono::hours(1);  ///< the run ends here, whatever happens
-  Duration clock_start{};                  ///< what millis() begins with; chip targets only
+  std::string start;                       ///< "X,Y,DIR"; "" = the map's start
+  std::string goal = "none";               ///< the goal that ends the run; docs/reference/verdicts.md
+  std::string script;                      ///< a scenario, from the beginning of the run
+  Duration limit = std::chrono::hours(1);  ///< the run ends here at the latest
+  Duration clock_start{};                  ///< initial value of millis(); chip targets only
   std::vector<std::string> libraries;      ///< folders of further Arduino libraries
-  bool detect = true;                      ///< what a detector sees fails the test: docs/howto/sanitizers.md
+  bool detect = true;                      ///< a detector's finding fails the test: docs/howto/sanitizers.md
 };
 
 class Simulation {
  public:
-  /// Compiles the sketch and puts the robot on the map; time is 0. Throws std::exception with a sentence if
+  /// Compiles the sketch and puts the robot on the map at time 0. Throws std::exception with a sentence if
   /// that is impossible: a wrong name, a sketch that does not compile, a missing tool.
   explicit Simulation(Trial trial);
-  /// Ends the run. If the test has failed, saves what is needed to understand it (docs/howto/testing.md).
+  /// Ends the run. If the test has failed, saves files that help to understand the failure
+  /// (docs/howto/testing.md).
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // Time. A run that is lost, stuck, hung, over budget or crashed fails the test at once. A test that waits
-  // for exactly that by ends() does not fail.
+  // The next functions advance the time. A run that is lost, stuck, hung, over budget or crashed fails the
+  // test at once. A test that waits for this verdict with ends() does not fail.
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
-  /// Runs to the verdict: the goal is reached, the limit is reached, or it fails.
+  /// Runs to the verdict: the goal or the limit is reached, or the run fails.
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // Actions; they happen now. Parts have the names of the robot file. Unknown names throw InputError with the
-  // place of the call, which `file` and `at` are.
+  // The next functions act immediately. Parts have the names of the robot file. Unknown names throw
+  // InputError with the place of the call, `file` and `at`.
   void press(const std::string& button, Duration time = 100_ms, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
   void hold(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
   void release(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
-  /// Sends a text to the sketch's Serial.
+  /// Sends a text to the sketch over Serial.
   void send(const std::string& text, const char* file = __builtin_FILE(), int at = __builtin_LINE());
   void cover(const std::string& sensor, Duration time, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
-  /// Puts the robot down; facing 'N', 'E', 'S' or 'W'.
+  /// Puts the robot down, facing 'N', 'E', 'S' or 'W'.
   void place(int column, int row, char facing, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
   /// Lifts the robot and puts it down in place, facing the opposite direction (the nearest of N, E, S and W).
@@ -71,7 +72,7 @@ class Simulation {
   /// Executes a line of the scenario language, without its time: "fault S2 stuck 1023".
   void act(const std::string& line, const char* file = __builtin_FILE(), int at = __builtin_LINE());
 
-  // Returns the present state.
+  // The next functions return the present state.
   Moment moment() const;
   Pose pose() const { return moment().pose; }
   /// Returns whether an LED or a button is on.
@@ -80,15 +81,15 @@ class Simulation {
                  int at = __builtin_LINE()) const;
   std::string station() const { return moment().station; }
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
-  std::string serial() const;                         ///< all that the sketch has sent
-  std::vector<std::uint8_t> eeprom() const;           ///< returns the whole EEPROM of the board
-  /// Returns the network of lines that the robot can reach from its start: what an explorer must find.
+  std::string serial() const;                         ///< everything that the sketch has sent
+  std::vector<std::uint8_t> eeprom() const;           ///< the board's whole EEPROM
+  /// Returns the network of lines that the robot can reach from its start, which an explorer must find.
   Graph true_graph() const;
   bool over() const;
-  std::string verdict() const;  ///< "" until it is over
+  std::string verdict() const;  ///< "" until the run is over
   bool on_chip() const { return trial_.target != "host"; }
 
-  /// Returns everything so far.
+  /// Returns the whole run so far as a Drive.
   Drive so_far() const;
   operator Drive() const { return so_far(); }  // NOLINT(google-explicit-constructor)
 
@@ -113,15 +114,15 @@ class Simulation {
 
 void PrintTo(const Simulation& simulation, std::ostream* out);
 
-/// Returns why a target cannot run: the missing tool and its remedy; "" if nothing is missing.
+/// Returns why a target cannot run: the missing tool and the remedy. Returns "" if nothing is missing.
 std::string what_lacks(const std::string& target);
-/// Returns whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+/// Returns whether the environment variable ROBOSIM_REQUIRE, such as "host,avr", names the target.
 bool is_required(const std::string& target);
 
 }  // namespace robosim::testing
 
-/// Ends the test, or SetUp, if a tool of the target is missing. The test is skipped with the remedy, or fails
-/// if ROBOSIM_REQUIRE names the target.
+/// Ends the test, or SetUp, if a tool of the target is missing. Skips the test with the remedy, or fails if
+/// ROBOSIM_REQUIRE names the target.
 #define ROBOSIM_SKIP_WITHOUT(target)                                          \
   do {                                                                        \
     const std::string robosim_lacks = ::robosim::testing::what_lacks(target); \

@@ -1,4 +1,4 @@
-// Success rates: many runs that differ only in their seed.
+// Measures success rates: many runs that differ only in their seed.
 //
 //   const Trial laps{.sketch = "MyFollower", .map = "oval", .goal = "laps:2"};
 //   EXPECT_SUCCESS_RATE(laps, at_least(0.99), seeds(1000));
@@ -14,25 +14,25 @@
 
 namespace robosim::testing {
 
-/// The share of the runs that must succeed; a bare number means at_least().
+/// The share of the runs that must succeed. A plain number means at_least().
 struct MinimumRate {
   constexpr MinimumRate(double least, bool surely = false)  // NOLINT(google-explicit-constructor)
       : rate(least), sure(surely) {}
   double rate;
   bool sure;
 };
-/// Requires this share of exactly these seeds.
+/// Requires this share among exactly these seeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
-/// Requires these seeds to show, at 95 % confidence, this rate for all seeds: the lower end of Wilson's
-/// interval counts. It takes more runs: 381 without a failure for 0.99.
+/// Requires that these seeds show this rate for all seeds, at 95 % confidence. The lower end of Wilson's
+/// interval counts. This needs more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
-/// Runs a trial with each of the seeds to its verdict. Passes if at least this share of the runs reaches
-/// its goal. Stops as soon as the result is certain. A failure prints which seeds failed and how, the
-/// interval of the true rate (Wilson's, 95 %), and the command that replays the first one.
+/// Runs a trial to its verdict with each of the seeds. Passes if at least this share of the runs reaches the
+/// goal. Stops as soon as the result is certain. A failure prints the failed seeds and the reasons, the
+/// interval of the true rate (Wilson's, 95 %), and the first failure's replay command.
 ///
-/// ROBOSIM_JOBS=N runs N at a time (default: the number of processors); the result is the same. Throws as
-/// Simulation does, and for a rate that these seeds are too few to show.
+/// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors); the result is the same. Throws
+/// the same exceptions as Simulation, and InputError if these seeds are too few to show the rate.
 ::testing::AssertionResult success_rate(const Trial& trial, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds);
 
