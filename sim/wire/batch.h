@@ -8,7 +8,7 @@
 //   't'  base of the next event's time, in nanoseconds (eight bytes); robot, pin and the rest are 0
 //   'n'  a pin's name, of length `other`; precedes the pin's first event in each batch
 //   's'  a sample; the number is the count of readings. Then t_us (eight bytes), and as doubles x, y, yaw,
-//        speed, cross_track, left, right, the wheels' two, and the readings. If `other` is 1, sine and cosine
+//        speed, cross_track, left, right, both wheels, and the readings. If `other` is 1, sine and cosine
 //        of the yaw replace the yaw
 //   'p'  a pin; `other` is 0 input, 1 input_pullup or 2 output, plus 4 high, 8 PWM, 16 tone, 32 source. Then
 //        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
@@ -54,7 +54,7 @@ struct BatchMemory {
 class BatchWriter {
  public:
   static constexpr std::size_t kMostName = 255;
-  /// While the used size is at most this, at least one more event fits.
+  /// Largest used size at which at least one more event fits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
   static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of 'p', besides the mode

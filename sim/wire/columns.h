@@ -38,7 +38,7 @@ void fields(V& v, Same<V, ColumnSpec>& c) {
   v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
 }
 
-/// The rows of one stream since the previous Rows of it.
+/// The rows of one stream that follow those in its previous Rows.
 struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
   std::int64_t count = 0;           ///< number of rows
@@ -85,7 +85,7 @@ class Column {
   std::string_view bytes() const { return {buffer_.data(), used_}; }
   /// Clears the bytes, but not the last number.
   void clear() { used_ = 0; }
-  /// Adds `count` values: the first is at `first`, and each next value is `step` further.
+  /// Adds `count` values. The first is at `first`, and the others follow at distances of `step`.
   void add(const double* first, std::size_t step, std::size_t count);
 
  private:
@@ -102,7 +102,7 @@ class Column {
 class ColumnReader {
  public:
   explicit ColumnReader(int order) : order_(order) {}
-  /// Returns the next `count` integers; nothing if the bytes contain another number of integers.
+  /// Returns the next `count` integers; nothing if the bytes contain a different number of integers.
   std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
 
  private:

@@ -1,4 +1,4 @@
-// Messages for driving a run step by step: the client's requests during a pause, and the answers.
+// Defines the messages that drive a run step by step: the client's requests during a pause, and the answers.
 #pragma once
 
 #include <cstdint>
@@ -145,7 +145,7 @@ struct Paused {
   static constexpr const char* kKey = "paused";
   std::int64_t t_ns = 0;
   Sample sample;
-  int stop = -1;  ///< index of the stop that ended the wait; -1 = none
+  int stop = -1;  ///< index of the condition that paused the run; -1 = none
   Worst worst;    ///< since the last resume
   bool powered = true;
   bool driven = false;           ///< a motor is commanded

@@ -9,8 +9,8 @@
 //   }
 //
 // fields() calls the visitor V for each key in the order of writing. The visitor in json_writer.h writes
-// JSON. Those in json_reader.h and tables.cpp read and check JSON, and make the tables in docs/. This file
-// does not depend on JSON, so a struct and its description cost little to include.
+// JSON. The one in json_reader.h reads and checks JSON. The one in tables.cpp makes the tables in docs/. This
+// file does not depend on JSON, so a struct and its description cost little to include.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ struct Presence {
   bool written = true;
 };
 inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader
-/// Written on this condition; optional for a reader.
+/// Returns the presence of a key that is written if `written` is true, and optional for a reader.
 constexpr Presence when(bool written) { return {false, written}; }
 
 /// Further properties of a key.
@@ -45,7 +45,7 @@ struct Rules {
   std::int64_t least = std::numeric_limits<std::int64_t>::min();
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
   std::int64_t multiple_of = 1;
-  bool not_empty = false;  ///< for text
+  bool not_empty = false;  ///< text: "" is not allowed
   /// For text: all allowed values, unless empty.
   std::initializer_list<const char*> one_of = {};
 };

@@ -108,7 +108,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys, and if several choices exist but none was made.
+  /// Throws BadValue for unknown keys. If there are choices, throws it unless exactly one was made.
   void finish() const;
 
   template <class T>

@@ -20,7 +20,7 @@ void fields(V& v, Same<V, Play>& p) {
   v("speed", p.speed, "simulated seconds a second; 0 = as fast as possible", {.presence = kOptional});
 }
 
-/// Pauses.
+/// Pauses the run.
 struct Pause {
   static constexpr const char* kDo = "pause";
 };

@@ -39,13 +39,13 @@ struct RobotInfo {
     std::string name;
     std::string type;  ///< "motor"
     std::vector<std::pair<std::string, std::string>>
-        pins;  ///< pins;  ///< the pin's function, and the pin: {"in1", "8"}
+        pins;  ///< pairs of a pin's function in the part, and the pin: {"in1", "8"}
   };
   /// Wheels that a servo steers.
   struct Steering {
     std::string servo;        ///< the servo that provides the reading
     double base_mm = 0.0;     ///< how far the steered wheels are ahead of the driven axle
-    int wheels = 1;           ///< two are `track` apart
+    int wheels = 1;           ///< 1 or 2; two wheels are `track` apart
     double middle_deg = 0.0;  ///< the reading for straight ahead
     double ratio = 0.0;       ///< degrees to the left per unit of the reading
     double limit_deg = 0.0;   ///< limit in each direction
@@ -56,7 +56,7 @@ struct RobotInfo {
   Board board;
   Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
-  double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = unknown
+  double track_mm = 0.0;                          ///< distance of the wheels' contact points; 0 = unknown
   double wheel_mm = 0.0;                          ///< diameter; 0 = unknown
   std::optional<Steering> steering;
   std::vector<Sensor> sensors;

@@ -1,4 +1,4 @@
-// The requests to an idle runner: for a robot's description, or for a run.
+// Defines the requests to an idle runner: for a robot's description, or for a run.
 #pragma once
 
 #include <array>
@@ -30,10 +30,10 @@ void fields(V& v, Same<V, DescribeRobot>& d) {
   v("full", d.full, "`true`: the answer has the key `text`", {.presence = when(d.full)});
 }
 
-/// A further robot of a simulation; missing settings are those of the whole run.
+/// A further robot of a simulation. Missing settings are those of the whole run.
 struct AgentRequest {
   std::string name;    ///< for messages
-  std::string target;  ///< of its firmware; empty = the runner's own
+  std::string target;  ///< target of the firmware; empty = the runner's target
   std::string image;   ///< for this and the following members see RunRequest
   std::string robot;
   std::string start;
@@ -61,9 +61,9 @@ void fields(V& v, Same<V, AgentRequest>& a) {
   v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
-/// Where a run branches, to continue in several ways from the same state.
+/// The point at which a run branches, to continue in several ways from the same state.
 struct Ways {
-  std::int64_t at_ns = 0;            ///< from power-on, or after `after`; a multiple of 1 ms
+  std::int64_t at_ns = 0;            ///< from power-on, if `after` is empty; a multiple of 1 ms
   std::string after;                 ///< a text that the sketch sends
   std::vector<std::string> scripts;  ///< one per way
 };
@@ -85,33 +85,33 @@ struct RunRequest {
   std::string image;                      ///< path of the firmware image
   std::string map;                        ///< path
   std::string robot;                      ///< name or path
-  std::string start;                      ///< "X,Y,DIR"; empty = the map's
-  std::string goal;                       ///< empty = the map's
-  std::int64_t for_ns = 600'000'000'000;  ///< simulated time
+  std::string start;                      ///< "X,Y,DIR"; empty = the map's start
+  std::string goal;                       ///< empty = the map's goal
+  std::int64_t for_ns = 600'000'000'000;  ///< maximum simulated duration
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< one of kProfileNames
   std::int64_t clock_ns = 0;           ///< initial value of millis(); chip targets only
   std::vector<Lateness> late;          ///< sorted by time; on the host only
-  int gdb_port = 0;                    ///< where the run waits for a debugger; 0 = none; chip targets only
+  int gdb_port = 0;                    ///< port that waits for a debugger; 0 = none; chip targets only
   std::string script;                  ///< text of a scenario
-  std::string script_file = "script";  ///< its name in messages
+  std::string script_file = "script";  ///< name of the scenario in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
   std::int64_t columns_every_ns = 0;   ///< stream samples with this period, and all pin events, as columns
-  bool started = true;                 ///< report the beginning, for which a viewing client waits
+  bool started = true;                 ///< report Started, which viewing clients wait for
   bool pins = false;                   ///< stream pin changes
   bool serial = false;                 ///< stream the firmware's output
   bool notes = false;                  ///< stream events: "station 2 visited"
   bool io = false;                     ///< stream the firmware's inputs, and bytes both ways
-  /// Stream pins and bytes only from the one time to the other, with the responsible line of the sketch.
+  /// Streams pins and bytes only between these two times, with the responsible line of the sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool batches = false;              ///< frequent events come in batches (batch.h), with a delay
   bool interactive = false;          ///< driven step by step: see driven_run.h
   bool detect = false;               ///< turns on detectors for the sketches (docs/howto/sanitizers.md)
-  bool why = false;                  ///< trace its verdict back to the causes
+  bool why = false;                  ///< trace the verdict back to its causes
   std::string counters;              ///< file for the counts of the sketch's lines; empty = none
-  std::optional<Ways> ways;          ///< it branches; on chips only
-  std::string name;                  ///< of the robot, if there are several
-  std::string target;                ///< of its firmware, if there are several; empty = the runner's own
+  std::optional<Ways> ways;          ///< where the run branches; chips only
+  std::string name;                  ///< name of the robot, if there are several
+  std::string target;                ///< its firmware's target, if there are several; empty = the runner's
   std::vector<AgentRequest> agents;  ///< further robots: number 1, 2 …
 };
 

@@ -1,5 +1,5 @@
-// The result of a run: its measurements, the chip's resources, a crash. The simulation fills these in, and
-// every client reads them.
+// Defines the result of a run: its measurements, the chip's resources, a crash. The simulation fills these
+// in, and every client reads them.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace robosim::wire {
 /// A line of the sketch; empty and 0 if unknown.
 struct SourceLine {
   std::string function;
-  std::string file;  ///< with the user's name ("Blink.ino")
+  std::string file;  ///< as the user named it ("Blink.ino")
   int line = 0;
 };
 
@@ -32,7 +32,7 @@ struct Crash {
   std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
   SourceLine where;
   std::vector<SourceLine> calls;  ///< innermost call first, including calls in the core; chip targets only
-  std::string registers;          ///< of a chip's processor, for display; else empty
+  std::string registers;          ///< registers of the chip's processor, for display; else empty
   std::string check;              ///< the check that found it: "mul_overflow", "sandbox"; else empty
 };
 
@@ -55,7 +55,7 @@ void fields(V& v, Same<V, Crash>& c) {
 /// A line of the sketch that divided an integer by zero and continued, as on a chip. Reported on the host.
 struct DivisionByZero {
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, of the first one
+  double first_s = 0.0;  ///< simulated time of the first division
   std::int64_t times = 0;
 };
 
@@ -69,9 +69,9 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
 /// A feature of the chip that the sketch used and its target lacks: the run's later behaviour may differ from
 /// the chip's. Reported on the host.
 struct Lack {
-  std::string what;  ///< its name in a sketch: "CLKPR"
+  std::string what;  ///< name of the feature in a sketch: "CLKPR"
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, of the first use
+  double first_s = 0.0;  ///< simulated time of the first use
 };
 
 template <class V>
@@ -81,14 +81,14 @@ void fields(V& v, Same<V, Lack>& l) {
   v("first_s", l.first_s, "when it was used first", {.unit = "s"});
 }
 
-/// A finding of a detector (docs/howto/sanitizers.md): it works here, but fails on a real robot. The run
-/// continued.
+/// A finding of a detector (docs/howto/sanitizers.md): the sketch works here, but would fail on a real robot.
+/// The run continued.
 struct Detected {
   std::string detector;  ///< "blind"
   std::string what;      ///< a sentence: the finding, and how it fails
   std::string mend;      ///< a sentence: the fix
   SourceLine where;
-  double first_s = 0.0;  ///< simulated, of the first one
+  double first_s = 0.0;  ///< simulated time of the first occurrence
   std::int64_t times = 1;
 };
 
@@ -110,11 +110,11 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
-  std::int64_t loops = 0;            ///< passes of loop(); 0 = unknown, like the next two
+  std::int64_t loops = 0;            ///< passes of loop(); 0 = unknown, as are the next two
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next, or to now
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
-  double cpu_load = 0.0;         ///< share of the time awake: 0..1; a waiting loop counts
+  double cpu_load = 0.0;         ///< share of the time awake, including waiting loops: 0..1
 };
 
 template <class V>
@@ -137,11 +137,11 @@ void fields(V& v, Same<V, Resources>& r) {
   v("loop_us_mean", r.loop_us_mean, "mean of these times", {.unit = "µs", .presence = if_loops});
 }
 
-/// A part of the score by a competition's rules.
+/// A part of the score under a competition's rules.
 struct ScorePart {
   std::string part;    ///< "gap", "time"
-  int count = 0;       ///< number of them
-  double value = 0.0;  ///< their sum, in the score's unit
+  int count = 0;       ///< number of such parts
+  double value = 0.0;  ///< sum of their values, in the score's unit
 };
 
 template <class V>
@@ -155,16 +155,16 @@ void fields(V& v, Same<V, ScorePart>& p) {
 struct Metrics {
   double distance_m = 0.0;          ///< path of the axle's centre
   std::vector<double> laps_s;       ///< duration of each lap, on a loop
-  double cross_track_rms_mm = 0.0;  ///< midpoint of the reflectance sensors to the nearest centre line
-  double cross_track_max_mm = 0.0;  ///< both without the first 0.5 s
+  double cross_track_rms_mm = 0.0;  ///< reflectance sensors' midpoint to the nearest centre line
+  double cross_track_max_mm = 0.0;  ///< like the RMS, without the first 0.5 s
   double off_line_s = 0.0;          ///< time with no sensor over a line
   int collisions = 0;
   double energy_j = 0.0;              ///< drawn by the motors
-  std::vector<std::string> stations;  ///< visited, in order
-  int junctions = 0;                  ///< number of different ones visited
-  double score = kNone;               ///< of a competition, s or points; kNone = none yet
+  std::vector<std::string> stations;  ///< visited stations, in order
+  int junctions = 0;                  ///< number of different junctions visited
+  double score = kNone;               ///< competition score, s or points; kNone = none yet
   std::string score_unit;             ///< "s" or "points"; empty = no competition
-  double run_s = kNone;               ///< the competition's clock
+  double run_s = kNone;               ///< time on the competition's clock
   std::vector<ScorePart> score_parts;
   double energy_back_j = 0.0;  ///< recovered from the motors
 
@@ -253,7 +253,7 @@ void fields(V& v, Same<V, Pose>& p) {
 struct Cause {
   double t_s = 0.0;
   std::string text;               ///< "read S1 0.31 V"
-  std::vector<SourceLine> lines;  ///< of the sketch, the nearest first
+  std::vector<SourceLine> lines;  ///< lines of the sketch, nearest first
 };
 
 template <class V>
@@ -273,21 +273,21 @@ struct RunResult {
   std::string verdict;  ///< "reached", "lost", …
   std::string why;      ///< one sentence
   std::string next;     ///< the suggested next step; may be empty
-  std::string next_by;  ///< by "host", a run there, "watching" or "script"; empty = none of these
+  std::string next_by;  ///< means of that step: a run on the "host", "watching" or a "script"; else empty
   int status = 0;       ///< exit status of the verdict
   double time_s = 0.0;
   Metrics metrics;
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
   std::vector<Lack> lacks;
-  std::vector<Detected> detected;      ///< if the request has turned on detectors
-  std::optional<Resources> resources;  ///< on a chip
+  std::vector<Detected> detected;      ///< only if the request turned on detectors
+  std::optional<Resources> resources;  ///< only on a chip
   Usage usage;
-  std::vector<Cause> because;  ///< back from the verdict; empty = not requested, or nothing to report
-  std::vector<Entry> events;   ///< the last ones
+  std::vector<Cause> because;  ///< the verdict's causes; empty = not requested, or nothing to report
+  std::vector<Entry> events;   ///< the last events
   std::string serial;
   std::string shown;
-  Pose end;                         ///< the robot's pose
+  Pose end;                         ///< the robot's pose at the end
   std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
   std::string goal;
@@ -297,8 +297,8 @@ struct RunResult {
   std::string map_sha256;
   std::string robot_sha256;
   std::string image_sha256;
-  std::vector<RunResult> others;  ///< of further robots of the run
-  std::vector<RunResult> ways;    ///< the second and all further ways, of a run that branches
+  std::vector<RunResult> others;  ///< results of the run's further robots
+  std::vector<RunResult> ways;    ///< results of the second and all further ways of a run that branches
 };
 
 template <class V>

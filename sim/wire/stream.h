@@ -1,5 +1,5 @@
-// The events that a run reports while it lasts. Times are simulated, lengths in millimetres, angles in
-// radians. World coordinates have x east and y north, with the origin at the map's bottom-left corner.
+// Defines the events that a run reports while it lasts. Times are simulated, lengths in millimetres, angles
+// in radians. World coordinates have x east and y north, with the origin at the map's bottom-left corner.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace robosim::wire {
 
-/// The latest time of an event: some hundred years.
+/// The latest possible time of an event: more than a hundred years.
 inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
 
 /// Sent once for each robot, before all other events about it.
@@ -35,7 +35,7 @@ struct Started {
   std::string goal;
   std::vector<Station> stations;
   std::vector<std::string> readings;  ///< names of Sample::readings
-  int width = 0;                      ///< of the map, in cells
+  int width = 0;                      ///< size of the map, in cells
   int height = 0;
   double cell_mm = 0.0;  ///< side of a cell
   int agent = 0;
@@ -73,8 +73,8 @@ struct Sample {
   double left = 0.0;                    ///< command of the left motor, -1..1
   double right = 0.0;                   ///< command of the right motor, -1..1
   std::vector<double> readings;         ///< sensors: 0 white .. 1 black; LEDs and buttons: 0 or 1
-  std::string at_station;               ///< in a run driven step by step: the body covers it; "" = none
-  std::array<double, 2> wheels_mm_s{};  ///< left and right: speed of the tread, also during slip
+  std::string at_station;               ///< covered station, in a run driven step by step; "" = none
+  std::array<double, 2> wheels_mm_s{};  ///< tread speeds of the left and right wheel, even during slip
   int agent = 0;
 };
 
@@ -139,7 +139,7 @@ struct SerialByte {
   static constexpr const char* kEvent = "byte";
   std::int64_t t_ns = 0;
   std::uint8_t value = 0;
-  bool sent = false;  ///< by the firmware; else received
+  bool sent = false;  ///< sent by the firmware; otherwise received
   SourceLine source;
   int agent = 0;
 };
@@ -190,7 +190,7 @@ void fields(V& v, Same<V, SerialByte>& b) {
   agent_field(v, b.agent);
 }
 
-/// The firmware's output: a line, or a part of one.
+/// The firmware's output: a line, or part of a line.
 struct SerialText {
   static constexpr const char* kEvent = "serial";
   std::int64_t t_ns = 0;
@@ -211,9 +211,9 @@ struct Note {
   std::int64_t t_ns = 0;
   std::string text;
   std::optional<RunEvent::What> what;  ///< unset if a newer runner sends a kind that is unknown here
-  int agent = 0;                       ///< number of its robot
+  int agent = 0;                       ///< number of the robot
 
-  /// Returns whether it is of this kind: `note.is<StationVisited>()`.
+  /// Returns the value if the note is of this kind, else null: `note.is<StationVisited>()`.
   template <class What>
   const What* is() const {
     return what ? std::get_if<What>(&*what) : nullptr;
@@ -241,13 +241,13 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "port of 127.0.0.1 on which the runner listens now");
 }
 
-/// Many events at once (batch.h), if the request allows it: raw bytes, after the line with their number.
-/// Listeners of a run get the events one by one.
+/// Many events at once (batch.h), if the request allows batches. The raw bytes follow the line with their
+/// number. Listeners of a run get the events one by one.
 struct Batch {
   static constexpr const char* kEvent = "batch";
   static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
   std::int64_t size = 0;   ///< after reading a line: the number of bytes that follow it
-  std::string bytes = {};  ///< for writing
+  std::string bytes = {};  ///< only for writing
 };
 
 template <class V>
@@ -258,8 +258,8 @@ void fields(V& v, Same<V, Batch>& b) {
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
                            DebuggerAwaited, Columns, Batch>;
-/// Called for every event, in the order of simulated time (almost, for LevelSeen and SerialByte). Until it
-/// returns, the full pipe delays the runner; no result depends on that.
+/// Receives every event, in the order of simulated time (only approximately for LevelSeen and SerialByte).
+/// Until the call returns, a full pipe may delay the runner. No result depends on this delay.
 using OnEvent = std::function<void(const Event&)>;
 
 }  // namespace robosim::wire

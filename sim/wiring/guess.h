@@ -40,7 +40,7 @@ struct RobotDraft {
   std::string driver;   ///< the motor driver's chip
   std::string standby;  ///< standby pin, as TOML; empty = none
   std::vector<PartDraft> parts;
-  std::vector<std::string> questions;  ///< about pins without a part
+  std::vector<std::string> questions;  ///< questions about pins without a part
   Open open;
 };
 

@@ -162,7 +162,8 @@ struct Sides {
   bool named = true;
 };
 
-// Returns the pins of object `number` whose pins belong to one motor: Motor(5, 7, 8).
+// Returns the pins of one motor that the sketch passes to one object, Motor(5, 7, 8). `number` counts such
+// objects.
 Pins given_together(const Evidence& evidence, const Pins& pins, std::size_t number) {
   for (const Given& given : evidence.names().given) {
     Pins group;
@@ -218,7 +219,7 @@ Sides divide(const Evidence& evidence, const Pins& pins) {
   return sides;
 }
 
-// Takes the driver's enable pin: the only pin without PWM, which stays high, among four inputs with PWM.
+// Takes the driver's enable pin: one pin without PWM that stays high, in addition to four inputs with PWM.
 void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft) {
   constexpr double kMostly = 0.45;  // of at most 0.5
   const auto is_level = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };

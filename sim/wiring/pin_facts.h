@@ -12,10 +12,10 @@ namespace robosim::wiring {
 
 struct PinFacts {
   bool driven = false;      ///< used as an output
-  bool pwm = false;         ///< with analogWrite
-  bool toned = false;       ///< with tone()
-  bool looked = false;      ///< digitalRead, or an interrupt's edge, as an input
-  bool measured = false;    ///< with the ADC
+  bool pwm = false;         ///< driven with analogWrite
+  bool toned = false;       ///< driven with tone()
+  bool looked = false;      ///< read with digitalRead or by an interrupt's edge, as an input
+  bool measured = false;    ///< read with the ADC
   bool pulled_up = false;   ///< the pull-up was on
   bool discharged = false;  ///< driven HIGH, then read: the timing of RC sensors
   bool pulses = false;      ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo

@@ -11,7 +11,7 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kMostSteps = 8;  // maximum number of names that refer to each other
+constexpr int kMostSteps = 8;  // longest chain of names that refer to names
 
 const std::set<std::string>& pin_functions() {
   static const std::set<std::string> names = {
@@ -22,7 +22,7 @@ const std::set<std::string>& pin_functions() {
   return names;
 }
 
-// Returns whether a word is a type of numbers, or a qualifier of one.
+// Returns whether a word is a numeric type, or a qualifier of one.
 bool is_number_type(const std::string& word) {
   static const std::set<std::string> names = {"int",      "byte",    "char",   "short",    "long",
                                               "unsigned", "uint8_t", "int8_t", "uint16_t", "int16_t",
@@ -30,7 +30,7 @@ bool is_number_type(const std::string& word) {
   return names.count(word) != 0;
 }
 
-// Returns whether a word is a class of devices on the two-wire bus. Their objects get no pins.
+// Returns whether a word is the class of a device on the two-wire bus. Its objects get no pins.
 bool is_device(const std::string& word) {
   static const std::set<std::string> names = {
       "MPU6050",          "Adafruit_MPU6050", "Adafruit_TCS34725", "VL53L0X",

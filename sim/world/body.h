@@ -3,7 +3,7 @@
 //
 // A tick of dt = 1 ms from the state at its start (v forward, u to the left, omega counter-clockwise, wheel
 // rates w):
-//   1. The pose moves with these velocities, along their arc, exactly as pose_after(1 ms) returns it.
+//   1. The pose moves with these velocities, along their arc, exactly to pose_after(1 ms).
 //   2. Motors, friction and grip change the velocities.
 //   3. Walls, obstacles and other bodies push the outline out, and stop its velocity towards them.
 // Velocities are therefore constant inside a tick. Sensors can extrapolate exactly from the tick's start.
@@ -72,7 +72,7 @@ struct WheelParams {
   double no_load_current = 0.0;     ///< A; consumed by friction in motor and gear
   double stall_torque = 0.0;        ///< N m
   double stall_current = 0.0;       ///< A; more than no_load_current
-  double static_friction = 0.0;     ///< motor and gear friction at rest / while turning; at least 1
+  double static_friction = 0.0;     ///< friction of motor and gear: at rest / while turning; at least 1
   double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
   double rotor_inertia_kgm2 = 0.0;  ///< motor rotor
   double wheel_inertia_kgm2 = 0.0;  ///< wheel about its axle
@@ -144,7 +144,8 @@ class Body {
   /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. The pose lies on
   /// an arc of angle a = omega dt:
   ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega
-  /// Sine and cosine are polynomials (error below a^5 / 120 of the way), and the heading is renormalised.
+  /// Sine and cosine are polynomials (error below a^5 / 120 of the distance), and the heading is
+  /// renormalised.
   Pose pose_after(double dt_s) const;
   /// Returns the pose of a body that does not move, at any time in the tick.
   Pose standing_pose() const {
@@ -155,7 +156,8 @@ class Body {
   double side_speed() const { return u_; }                ///< m/s, to the left; 0 unless it skids
   double turn_rate() const { return omega_; }             ///< rad/s, counter-clockwise
   double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
-  /// Returns the rate in rad/s for the whole tick: wheel_angle(s) + wheel_rate(s) dt inside it is exact.
+  /// Returns the wheel's rate during the tick, rad/s. Within the tick, wheel_angle(s) + wheel_rate(s) dt is
+  /// exact.
   double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
   double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, even when the wheel slips
   /// Returns whether the wheel's speed differs from the ground's.
@@ -166,7 +168,8 @@ class Body {
   double wheel_travel() const { return wheel_travel_; }
   double energy() const { return energy_; }            ///< J drawn from the battery by the motors
   double energy_back() const { return energy_back_; }  ///< J returned to the battery by the motors
-  /// Returns the number of contacts with walls, edges, obstacles and other bodies; a lasting one counts once.
+  /// Returns the number of contacts with walls, edges, obstacles and other bodies. A lasting contact counts
+  /// once.
   int collisions() const { return collisions_; }
   /// Returns whether the latest of these contacts was with another body.
   bool collided_with_body() const { return collided_with_body_; }
@@ -180,8 +183,8 @@ class Body {
   /// middle.
   Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
-  /// Returns an upper bound, m, for the movement of that circle's centre within a duration. It assumes a
-  /// plane floor without outside influence, and is twice what speeds and grip allow.
+  /// Returns an upper bound, m, for the movement of that circle's centre within a duration. The bound is
+  /// twice what speeds and grip allow on a plane floor without outside influence.
   double reach(double seconds) const;
   /// Returns the kinetic energy of body and wheels, J.
   double kinetic_energy() const;

@@ -3,7 +3,7 @@
 //
 // The steered wheels are L ahead of the driven axle, at the angle delta, to the left positive. No wheel
 // slides sideways if every wheel's axle points to one centre on the driven axle's line (the bicycle model):
-//   R = L / tan delta                 from there to the middle of the driven axle, to the left of it
+//   R = L / tan delta                 from the middle of the driven axle to the centre, to the left
 //   omega = k v,  k = tan delta / L   the heading's rate, v forward at the driven axle
 // The driven wheels, B apart, roll at r_left v and r_right v, with r = 1 -+ k B / 2. A car's two steered
 // wheels are B apart, too. The inner one is turned more than delta and the outer one less:
@@ -20,7 +20,7 @@
 // Driven wheels slip and skid as in body.h; the steered wheels carry their share of the sideways force.
 //
 // Source: geometry and Newton's law. Not modelled: spinning out (the tail slides, but does not turn the body
-// faster), the steered wheels' inertia and the load of turning them on the servo, linkages that miss
+// faster), the steered wheels' inertia and the servo's load while turning them, linkages that miss
 // Ackermann's condition.
 #include <algorithm>
 

@@ -164,7 +164,7 @@ double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
 }
 
 // Returns a brightness that is random at the points of a lattice and smooth in between. The mean standard
-// deviation in between is 26/35 of the one at the points.
+// deviation in between is 26/35 of the value at the points.
 double Floor::patch_brightness(Vec2 p) const {
   const double u = p.x * (1.0 / kPatch), v = p.y * (1.0 / kPatch);
   const double column = std::floor(u), row = std::floor(v);

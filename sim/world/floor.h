@@ -25,8 +25,8 @@
 
 namespace robosim::world {
 
-/// Returns the default standard deviation of a floor's brightness, as a share of it. Two measured floors have
-/// 0.05 and 0.15: docs/explanation/fidelity.md.
+/// Returns the default standard deviation of a floor's brightness, as a share of its mean. Two measured
+/// floors have 0.05 and 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
 /// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of grid::Stripes.
@@ -46,8 +46,8 @@ class Floor {
   /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the
   /// footprint's width: the side of a square, or a disc of the same area (diameter 1.13 f).
   ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
-  /// Exact for the square on a stripe along it, within 0.026 for the disc on an edge. On a raster floor it is
-  /// the exact share of a square of side f.
+  /// The result is exact for a square on a parallel stripe, and within 0.026 for a disc on an edge. On a
+  /// raster floor it is the exact share of a square of side f.
   double coverage(Vec2 p, double footprint_m) const {
     const double drawn = drawn_coverage(p, footprint_m);
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
@@ -227,8 +227,8 @@ class Floor {
   const double gloss_;
   const bool alike_;        // only lines and marks, all whole and matt
   bool plain_;              // only lines, all like the map's: a faster path
-  bool marked_;             // only lines and marks, not all alike
-  const bool paints_only_;  // only lines, with differences between them, and marks
+  bool marked_;             // only lines and marks, all like the map's: looked up together
+  const bool paints_only_;  // only lines and marks, not all alike
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;

@@ -12,10 +12,10 @@ namespace {
 constexpr double kSteepest = 4.0;
 constexpr double kPoint = 1e-9;  // m: a smaller reach counts as none
 
-// A profile along a hill. The wheel above it has a reach along the hill and a height of its middle, m.
+// The profile along a hill.
 struct CrossSection {
   const grid::Hill& hill;
-  double sine;  // a seesaw's
+  double sine;  // of a seesaw's slope
 
   std::size_t corners() const { return hill.heights.empty() ? 2 : hill.heights.size(); }
   double at(std::size_t corner) const {
@@ -32,8 +32,8 @@ struct Top {
   double slope = 0.0;   // along the hill
 };
 
-// Returns the highest contact of a wheel with a profile. `high` is the part of the wheel's radius from its
-// middle down to the contact point, m.
+// Returns how a wheel at `s` rests on a profile. `reach` is the wheel's extent along the hill. `high` is the
+// distance from its middle down to its contact point, m.
 Top top_of(const CrossSection& profile, double s, double reach, double radius, double high) {
   Top top{-1.0, 0.0};
   const auto take = [&top](double height, double slope) {

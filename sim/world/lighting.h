@@ -5,7 +5,7 @@
 //
 //   d, daylight   1
 //   d, lamp       (h^2 / (h^2 + r^2))^(3/2) at height h above a point r away: a small lamp's illuminance of a
-//                 plane (Lambert's cosine law and the inverse square), relative to that right beneath it
+//                 plane (Lambert's cosine law and the inverse square), relative to the point below it
 //   d, sun        1 within `radius` of at + moves t, else 0: a patch of sun
 //   w             4 u (1 - u), a rectified sine by parabolas, u = the fraction of frequency t + phase; the
 //                 error is within 0.057
@@ -29,7 +29,7 @@ namespace robosim::world {
 
 class Lighting {
  public:
-  /// Each lamp's flicker begins at 0.
+  /// Creates the lights. Each lamp's flicker begins with phase 0.
   explicit Lighting(const std::vector<grid::Light>& lights);
 
   /// Draws the initial phase of each lamp's flicker.

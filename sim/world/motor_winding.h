@@ -6,9 +6,10 @@
 // current's direction: v+ while it flows forward, v- >= v+ while it flows backward. No voltage applies if no
 // current flows and neither voltage would start one. For a phase of t with one v,
 //   i(t) = a + (i(0) - a) e^(-t / tau),  integral of i = a t - tau (i(t) - i(0)),  a = (v - E) / R
-// If a has the other sign, the current is 0 after tau ln(1 - i(0) / a). In the steady state, the current at a
-// period's end equals the current at its beginning. Newton's method finds this current in 1 to 3 periods: the
-// end is a linear function of the beginning while the current keeps its sign. No pulse is simulated.
+// If a and i(0) have opposite signs, the current reaches 0 after tau ln(1 - i(0) / a). In the steady state,
+// the current at a period's end equals the current at its beginning. Newton's method finds this current in 1
+// to 3 periods: the end is a linear function of the beginning while the current keeps its sign. No pulse is
+// simulated.
 //
 // If the motor is driven for D T at V, without voltage drops (Erickson and Maksimovic, Fundamentals of Power
 // Electronics, chapters 2 and 5, whose converters have R = 0):
@@ -33,9 +34,9 @@ namespace robosim::world {
 
 /// One part of a period. Forward currents are positive.
 struct Phase {
-  double share = 0.0;     ///< of the period
+  double share = 0.0;     ///< share of the period
   double decay = 0.0;     ///< e^-(share T / tau)
-  double volts[2] = {};   ///< on the winding while its current flows forward, and backward
+  double volts[2] = {};   ///< voltage on the winding while its current flows forward, and backward
   double supply[2] = {};  ///< the supply's current in each case, as a multiple of the winding's: -1, 0 or 1
 };
 

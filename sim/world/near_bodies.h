@@ -35,7 +35,7 @@ class NearBodies {
   int columns_ = 0, rows_ = 0;
   // Used only during a call.
   std::vector<std::int32_t> first_, next_;  ///< first body in a square; next body there; -1 = none
-  std::vector<std::size_t> square_;         ///< each body's
+  std::vector<std::size_t> square_;         ///< square of each body
   std::vector<Pair> pairs_;
 };
 

@@ -24,7 +24,7 @@ class PaintedLines {
 
   bool empty() const { return !stripes_; }
 
-  /// Draws from `noise` where paint is gone.
+  /// Draws the places without paint from `noise`.
   void wear(const NoiseStream& noise) { noise_ = noise; }
 
   /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
@@ -53,7 +53,7 @@ class PaintedLines {
     double back[4];  // reflectance in each band
   };
 
-  static constexpr double kLookedUpFootprint = 0.016;  // m; for larger footprints, all are checked
+  static constexpr double kLookedUpFootprint = 0.016;  // m; larger footprints check all stripes and marks
 
   double over_these(std::span<const std::uint32_t> near, double below, Band, Vec2 p, double footprint,
                     const PaintedMarks&) const;
@@ -64,7 +64,7 @@ class PaintedLines {
   double reach_ = 0.0;  // m
   std::unique_ptr<grid::Stripes> stripes_;
   grid::StripeIndex index_;         // indexes stripes_, then the marks
-  std::vector<std::uint32_t> all_;  // all numbers
+  std::vector<std::uint32_t> all_;  // numbers of all stripes and marks
   NoiseStream noise_;
 };
 

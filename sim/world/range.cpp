@@ -17,7 +17,7 @@ struct Edges {
   Edges(Vec2 direction, Vec2 half_beam)
       : left(direction * half_beam.x + left_of(direction) * half_beam.y),
         right(direction * half_beam.x - left_of(direction) * half_beam.y) {}
-  /// Returns whether the beam includes the direction of `d`; its apex is included.
+  /// Returns whether `d`, seen from the beam's apex, is inside the beam. The apex itself is inside.
   bool hold(Vec2 d) const { return cross(right, d) >= 0.0 && cross(d, left) >= 0.0; }
 };
 

@@ -36,8 +36,8 @@ struct Rolling {
   double wheel_travel, distance, energy, free_way;
 };
 
-/// Computes the next tick for u = 0. `stride` is the result of Walls::stride(). Valid only if the body simply
-/// rolls on.
+/// Computes the next tick for u = 0. `stride` is the result of Walls::stride(). Returns whether the body
+/// simply rolls on; only then is `next` valid.
 template <class Both>
 inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Both>& now,
                        Rolling<Both>& next) {

@@ -23,10 +23,10 @@ class RuntimePaint {
   };
 
   bool empty() const { return state_.patches.empty(); }
-  /// Returns the number of changes so far. A change invalidates what was read of the floor before.
+  /// Returns the number of changes so far. Each change invalidates earlier readings of the floor.
   int changes() const { return state_.changes; }
   int add(Vec2 least, Vec2 most, bool line);
-  /// Does nothing if there is no such patch.
+  /// Removes a patch. Does nothing if the patch does not exist.
   void remove(int id);
 
   /// Returns the value of a square of side `footprint` about p. The value is `below` without these patches,

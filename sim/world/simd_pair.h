@@ -1,5 +1,5 @@
-// Computes with two numbers at once, for a body's two wheels. If the machine can, compilers use one vector
-// instruction per operation. The results are the same bit for bit.
+// Computes with two numbers at once, for a body's two wheels. Compilers use one vector instruction per
+// operation where the machine has it. The results are identical bit for bit.
 //
 // Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
 // compilers can vectorise a loop over many bodies (sim/batch).

@@ -1,4 +1,4 @@
-// Constants and functions that the parts of a body's step share.
+// Defines constants and functions that the parts of a body's step share.
 #pragma once
 
 #include "hal/board/sim_time.h"

@@ -14,7 +14,7 @@ namespace robosim::worlds {
 struct FaultLimits {
   int at_most = 1;               ///< faults per run
   int from_ms = 0;               ///< first possible beginning
-  int until_ms = 20'000;         ///<last possible beginning
+  int until_ms = 20'000;         ///< last possible beginning
   double sensor_offset = 0.05;   ///< share of the range from white to black, in either direction
   double sensor_noise = 0.03;    ///< standard deviation, share of the range from white to black
   std::int64_t covered_us = 0;   ///< duration for which a sensor reads black

@@ -30,8 +30,8 @@ void tidy(Track& track) {
   track.gaps.erase(std::unique(track.gaps.begin(), track.gaps.end()), track.gaps.end());
 }
 
-/// Returns the track with the squares from column, or row, `at` on moved back by one. They merge with those
-/// there.
+/// Returns the track with all squares from column, or row, `at` on moved back by one. Coinciding squares
+/// merge.
 Track folded(const Track& track, int at, bool across) {
   Track less = track;
   const auto move = [&](Knot knot) {

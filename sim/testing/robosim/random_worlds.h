@@ -59,7 +59,7 @@ rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm
 struct Faults {
   int at_most = 1;               ///< faults per run
   Duration from{};               ///< earliest beginning
-  Duration until = 20_s;         ///<latest beginning
+  Duration until = 20_s;         ///< latest beginning
   double sensor_offset = 0.05;   ///< share of the range from white to black, in either direction
   double sensor_noise = 0.03;    ///< standard deviation, share of the range from white to black
   Duration covered{};            ///< duration for which a sensor reads black
