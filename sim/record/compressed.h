@@ -33,10 +33,10 @@ class Deflater final : public Packer {
 /// Receives output, piece by piece.
 using Put = std::function<void(std::string_view)>;
 
-/// Writes a whole stream from bytes that were packed before.
+/// Writes a whole stream from packed bytes.
 class Compressed {
  public:
-  explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB, fastest
+  explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // window of 32 KB, fastest level
   void add(const CompressedBytes& bytes);
   void add(std::string_view bytes);
   /// Ends the stream.
@@ -51,8 +51,8 @@ class Compressed {
 };
 
 std::string deflated(std::string_view bytes);
-/// Unpacks bytes piece by piece; `put` can stop the process. Throws InputError if the bytes are damaged or
-/// truncated, and passes on the exceptions of `put`.
+/// Unpacks bytes piece by piece. Throws InputError if the bytes are damaged or truncated. An exception of
+/// `put` stops the unpacking, and is passed on.
 void inflate(std::string_view bytes, const Put& put);
 /// Unpacks the result of deflated(). Throws InputError if it is damaged or truncated, or longer than
 /// `most_bytes`.

@@ -35,7 +35,7 @@ struct FloorShapes {
     bool over_lines = false;
   };
   struct Light {
-    std::optional<std::array<double, 2>> at;  ///< the point that it shines on, or below it; none = everywhere
+    std::optional<std::array<double, 2>> at;  ///< sun's patch, or the point below a lamp; none = everywhere
     double radius_mm = 0.0;                   ///< radius of a patch of sun
     std::array<double, 2> moves_mm_s{};       ///< velocity of the patch
   };

@@ -7,7 +7,7 @@
 namespace robosim::record {
 namespace {
 
-// The line counts as left if no sensor has seen it for this duration. Crossing a gap is shorter.
+// The line counts as left if no sensor has seen it for this duration. Crossing a gap takes less time.
 constexpr std::int64_t kLeft_us = 20'000;
 // Each sensor has its own range. The line begins at a tenth of the range above the sensor's smallest reading.
 // A sensor with constant readings was over the line throughout, or never.

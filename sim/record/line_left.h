@@ -9,8 +9,8 @@
 
 namespace robosim::record {
 
-/// The robot left the line, or found it again. The time of leaving is the last sample that saw the line. The
-/// time of finding is the first sample that sees it again.
+/// The robot left the line, or found it again. The event has the time of the last sample that saw the line,
+/// or of the first that sees it again.
 struct LineEvent {
   std::int64_t t_us = 0;
   std::string sensor;  ///< the sensor that saw the line best

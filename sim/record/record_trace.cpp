@@ -51,7 +51,7 @@ std::string pulses(double duty, double tone_hz) {
   return tone_hz > 0.0 ? fmt::format("{} Hz", tone_hz) : fmt::format("PWM {:.0f} %", 100.0 * duty);
 }
 
-/// Multiplies without overflow: damaged recordings may hold any values.
+/// Multiplies without overflow: damaged recordings may contain any values.
 std::int64_t product(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
@@ -137,7 +137,7 @@ void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   file_.added(std::copy(kEnd.begin(), kEnd.end(), to));
 }
 
-/// Draws a pin: high and pulsing as bars, low and not driven as nothing.
+/// Draws a pin: high and pulsing as bars, other states as gaps.
 void TraceFile::add_pin(std::size_t robot, const std::string& stream,
                         const std::vector<wire::ColumnSpec>& specs,
                         const std::vector<std::vector<std::int64_t>>& columns) {

@@ -14,7 +14,7 @@
 namespace robosim::record {
 namespace {
 
-// Limits, which Gatherer's recordings never reach: an hour of one robot has 5 million numbers.
+// Gatherer's recordings stay far below these limits: an hour of one robot has 5 million numbers.
 constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // size of a file, also of a page
 constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // detects the wrong kind of file early
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;

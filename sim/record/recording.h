@@ -27,7 +27,7 @@ class Gatherer {
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
 
-  /// With a packer, it compresses during the run.
+  /// With a packer, compresses during the run.
   explicit Gatherer(std::unique_ptr<Packer> packer = nullptr,
                     std::size_t most_changes_bytes = kMostChanges_bytes)
       : packer_(std::move(packer)), most_changes_bytes_(most_changes_bytes) {
@@ -42,7 +42,7 @@ class Gatherer {
   std::string encoded(const wire::RunResult& result);
 
  private:
-  /// The columns of samples that detect when the line is left: first the time, then the sensors.
+  /// The columns of samples for detecting when the line is left: first the time, then the sensors.
   struct LineColumns {
     LineWatch watch;
     std::vector<std::size_t> numbers;

@@ -21,12 +21,12 @@ struct Track {
 Track track_of(const Recording& recording, std::size_t robot = 0);
 
 /// Reads a table whose first line contains the names of the columns. One column is the time (t_s, t_ms, t_us
-/// …), two are the place (x_mm or x_m, y_mm or y_m …). Separators are commas, semicolons or tabs; lines that
-/// begin with # are skipped. Throws InputError with file and line.
+/// …), two are the position (x_mm or x_m, y_mm or y_m …). Separators are commas, semicolons or tabs; lines
+/// that begin with # are skipped. Throws InputError with file and line.
 Track track_of_table(std::string_view text, const std::string& file);
 
-/// Reads the track of each robot in a .rec or a page, or of a table. `bytes`, if not null, receives the
-/// content that a page can show: a .rec or a table.
+/// Reads the track of each robot from a .rec, a page or a table. `bytes`, if not null, receives the content
+/// that a page can show: a .rec or a table.
 std::vector<Track> read_tracks(const std::filesystem::path& file, std::string* bytes = nullptr);
 
 /// The distance between two robots at equal times, while both positions are known.

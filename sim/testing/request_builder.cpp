@@ -30,8 +30,8 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-/// Returns the name or path of a map or robot. Writes a text to a file in the folder `scratch`, which it
-/// creates if necessary.
+/// Returns a name or path unchanged. Writes a text to a file in the folder `scratch`, which it creates if
+/// necessary, and returns the file's path.
 std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {
@@ -99,7 +99,7 @@ Borrowed::~Borrowed() {
 }
 
 std::string target_of(const Trial& trial) {
-  // A Trial without a target has "host".
+  // "host" is the default target of a Trial.
   return launch::choose_target(trial.target == "host" ? "" : trial.target, choose_sketch(trial));
 }
 

@@ -53,7 +53,7 @@ struct ResolvedTrial {
 
 /// Returns the target of a finished .elf, or else the Trial's target.
 std::string target_of(const Trial& trial);
-/// Returns the part of a request's graph that is reachable from its start.
+/// Returns the part of the map's graph that is reachable from the request's start.
 Graph graph_of_floor(const wire::RunRequest& request);
 /// Resolves a Trial. Throws the same exceptions as Simulation's constructor.
 ResolvedTrial resolve_trial(const Trial& trial, client::Runner& runner);

@@ -11,7 +11,7 @@ using grid::Cell;
 using grid::CellAt;
 using grid::Direction;
 
-// Characters by a cell's neighbours: sum of 1 east, 2 south, 4 west, 8 north.
+// Characters, indexed by a cell's neighbours: 1 east + 2 south + 4 west + 8 north.
 constexpr char32_t kBoxes[] = U"•╶╷┌╴─┐┬╵└│├┘┴┤┼";
 constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";

@@ -1,5 +1,5 @@
-// Draws a map for the robot on cells, with the robot, its trail and names. Each cell is as large as possible
-// on the screen. If the map is too large, only the part around the robot is drawn.
+// Draws a map for a robot that moves by cells, with the robot, its trail and names. Each cell is as large as
+// possible on the screen. If the map is too large, only the part around the robot is drawn.
 #pragma once
 
 #include <optional>

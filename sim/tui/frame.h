@@ -1,4 +1,4 @@
-// A rectangle of characters, and its conversion to bytes for a terminal.
+// Defines a rectangle of characters, and converts it to bytes for a terminal.
 #pragma once
 
 #include <cstdint>

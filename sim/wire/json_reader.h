@@ -108,7 +108,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys. If there are choices, throws it unless exactly one was made.
+  /// Throws BadValue for unknown keys. Of several choices, requires exactly one.
   void finish() const;
 
   template <class T>

@@ -106,7 +106,7 @@ struct BodyParams {
   double caster_radius_m = 0.008;  ///< m; the caster is a ball
   double centre_height_m = 0.0;    ///< m; height of the centre of mass; 0 = loads do not shift
   double wheelbase_m = 0.0;        ///< m between two wheels of a side, which skid to turn; 0 = caster
-  double downforce_n = 0.0;        ///< N, of fans, until press() changes it; half on each wheel
+  double downforce_n = 0.0;        ///< N from fans, until press() changes it; half on each wheel
   double steer_base_m = 0.0;       ///< m from the axle to the steered wheels ahead; 0 = no steered wheels
   bool differential = false;       ///< steered bodies: one motor drives both wheels, half each
 };
@@ -243,7 +243,7 @@ class Body {
     // speed. Both apply while the speed, in drive's direction, is below push_until. While shorted, the
     // impulse is brake_push - drag * speed, above brake_from.
     double push, drag, push_until, brake_push, brake_from, joule0, joule1;
-    double drive, brake;  // the command's
+    double drive, brake;  // from the command
     double per_ohm, volts_per_speed;
   };
   struct Motor {
@@ -253,7 +253,7 @@ class Body {
   struct Winding {
     double seconds = 0.0;  // L / R
     double tau = 0.0;      // seconds / the command's period
-    double against = 0.0;  // the command's
+    double against = 0.0;  // from the command
     int phases = 0;
     struct {
       int what;
@@ -347,10 +347,10 @@ class Body {
   double rolling_[2] = {0.0, 0.0};                     // N at each wheel's tread
   double scrub_rolling_ = 0.0, scrub_slipping_ = 0.0;  // rad/s per tick
   double per_mass_ = 0.0, per_inertia_ = 0.0;
-  double bound_radius_ = 0.0;  // of the bounding circle about bound_centre_
+  double bound_radius_ = 0.0;  // radius of the bounding circle about bound_centre_
   Vec2 bound_centre_;
   double way_per_travel_ = 0.0;  // m that the circle's centre moves at most per m of travel in step()
-  double free_way_ = 0.0;        // m that it may move before it can touch a wall; ignores obstacles
+  double free_way_ = 0.0;        // m that the circle may move before it can touch a wall; ignores obstacles
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;
   Lean lean_;

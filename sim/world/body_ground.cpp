@@ -24,15 +24,15 @@
 // at least 0, instead of h. A robot therefore does not trip over a step if its mass is no higher than its
 // hubs.
 //
-// A wheel that meets a steeper slope, k_1 after k_0, keeps its speed times the cosine of the angle
-// between them: v falls by (1 - cos) of its share of the mass. If it lands from k_0 < 0, its share of v^2
-// falls by no more than the gain of its fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
+// A wheel that meets a steeper slope, k_1 after k_0, keeps its speed times the cosine of the angle between
+// them: v falls by (1 - cos) times the wheel's share of the mass. If the wheel lands from k_0 < 0, its share
+// of v^2 falls by no more than it has gained during the fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
 //
 // At a gap between boards, each wheel and the caster lose their share of the energy at once (floor_gaps.h). A
 // gap pulls the wheel down while the wheel is inside.
 //
-// The body has also toppled if the ground under a wheel drops at once by more than the wheel's radius. If the
-// ground rises by more than three times a wheel's movement, it is a face: the body stops there, as at a wall.
+// The body has also toppled if the ground under a wheel drops at once by more than the wheel's radius. Ground
+// that rises by more than three times a wheel's movement is a face: the body stops there, as at a wall.
 //
 // Not modelled: a step's upward push on the axle, which holds the caster down; the lift of a front caster by
 // the motors at a step; a tip about the caster (the wheels lose their grip instead); a chassis that sits on a
@@ -165,7 +165,7 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
   }
 }
 
-// Removes a wheel's share of the energy when it meets the far edge of a gap. On the way down and up,
+// Removes a wheel's share of the energy when the wheel meets the far edge of a gap. On the way down and up,
 // gravity's work is the difference of the heights, in any number of ticks.
 void Body::jolt(const FloorGaps& joints, const Pose& before, const Stance& last, const Vec2* at,
                 Vec2* rises) {

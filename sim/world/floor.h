@@ -89,7 +89,7 @@ class Floor {
     if (plain_) return darkness_of(drawn_coverage(p, footprint_m, last));
     return painted_darkness(p.x, p.y, footprint_m);
   }
-  /// Converts on_line() to darkness(), which is only valid if has_lines_only().
+  /// Converts on_line() to darkness(). Valid only if has_lines_only().
   double darkness_of(double on_line) const { return light_line_ ? 1.0 - on_line : on_line; }
   bool has_lines_only() const { return plain_ && widths_.empty(); }
   /// Returns the darkness in a band of light.

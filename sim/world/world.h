@@ -81,9 +81,9 @@ class World {
   void step();
 
   // The next functions step bodies that cannot affect others for a while, on a plane floor: see Separation.
-  /// Returns for each body whether it neither meets another body nor notices one, nor is noticed, for
-  /// `seconds` without outside influence. `sights` are the distances, m, from each axle's centre within which
-  /// a body notices others.
+  /// Returns for each body whether it stays apart from all others for `seconds`, without outside influence.
+  /// Such a body neither meets nor notices another, and is not noticed. `sights` are the distances, m, from
+  /// each axle's centre within which a body notices others.
   const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
     return apart_.find(bodies_, sights, seconds);
   }

@@ -51,7 +51,7 @@ struct Score {
   struct Part {
     std::string what;
     int count = 0;
-    double value = 0.0;  ///< sum over the count
+    double value = 0.0;  ///< total value
   };
   double value = 0.0;
   std::string unit;  ///< "s" (less is better) or "points"

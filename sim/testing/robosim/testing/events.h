@@ -1,5 +1,4 @@
-// Defines events that end a stretch of a run: ASSERT_TRUE(robot.run_until(serial_says("Ready"),
-// within(5_s))).
+// Defines events that end a drive: ASSERT_TRUE(robot.run_until(serial_says("Ready"), within(5_s))).
 #pragma once
 
 #include <cstdint>

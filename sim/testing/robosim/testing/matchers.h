@@ -97,8 +97,7 @@ Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// The next two require that the run ended with a score of at least, or at most, `value`:
-/// seconds or points.
+/// The next two require that the run ended with a score of at least, or at most, `value`: seconds or points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 
