@@ -33,7 +33,7 @@
 // both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the robot
 // crosses the gap without swerving.
 //
-// The sums have 32 bits: with five sensors sum(value * place) reaches 4,000,000, and an int on an Uno is
+// The sums have 32 bits: with five sensors sum(value * place) reaches millions, and an int on an Uno is
 // limited to 32,767.
 //
 // Example:

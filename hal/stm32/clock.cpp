@@ -7,7 +7,7 @@ namespace stm32 {
 
 void start_clocks() {
 #if F_CPU == 72000000L
-  // From 48 MHz on, flash needs two wait states (RM0008 3.3.3). APB1 runs at 36 MHz at most (7.2).
+  // Above 48 MHz, flash needs two wait states (RM0008 3.3.3). APB1 runs at 36 MHz at most (7.2).
   at(kFlashAcr) = kLatency2 | kPrefetch;
   at(kRccCr) |= kHseOn;
   at(kRccCr).await(kHseReady, kHseReady);
