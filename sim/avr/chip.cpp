@@ -51,7 +51,7 @@ void Chip::make_peripherals() {
   Prescalers& prescalers = add(std::make_unique<Prescalers>(core_));
   power_.supply(prescalers, Power::Clock::io, 0, -1);
   SharedTimerFlags* shared = nullptr;
-  Timer* captures = nullptr;  // the comparator's output
+  Timer* captures = nullptr;  // captures the comparator's output
   for (int index = 0; index < core_.chip.timer_count; ++index) {
     const TimerSpec& spec = core_.chip.timers[index];
     const auto supply = [&](Peripheral& timer) {

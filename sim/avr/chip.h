@@ -1,11 +1,11 @@
-// One AVR by itself: processor, peripherals, pins. Its user provides flash and surroundings, and runs it to a
-// cycle.
+// Simulates one AVR chip: processor, peripherals and pins. The caller provides the flash and the environment,
+// and runs the chip to a cycle.
 //
 //   Chip ── Core: Cpu, Events, Interrupts
-//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     a file each, with its chapter
+//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     one file each; it cites its chapter
 //     └──── Power: sleep modes, PRR, CLKPR, what a reset leaves in MCUSR
 //
-// Equal flash and equal surroundings give equal runs, however often run_to() returns in between.
+// Equal flash and equal environments give equal runs, regardless of how often run_to() returns in between.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ class UsbHost;
 
 class Chip {
  public:
-  /// `last_ram`: the last address of data memory, the chip's or a later one.
+  /// `last_ram` is the last address of data memory, at or beyond the end of the chip's own RAM.
   Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, ChipEnvironment& around,
        std::int64_t oscillator_hz = 16'000'000);
   ~Chip();
@@ -35,38 +35,38 @@ class Chip {
 
   /// Runs until `until` or the end of the instruction that crosses it.
   Stop run_to(Cycle until);
-  /// Makes run_to() return after each instruction, and after each jump of time in sleep.
+  /// Makes run_to() return after each instruction, and after each time skip during sleep.
   void step_singly(bool singly) { singly_ = singly; }
 
   Cycle cycle() const { return core_.now(); }
   bool is_asleep() const { return power_.is_asleep(); }
   Cycle sleep_cycles() const { return power_.slept(cycle()); }
 
-  /// Returns the enabled interrupts that may come without further register accesses by firmware; one bit per
+  /// Returns the enabled interrupts that can occur without further register accesses by firmware; one bit per
   /// vector.
   std::uint64_t may_interrupt() const;
 
   // --- external inputs
-  /// Reports a changed level of a pin (by its index in ChipSpec::pins) whose edges are wanted.
+  /// Reports a level change of a pin whose edges were requested; `pin` is an index in ChipSpec::pins.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
-  /// Delivers a whole frame to a UART, or a byte to the USB's serial line, whose number follows those: at
-  /// `at`. It is lost if the receiver is off.
+  /// Delivers a whole frame to a UART, or a byte to the USB serial line, at cycle `at`. The USB line's number
+  /// follows the UARTs' numbers. The data is lost if the receiver is off.
   void receive(int line, std::uint16_t data, Cycle at);
   /// Requests a call of ChipEnvironment::called() at `cycle`; a new request replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
-  /// Resets the chip as by the reset pin or the power; `flags` are MCUSR's.
+  /// Resets the chip like the reset pin or a power-on; adds `flags` to MCUSR.
   void reset(std::uint8_t flags);
 
   Cpu& cpu() { return core_.cpu; }
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
   const Core& core() const { return core_; }
-  /// Returns the object that skips waiting loops, without any effect on firmware or its surroundings.
+  /// Returns the object that skips waiting loops, without any effect on firmware or its environment.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }
   Pins& pins() { return pins_; }
 
-  /// Saves all state that changes while the chip runs, except that of the surroundings.
+  /// Saves all state that changes while the chip runs, except the environment's state.
   SnapshotRegistry::Snapshot save() const { return core_.snapshots.save(); }
   /// Restores the state of an equal chip.
   void restore(const SnapshotRegistry::Snapshot& saved);
@@ -88,7 +88,7 @@ class Chip {
   UsbHost* usb_host_ = nullptr;
   Events::Id call_ = 0;
   bool singly_ = false;
-  std::uint8_t reset_flags_ = 0;  ///< a peripheral requests a reset
+  std::uint8_t reset_flags_ = 0;  ///< MCUSR flags of the reset that a peripheral requests
 };
 
 }  // namespace robosim::avr

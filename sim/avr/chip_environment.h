@@ -1,8 +1,8 @@
-// The world outside of a chip, as the chip sees it: the only seam of this room. Each user of a chip
-// implements it: a robot's board, a test or a page.
+// Declares the interface through which a chip accesses the world outside. A robot's board, a test or a web
+// page implements it.
 //
-// Pins are indices in ChipSpec::pins, moments are cycles of the processor. Moments never go back by more than
-// the few cycles of an instruction.
+// Pins are indices in ChipSpec::pins, and times are processor cycles. Successive times decrease by at most
+// the few cycles of one instruction.
 #pragma once
 
 #include "hal/board/board.h"
@@ -13,57 +13,58 @@ namespace robosim::avr {
 class ChipEnvironment {
  public:
   // --- pins
-  /// Returns the level of a pin that the chip does not drive; `pull_up`: its level without any other driver.
+  /// Returns the level of a pin that the chip does not drive. `pull_up` is the level if nothing else drives
+  /// the pin.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
-  /// Returns the level for a read by a peripheral, or for an instruction that reads the whole port: the
-  /// program may not use it.
+  /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. The
+  /// program possibly ignores this level.
   virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
-  /// Returns until which cycle, exclusive, level() surely equals its result at `at`, so that fewer calls make
-  /// no difference; `at` = unknown.
+  /// Returns the cycle, exclusive, until which level() keeps its result at `at`. Until then the caller can
+  /// skip calls. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int pin, Cycle at) = 0;
-  /// Returns the volts at a pin, for a sample of the converter or comparator. `high`: the chip's own output
-  /// or pull-up.
+  /// Returns the volts at a pin, for a sample of the converter or comparator. `high` is set if the chip's own
+  /// output or pull-up is high.
   virtual double volts(int pin, bool high, Cycle at) = 0;
-  /// Returns the volts of the converter's capacitor, with `before` volts initially, which the pin has charged
-  /// since `from`: FirmwarePort::convert().
+  /// Returns the volts on the converter's capacitor (FirmwarePort::convert()). The capacitor held `before`
+  /// volts, and the pin has charged it since cycle `from`.
   virtual double convert(int pin, bool high, double /*before*/, Cycle /*from*/, Cycle at) {
     return volts(pin, high, at);
   }
   /// Returns FirmwarePort::supply_share().
   virtual double supply_share() { return 1.0; }
-  /// Reports a changed drive of a pin.
+  /// Reports that the chip drives a pin differently.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
-  /// Starts or stops reports of level changes by Chip::edge(), relative to the level that this returns. (If
-  /// they stop, the result does not matter.)
+  /// Starts or stops reports of level changes through Chip::edge(). Returns the level from which changes are
+  /// reported; the result is ignored if reports stop.
   virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
 
   // --- serial lines: UARTs by their index in ChipSpec::uarts, then the USB's
-  /// A frame begins to leave the chip.
+  /// Reports that the chip starts to send a frame.
   virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
-  /// Sets the duration of a received frame from now on; 0 = the receiver is off.
+  /// Reports the duration of each received frame from now on; 0 = the receiver is off.
   virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
   // --- the two-wire bus, at the end of each byte
-  /// Addresses a device, seven bits and the direction; returns whether one answers.
+  /// Addresses a device (seven bits and the direction); returns whether a device answers.
   virtual bool two_wire_address(std::uint8_t address, Cycle at) = 0;
-  /// Returns whether it acknowledges.
+  /// Writes a byte; returns whether the device acknowledges it.
   virtual bool two_wire_write(std::uint8_t byte, Cycle at) = 0;
   virtual std::uint8_t two_wire_read(Cycle at) = 0;
   virtual void two_wire_stop(Cycle at) = 0;
 
-  // --- memory that outlives the power
+  // --- non-volatile memory
   virtual std::uint8_t* eeprom() = 0;
-  /// Writes (or erases) a byte of it at once. Called when the chip begins to write it.
+  /// Writes or erases a byte of the EEPROM at once. Called when the chip starts the write.
   virtual void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) = 0;
 
   // --- time
   /// Called at the moment requested by Chip::call_at().
   virtual void called(Cycle at) = 0;
-  /// Reports that the processor's clock is the oscillator's divided by `divisor` from `at` on (CLKPR; a reset
-  /// sets it to 1).
+  /// Reports that the processor's clock is the oscillator's clock divided by `divisor` from `at` on (CLKPR).
+  /// A reset sets the divisor to 1.
   virtual void clock_divided(int divisor, Cycle at) = 0;
-  /// Reports that the chip has reset itself: registers are as after power-on, memory is retained. `flags` are
-  /// MCUSR's.
+  /// Reports that the chip was reset: registers are as after power-on, memory is retained. `flags` is the
+  /// content of MCUSR.
   virtual void was_reset(std::uint8_t flags, Cycle at) = 0;
 
  protected:

@@ -1,6 +1,5 @@
-// The parts that the peripherals of one chip share: the processor with its registers, the event queue, the
-// interrupts, and the surroundings. A peripheral holds a reference to it, and hooks its registers in its
-// constructor:
+// Holds the parts that all peripherals of a chip share: processor, event queue, interrupts and environment. A
+// peripheral stores a reference to the core. The peripheral's constructor hooks its registers:
 //
 //   Eeprom::Eeprom(Core& core) : core_(core) {
 //     core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
@@ -27,21 +26,22 @@ namespace robosim::avr {
 class Peripheral {
  public:
   virtual ~Peripheral() = default;
-  /// Resets it as after power-on. Its registers hold their initial values (the processor has set all of them
-  /// to 0), its events are cancelled and its requests withdrawn already.
+  /// Resets the peripheral to its state after power-on. Before this call, the processor has set all registers
+  /// to 0. All events are cancelled, and all interrupt requests are withdrawn.
   virtual void reset(Cycle at) = 0;
-  /// Stops or starts its clock at `at`: by a sleep mode, or its bit in PRR.
+  /// Stops or starts the peripheral's clock at `at`, because of a sleep mode or the peripheral's bit in PRR.
   virtual void clock_runs(bool runs, Cycle at) {
     (void)runs;
     (void)at;
   }
-  /// Handles that the processor falls asleep, in a mode with or without the ADC's clock. Its own clock may
-  /// stop next. Called for peripherals with that clock.
+  /// Handles the start of a sleep mode, with or without the ADC's clock. Only peripherals on the ADC's clock
+  /// get this call. clock_runs() may follow.
   virtual void falls_asleep(bool adc_clock_runs, Cycle at) {
     (void)adc_clock_runs;
     (void)at;
   }
-  /// Returns the enabled interrupts that may come without accesses to its registers; one bit per vector.
+  /// Returns the enabled interrupts that can occur without accesses to the peripheral's registers; one bit
+  /// per vector.
   virtual std::uint64_t may_interrupt() const { return 0; }
 };
 
@@ -66,16 +66,17 @@ struct Core {
   Cycle now() const { return cpu.cycle(); }
   std::uint8_t& at(Address address) { return cpu.data[address]; }
 
-  /// Schedules an event at `cycle`, possibly before the end of the processor's present run.
+  /// Schedules an event at `cycle`, possibly before the end of the processor's current run.
   void schedule(Events::Id id, Cycle cycle) {
     events.schedule(id, cycle);
     cpu.look_up();
   }
-  /// When the clock of an event stopped, and when the event was due.
+  /// The cycle at which an event's clock stopped, and the cycle at which the event was due.
   struct Held {
     Cycle since = 0, due = kNoCycle;
   };
-  /// Suspends an event while its peripheral's clock is stopped, and delays it by that time.
+  /// Suspends an event when its peripheral's clock stops. go_on() delays the event by the duration of the
+  /// stop.
   void hold(Events::Id id, Held& held, Cycle at) {
     held = {at, events.due(id)};
     events.cancel(id);
@@ -83,7 +84,7 @@ struct Core {
   void go_on(Events::Id id, const Held& held, Cycle at) {
     if (held.due != kNoCycle) schedule(id, held.due + (at - held.since));
   }
-  /// Suspends or resumes an event, as the clock stops or runs on.
+  /// Suspends or resumes an event when its peripheral's clock stops or starts.
   void hold_or_go_on(Events::Id id, Held& held, bool runs, Cycle at) {
     if (runs) {
       go_on(id, held, at);
@@ -101,33 +102,33 @@ struct Core {
     if (on_lost) on_lost(on_lost_self, vector);
   }
 
-  /// Returns the number of the processor's cycles in a duration, rounded up.
+  /// Returns the number of processor cycles in a duration, rounded up.
   Cycle cycles(std::int64_t nanoseconds) const {
     constexpr std::int64_t kSecond = 1'000'000'000;
     return static_cast<Cycle>((nanoseconds * clock_hz + kSecond - 1) / kSecond);
   }
-  /// Divides the oscillator's clock by `divisor` for the processor from now on.
+  /// Sets the processor's clock to the oscillator's clock divided by `divisor`.
   void divide_clock(int divisor) {
     const std::int64_t before = clock_hz;
     clock_hz = oscillator_hz / divisor;
     if (clock_hz == before) return;
     for (const ClockChange& change : clock_changes_) change.call(change.self, before);
   }
-  /// Calls void Owner::Method(std::int64_t hz_before) when the processor's clock has changed: a fixed
-  /// duration then takes another number of cycles.
+  /// Registers void Owner::Method(std::int64_t hz_before), which is called after the processor's clock has
+  /// changed. A fixed duration then takes a different number of cycles.
   template <auto Method, typename Owner>
   void on_clock_change(Owner* owner) {
     clock_changes_.push_back(
         {[](void* self, std::int64_t before) { (static_cast<Owner*>(self)->*Method)(before); }, owner});
   }
-  /// Converts `at` from cycles of a clock of `hz_before` to cycles of the present clock.
+  /// Converts `at` from cycles of a clock of `hz_before` to cycles of the current clock.
   Cycle rescaled(Cycle at, std::int64_t hz_before) const {
     if (at == kNoCycle || at <= now()) return at;
     const auto before = static_cast<Cycle>(hz_before);
     return now() + ((at - now()) * static_cast<Cycle>(clock_hz) + before - 1) / before;
   }
 
-  /// Registers `state` as changing state: snapshots copy it byte by byte.
+  /// Adds `state` to the state that snapshots copy byte by byte.
   template <typename State>
   void keep(State& state) {
     static_assert(std::is_trivially_copyable_v<State>);
@@ -141,16 +142,16 @@ struct Core {
   AdcTriggers triggers;
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
-  std::int64_t clock_hz;      ///< of the processor: the oscillator's frequency, divided by CLKPR
-  double supply_volts = 5.0;  ///< also of AVCC. The chip's user may set them.
+  std::int64_t clock_hz;      ///< processor clock: the oscillator's frequency, divided as CLKPR sets
+  double supply_volts = 5.0;  ///< also the voltage of AVCC; the chip's owner may change it
   SnapshotRegistry snapshots;
-  MarkVisitor* visitor = nullptr;  ///< for marks; null = they stop the chip
-  /// A reset is possible with interrupts off: the watchdog's.
+  MarkVisitor* visitor = nullptr;  ///< visits marks; null = marks stop the chip
+  /// Set while the watchdog can reset the chip even with interrupts off.
   bool reset_may_come = false;
-  /// Resets the chip after the running instruction; `flags` are MCUSR's. Set by the chip.
+  /// Resets the chip after the current instruction, and adds `flags` to MCUSR. The chip sets this callback.
   void (*reset)(void* self, std::uint8_t flags) = nullptr;
   void* reset_self = nullptr;
-  /// Called when an event is lost; may be null.
+  /// Called when an interrupt request is lost; may be null.
   void (*on_lost)(void* self, int vector) = nullptr;
   void* on_lost_self = nullptr;
 

@@ -12,7 +12,7 @@ constexpr std::uint8_t kSigned = Cpu::kV | Cpu::kS;
 constexpr std::uint8_t kArithmetic = kC | kZ | kN | kSigned | Cpu::kH;
 
 constexpr std::uint8_t kPointers = 26;  // X, Y, Z
-// Lines beyond the range of typical sketches are held.
+// Limits of Lines. A Line beyond them, which no typical sketch reaches, is held.
 constexpr std::int64_t kMost = std::int64_t{1} << 48, kSteepest = std::int64_t{1} << 24;
 constexpr int kBytes = 5;
 
@@ -55,7 +55,7 @@ bool CounterExtrapolation::agrees(std::uint32_t registers) const {
 
 // --- holding
 
-/// Requires that the line without its low bits stays unchanged.
+/// Limits the window to counts for which the line's bits from `bits` up stay unchanged.
 void CounterExtrapolation::keep(const Line& line, int bits) {
   if (line.step == 0) return;
   const std::int64_t within = low_bits(line.now, bits);
@@ -152,7 +152,7 @@ void CounterExtrapolation::follow(const Instruction& instruction, const Instruct
   compute(effects);
 }
 
-/// Computes a result that is equal for all n.
+/// Holds all inputs of an instruction, so that its result is equal for all n.
 void CounterExtrapolation::compute(const InstructionEffects& effects) {
   hold_registers(effects.reads);
   hold_flags(effects.flags_read);
@@ -197,7 +197,7 @@ void CounterExtrapolation::store(const Instruction& instruction, const Instructi
   }
 }
 
-/// Returns the line of a number whose bytes below k are those of `line`, and whose byte k is `byte`.
+/// Returns the line of a number with the bytes of `line` below k and with `byte` as byte k.
 std::optional<CounterExtrapolation::Line> CounterExtrapolation::extended(const Line& line,
                                                                          const Operand& byte,
                                                                          std::uint8_t constant, int k) {
@@ -234,13 +234,13 @@ std::optional<CounterExtrapolation::Chain> CounterExtrapolation::begun(const Ins
   chain.subtracts = is_difference(instruction.op);
   chain.k = left ? left->k : right->k;
   if (left && right && (left->k != right->k || chain.k != 0 || carry)) return std::nullopt;
-  // The lower bytes, which are in the Line but not in the processor's operation, would borrow.
+  // The lower bytes would borrow: they belong to the Line, and the instruction does not subtract them.
   if (right && chain.subtracts && chain.k != 0) return std::nullopt;
   const auto line = [&](std::uint8_t value) { return Line{std::int64_t{value} << (8 * chain.k), 0}; };
   chain.left = left ? left->line : line(cpu_.data[instruction.a]);
   chain.right = right ? right->line : line(constant);
   if (carry) {
-    // The carry is added to the constant, which must remain a byte.
+    // Adds the carry to the constant, which must still fit in a byte.
     if (right || constant == 0xFF) return std::nullopt;
     chain.right.now += size_of(8 * chain.k);
   }

@@ -1,14 +1,14 @@
-// Follows the values that a loop computes from a counter, while one pass of it runs: for how many counts more
-// will all its jumps go the same way?
+// Follows the values that a loop computes from a counter during one pass. Finds for how many more counts all
+// jumps of the pass go the same way.
 //
-//   the counter reads v0 now, v0 + n later
-//   Line    a whole number that is `now` at n = 0, and `now` + n * `step` in general
-//   Byte    byte k of a Line, in two's complement: what a register of the processor holds of it
-//   Chain   the flags of a sum or difference of two Lines that is made byte by byte: ADD ADC ADC, CP CPC …
+//   the counter reads v0 now, and v0 + n later
+//   Line    a whole number: `now` + n * `step`
+//   Byte    byte k of a Line in two's complement, as a processor register stores it
+//   Chain   the flags of a sum or difference of two Lines, computed byte by byte: ADD ADC ADC, CP CPC …
 //
-// Sums and differences of Bytes are followed as long as the bytes belong together. Any other use of a Byte
-// holds it: the window, the range of n, shrinks to those at which the byte has its present value. So nothing
-// is guessed; in the worst case the window is this one count.
+// Sums and differences of Bytes are followed while the bytes belong to the same number. Any other use of a
+// Byte holds it: the window, which is the range of n, shrinks until the byte is constant within it. The
+// result is never a guess. In the worst case the window contains only n = 0.
 #pragma once
 
 #include <array>
@@ -27,21 +27,21 @@ class CounterExtrapolation {
  public:
   explicit CounterExtrapolation(const Cpu& cpu) : cpu_(cpu) {}
 
-  /// Begins: nothing depends on the counter yet.
+  /// Begins a pass, in which nothing depends on the counter yet.
   void begin();
-  /// Follows an instruction with these effects, which is about to run.
+  /// Follows an instruction that is about to run with these effects.
   void follow(const Instruction& instruction, const InstructionEffects& effects);
-  /// Notes that it has read the counter into this register, which holds v0 now.
+  /// Notes that the loop has read the counter into this register, which now contains v0.
   void counter_read(unsigned reg);
   bool has_counter() const { return has_counter_; }
-  /// Returns whether these registers, one bit each, match the Lines. If not, this file is wrong.
+  /// Returns whether these registers, one bit each, match their Lines. A mismatch is a bug in this class.
   bool agrees(std::uint32_t registers) const;
 
-  /// Requires that this memory, and these flags, keep their present values.
+  /// Limit the window to counts for which this memory, or these flags, stay unchanged.
   void hold(Address address);
   void hold_flags(unsigned flags);
 
-  /// Returns the largest n for which everything is as at n = 0.
+  /// Returns the largest n for which all held values equal their values at n = 0.
   std::int64_t window() const { return window_; }
 
  private:
@@ -52,12 +52,12 @@ class CounterExtrapolation {
     Line line;
     int k = 0;
   };
-  using Operand = std::optional<Byte>;  ///< none = equal for all n
+  using Operand = std::optional<Byte>;  ///< empty = equal for all n
   struct Chain {
     bool subtracts = false;
-    bool whole = false;  ///< Z covers all bytes, down to byte 0
+    bool whole = false;  ///< Z covers all bytes from byte 0 to byte k
     Line left, right, result;
-    int k = 0;  ///< the last computed byte
+    int k = 0;  ///< index of the last computed byte
   };
 
   void keep(const Line& line, int bits);
@@ -79,8 +79,8 @@ class CounterExtrapolation {
   const Cpu& cpu_;
   bool has_counter_ = false;
   std::array<Operand, 32> registers_;
-  std::vector<std::pair<Address, Operand>> memory_;  ///< stored values of the pass
-  std::optional<Chain> chain_;                       ///< none = the flags are equal for all n
+  std::vector<std::pair<Address, Operand>> memory_;  ///< values that the pass has stored
+  std::optional<Chain> chain_;                       ///< empty = the flags are equal for all n
   std::int64_t window_ = 0;
 };
 

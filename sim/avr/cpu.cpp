@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
-// Above this the vectors are two words apart, room for a JMP.
+// Largest flash with vectors of one word. In a larger flash each vector has two words, enough for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 bool counts_down(const Instruction& first, const Instruction& second) {
   return first.op == Op::sbiw && first.b == 1 && second.op == Op::brbc && second.b == Cpu::kZ &&
          second.k == -2;
 }
 
-/// Returns an equivalent operation that is specialised for its operands.
+/// Returns the equivalent operation that is specialised for the instruction's operands.
 Op quick(const Instruction& i) {
   if (i.op != Op::brbs && i.op != Op::brbc) return i.op;
   const bool set = i.op == Op::brbs;
@@ -39,7 +39,7 @@ constexpr unsigned key_of(Op first, Op second) {
   return static_cast<unsigned>(first) << 8 | static_cast<unsigned>(second);
 }
 
-/// Returns the operation that does both; the first, if there is none.
+/// Returns the operation that runs both instructions; `first` if no such operation exists.
 Op both_of(Op first, Op second) {
   switch (key_of(first, second)) {
 #define ROBOSIM_AVR_CASE(x, one, other) \
@@ -52,7 +52,8 @@ Op both_of(Op first, Op second) {
   }
 }
 
-/// Returns whether an AVRe lacks it: MUL and similar ones, JMP and CALL, program memory after 64 KB.
+/// Returns whether an AVRe core lacks the operation: multiplication, JMP and CALL, or access to program
+/// memory beyond 64 KB.
 bool needs_large_core(Op op) {
   switch (op) {
     case Op::mul:
@@ -86,7 +87,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       plain_(chip.ram_address, kPlainRead | kPlainWrite) {
   for (const Address elsewhere : {reg::kSreg, reg::kSpL, reg::kSpH}) plain_[elsewhere] = 0;
   flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
-  // Most of a flash is erased, and equal: it is not examined word by word.
+  // Skips the erased end of the flash, usually its largest part: all its words decode alike.
   const std::size_t words = flash_.size() / 2;
   words_ = static_cast<std::uint32_t>(words);
   std::size_t used = words;
@@ -323,7 +324,8 @@ bool Cpu::reads_number(std::uint32_t pc) const {
   return true;
 }
 
-// An instruction with a mark is not paired: run() stops there.
+// Returns the operation at `pc` without its own mark. An instruction with a mark is never the second of a
+// pair, because run() stops there.
 Op Cpu::unmarked(std::uint32_t pc) const {
   const Op first = alone(pc);
   const auto none_marked = [&](std::uint32_t words) {
@@ -374,7 +376,8 @@ std::uint8_t Cpu::bits_read(std::uint32_t pc) const {
   if (next.op == Op::andi && next.a == reads.a) return next.b;
   if (next.op != Op::and_) return kAllBits;
   if (next.a == reads.a) return next.b == reads.a ? kAllBits : data[next.b];
-  // The core's digitalRead(): the mask is and-ed with the value, which the result, 0 or 1, then replaces.
+  // Recognises the Arduino core's digitalRead(): it ANDs a mask with the value, and LDI then overwrites the
+  // value.
   const Instruction& after = instruction(pc + reads.words + next.words);
   const bool replaced = after.op == Op::ldi && after.a == reads.a;
   return next.b == reads.a && replaced ? data[next.a] : kAllBits;

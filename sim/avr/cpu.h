@@ -1,12 +1,12 @@
-// The processor of an AVR: registers, status, program counter, memory, and a loop that runs decoded
-// instructions. Source: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter
+// Models the processor of an AVR: registers, status, program counter, memory, and a loop that runs decoded
+// instructions. Sources: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter
 // 7.
 //
-//   cycle     an instruction that begins at cycle c and takes n accesses memory and registers at c + n: two
-//             consecutive IN read one cycle apart, two LDS two
-//   horizon   run() stops at this cycle: the next event of a peripheral, or the end that its caller requests
+//   cycle     an instruction that starts at cycle c and takes n cycles accesses memory and registers at
+//             c + n: two consecutive INs read one cycle apart, two consecutive LDSs two cycles apart
+//   horizon   run() stops at this cycle: the next event of a peripheral, or the end that the caller requests
 //
-// It does not know peripherals and interrupts by name: those are hooks of registers, and vectors.
+// The processor has no references to peripherals. It calls hooks of registers, and enters vectors.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@
 
 namespace robosim::avr {
 
-using Address = std::uint16_t;  ///< in data memory
+using Address = std::uint16_t;  ///< address in data memory
 
 class Cpu {
  public:
@@ -34,32 +34,32 @@ class Cpu {
 
   /// The reason why run(), or Chip::run_to(), returned.
   enum class Stop : std::uint8_t {
-    reached,   ///< the given cycle
-    sleep,     ///< SLEEP ran; the program counter is after it
+    reached,   ///< the given cycle was reached
+    sleep,     ///< SLEEP ran; the program counter is after SLEEP
     mark,      ///< the instruction at the program counter has a mark; the next run() executes it
     break_,    ///< BREAK ran
-    illegal,   ///< a reserved opcode; the program counter is at it
-    outside,   ///< the program counter is after the flash: by a jump to outside_pc(), or by running on
-    bad_read,  ///< the previous instruction has accessed bad_address(), which has no memory
+    illegal,   ///< the program counter is at a reserved opcode
+    outside,   ///< the program counter is beyond the flash, after a jump to outside_pc() or the last word
+    bad_read,  ///< the last instruction read bad_address(), which has no memory
     bad_write,
     spm,      ///< SPM ran
-    stopped,  ///< by stop(); for a chip in single steps: an instruction has run
-    off,      ///< for a chip: it sleeps with interrupts off, and only a reset will wake it
+    stopped,  ///< stop() was called; in Chip's single-step mode, an instruction has run
+    off,      ///< from Chip only: the chip sleeps with interrupts off, and only a reset can wake it
   };
 
-  /// `flash` holds whole words, at most as many as the program counter reaches; `last_ram`: the last address
-  /// of data memory.
+  /// `flash` consists of whole words, at most as many as the program counter can address. `last_ram` is the
+  /// last address of data memory.
   Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram);
 
   // --- running
-  /// Runs until `until`, or a few cycles later, or until something stops it.
+  /// Runs until cycle `until`, or a few cycles longer, or until an earlier stop.
   Stop run(Cycle until);
-  /// From within a hook: makes run() return after this instruction, without a reason to stop.
+  /// Makes run() return Stop::reached after the current instruction. Called by hooks.
   void look_up() { horizon_ = 0; }
-  /// From within a hook: makes run() return Stop::stopped after this instruction.
+  /// Makes run() return Stop::stopped after the current instruction. Called by hooks.
   void stop() { stop_with(Stop::stopped); }
 
-  /// A listener for WDR.
+  /// A callback without arguments, as for WDR.
   struct Call {
     void (*function)(void* self) = nullptr;
     void* self = nullptr;
@@ -74,33 +74,34 @@ class Cpu {
   Call on_wdr;
 
   // --- interrupts
-  /// Takes 4 cycles, 5 with a program counter of 22 bits: the return address is pushed, I is cleared.
+  /// Enters the handler of an interrupt: pushes the return address and clears I. Takes 4 cycles; 5 with a
+  /// 22-bit program counter.
   void enter(int vector);
-  /// After enter(): runs the whole handler at once, if it is the core's of timer 0. Nothing may happen before
-  /// `until` that must precede its end (time_count.h).
+  /// Runs the whole handler at once, if it is the Arduino core's handler of timer 0 (time_count.h). Called
+  /// after enter(). No event that affects the handler may occur before `until`.
   void count_time(Cycle until);
-  /// Returns where the processor continues then, in words.
+  /// Returns the word address of an interrupt vector.
   std::uint32_t entry_of(int vector) const;
-  /// Returns whether an interrupt may be taken now. I must be set, and not by the last instruction, after
-  /// which one more runs (SEI, RETI, and others that set I).
+  /// Returns whether an interrupt can be entered now: I must be set. After an instruction that sets I, such
+  /// as SEI or RETI, one more instruction runs first.
   bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
-  /// The waiting ones, one bit each: an instruction that sets I while there is one makes run() return. Null:
-  /// always.
+  /// Waiting interrupts, one bit each. An instruction that sets I makes run() return if an interrupt is
+  /// waiting; always, if this is null.
   const std::uint64_t* waiting = nullptr;
   /// Resets the processor: the program counter and I/O registers become 0, memory is retained.
   void reset();
 
   // --- registers and memory
-  /// The implementation of an I/O register. Without hooks it stores what is written. Hooks are called at the
-  /// cycle of the access, after all earlier events (on_time).
+  /// The implementation of an I/O register. A register without hooks stores the written value. Hooks are
+  /// called at the cycle of the access, after all earlier events (on_time).
   struct Hook {
     std::uint8_t (*read)(void* self, Address address) = nullptr;
     void (*write)(void* self, Address address, std::uint8_t value) = nullptr;
-    /// For SBI and CBI: `value` is the register's (data) with the bit changed; `bit` is a mask. Without it
-    /// they read and write.
+    /// Implements SBI and CBI. `value` is the content of `data` with the bit changed; `bit` is a mask.
+    /// Without this hook, SBI and CBI read and write the register.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
-    /// Without it, a register with `read` has no forecast.
+    /// Predicts reads. A register with `read` and without this hook has no forecast.
     ReadForecast (*forecast)(void* self, Address address, std::uint8_t bits) = nullptr;
     bool is_steady = false;
     void* read_self = nullptr;
@@ -108,8 +109,8 @@ class Cpu {
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
-  /// Registers ReadForecast Owner::Method(Address, uint8_t bits): predicts reads, of which only these bits
-  /// matter. Called after all earlier events.
+  /// Registers ReadForecast Owner::Method(Address, uint8_t bits), which predicts reads; only `bits` are
+  /// relevant. Called after all earlier events.
   template <auto Method, typename Owner>
   void on_forecast(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -121,12 +122,12 @@ class Cpu {
   /// Declares that reads of the register have no side effects, and are constant between events and writes.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   ReadForecast forecast(Address address, std::uint8_t bits) const;
-  /// Returns the relevant bits of an I/O register that the instruction at `pc` reads: it, or the following
-  /// one, may drop the others at once. kAllBits: unknown.
+  /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. This or the next
+  /// instruction may discard the other bits. Returns kAllBits if the relevant bits are unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 
-  /// Registers uint8_t Owner::Method(Address)
+  /// Registers uint8_t Owner::Method(Address) as the read hook.
   template <auto Method, typename Owner>
   void on_read(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -134,7 +135,7 @@ class Cpu {
     hook.read_self = owner;
     plain_[address] &= static_cast<std::uint8_t>(~kPlainRead);
   }
-  /// Registers void Owner::Method(Address, uint8_t value)
+  /// Registers void Owner::Method(Address, uint8_t value) as the write hook.
   template <auto Method, typename Owner>
   void on_write(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -144,8 +145,8 @@ class Cpu {
     hook.write_self = owner;
     plain_[address] &= static_cast<std::uint8_t>(~kPlainWrite);
   }
-  /// Adds a second owner to a register: `owner` is called after the first. Both leave the register's value to
-  /// the first, except for their own bits.
+  /// Adds a second owner to a register; `owner` is called after the first owner. The first owner stores the
+  /// register's value. The second changes only its own bits.
   template <auto Method, typename Owner>
   void also_on_write(Address address, Owner* owner) {
     const Hook before = hooks_[address];
@@ -160,8 +161,8 @@ class Cpu {
     };
     hook.write_self = &shared_.back();
   }
-  /// Registers void Owner::Method(Address): called before each write to the register, if that has an owner
-  /// already.
+  /// Registers void Owner::Method(Address), which is called before each write. Has no effect on a register
+  /// without a write hook.
   template <auto Method, typename Owner>
   void before_write(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -181,7 +182,7 @@ class Cpu {
     };
     hook.write_bit_self = &early_.back();
   }
-  /// Registers void Owner::Method(Address, uint8_t value, uint8_t bit)
+  /// Registers void Owner::Method(Address, uint8_t value, uint8_t bit) as the hook of SBI and CBI.
   template <auto Method, typename Owner>
   void on_write_bit(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -190,10 +191,10 @@ class Cpu {
     };
     hook.write_bit_self = owner;
   }
-  /// Called before a hook if an event may be due by this cycle, which must come first.
+  /// Called before a hook if an event may be due by this cycle. The event must run before the hook.
   Call on_time;
 
-  /// Read and write like firmware, with all effects.
+  /// Read and write an address like firmware, with all side effects.
   std::uint8_t load(Address address);
   void store(Address address, std::uint8_t value);
 
@@ -205,11 +206,11 @@ class Cpu {
   std::uint32_t pc() const { return state.pc; }  ///< in words
   void set_pc(std::uint32_t words) { state.pc = words; }
   Cycle cycle() const { return state.cycle; }
-  /// Lets time pass without instructions: in sleep.
+  /// Advances time without running instructions, as during sleep.
   void skip_to(Cycle cycle) { state.cycle = cycle; }
-  /// Returns the address of the instruction that runs or ran last, in words.
+  /// Returns the word address of the current or last instruction.
   std::uint32_t last_pc() const { return state.last_pc; }
-  /// Returns the target of the last jump out of the flash, in words.
+  /// Returns the target of the last jump out of the flash, as a word address.
   std::uint32_t outside_pc() const { return state.outside_pc; }
   Address bad_address() const { return state.bad_address; }
   Address last_ram() const { return last_ram_; }
@@ -218,20 +219,20 @@ class Cpu {
   std::span<const std::uint8_t> flash() const { return flash_; }
   const Instruction& instruction(std::uint32_t pc) const { return original_[pc]; }
 
-  /// The registers, I/O and RAM. SREG and SP are stored elsewhere.
+  /// Data memory: registers, I/O and RAM. SREG and SP are stored in `state`.
   std::vector<std::uint8_t> data;
 
-  /// Returns whether it is the end of a loop that counts down, which run() executes at once.
+  /// Returns whether `pc` is the end of a loop that counts down, which run() executes in one step.
   bool is_count(std::uint32_t pc) const;
 
-  // --- marks: run() stops before an instruction
+  // --- marks: run() stops before a marked instruction
   void set_mark(std::uint32_t pc, bool set);
   bool has_mark(std::uint32_t pc) const { return marks_[pc] & kMark; }
-  /// Sets heads of loops, which are reported in the same way.
+  /// Marks the head of a loop. run() stops there, too.
   void set_head(std::uint32_t pc, bool set);
   bool is_head(std::uint32_t pc) const { return marks_[pc] & kHead; }
-  /// Registers bool Owner::Method(), called at a mark that is not a head, with `state` complete: returns
-  /// whether run() continues.
+  /// Registers bool Owner::Method(), which is called at a mark that is not a head, with `state` complete. The
+  /// method returns whether run() continues.
   template <auto Method, typename Owner>
   void on_mark(Owner* owner) {
     may_pass_ = [](void* self) { return (static_cast<Owner*>(self)->*Method)(); };
@@ -239,42 +240,42 @@ class Cpu {
   }
 
   // --- the stack
-  /// Called when the stack pointer goes below `sp_watch` by a push, a call or an interrupt. Also called
-  /// whenever firmware writes SPL or SPH (on_sp_written).
+  /// on_sp_low is called when a push, a call or an interrupt moves the stack pointer below `sp_watch`.
+  /// on_sp_written is called when firmware writes SPL or SPH.
   Call on_sp_low;
   Call on_sp_written;
-  /// Returns the last calls, returns and interrupts, the last first: addresses in words.
+  /// Returns the word addresses of the most recent calls, returns and interrupts, the latest first.
   std::vector<std::uint32_t> last_jumps() const;
   /// Returns the number of open interrupt handlers.
   int open_handlers() const { return state.open_handlers; }
-  /// Called when the processor enters a handler, before it pushes the return address; and when RETI has
-  /// returned from one, before it enables interrupts.
+  /// on_entered is called when the processor enters a handler, before the return address is pushed. on_left
+  /// is called after RETI has returned, before interrupts are enabled.
   Call on_entered, on_left;
-  /// Notes that another task continues, on its own stack: it was in `count` handlers.
+  /// Notes a switch to another task with its own stack, which is inside `count` handlers.
   void set_open_handlers(int count);
   Cycle handler_cycles() const {
     return state.handler_cycles + (state.open_handlers > 0 ? state.cycle - state.handler_began : 0);
   }
 
-  /// All changing state of the processor, except `data`.
+  /// All processor state that changes while firmware runs, except `data`.
   struct State {
     Cycle cycle = 0;
     std::uint32_t pc = 0;
     std::uint32_t last_pc = 0;
     std::uint16_t sp = 0;
     std::uint16_t sp_watch = 0;
-    std::uint16_t sp_before = 0;  ///< before the last write to SPL or SPH
+    std::uint16_t sp_before = 0;  ///< stack pointer before the last write to SPL or SPH
     std::uint8_t sreg = 0;
-    Cycle held_at = kNoCycle;  ///< one more instruction runs before an interrupt: none has run since then
+    Cycle held_at = kNoCycle;  ///< cycle at which an instruction set I; the next one runs before an interrupt
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
-    std::uint32_t passing = ~0u;   ///< where the mark was already reported
+    std::uint32_t passing = ~0u;   ///< word address whose mark was already reported
     bool reads_signature = false;  ///< LPM reads the signature row instead of flash
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
-    std::uint32_t interrupted_pc = 0;  ///< where the open handler, or the last one, interrupted the firmware
-    std::uint8_t vector = 0;           ///< of that handler
-    Cycle last_io = 0;                 ///< last access to an I/O register outside of handlers
+    std::uint32_t interrupted_pc = 0;  ///< place interrupted by the current or last handler
+    std::uint8_t vector = 0;           ///< vector of that handler
+    Cycle last_io = 0;                 ///< last access to an I/O register outside handlers
     std::uint32_t last_io_pc = 0;
     std::array<std::uint32_t, 32> jumps{};
     std::uint32_t jump_count = 0;
@@ -298,7 +299,7 @@ class Cpu {
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
-  /// Returns whether an OUT to SREG is between the halves of the stack pointer: then a function reserves its
+  /// Returns whether an OUT to SREG comes between the writes of SPH and SPL, where a function reserves its
   /// variables.
   bool is_in_prologue(std::uint32_t pc) const {
     if (pc == 0) return false;
@@ -319,7 +320,7 @@ class Cpu {
       state.handler_cycles += state.cycle - state.handler_began;
     on_left();
   }
-  /// Returns the continuation of the program counter: after the flash, if `pc` is.
+  /// Returns the program counter after a jump to `pc`. All targets beyond the flash become its end.
   std::uint32_t target_of(std::uint32_t pc) {
     if (pc < words_) return pc;
     state.outside_pc = pc;
@@ -331,15 +332,15 @@ class Cpu {
 
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
-  std::uint32_t words_ = 0;                   ///< of flash; a power of two
-  std::vector<Instruction> original_, code_;  ///< code_: modified for run()
-  std::vector<Op> unmarked_;                  ///< by word: the operation in code_ without marks before it
+  std::uint32_t words_ = 0;                   ///< size of the flash; a power of two
+  std::vector<Instruction> original_, code_;  ///< `code_` is modified for run()
+  std::vector<Op> unmarked_;                  ///< by word: the operation in `code_` if the word had no mark
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   std::optional<TimeCount> time_count_;
   std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;          ///< by address
-  std::vector<std::uint8_t> plain_;  ///< by address: accesses without hooks
+  std::vector<std::uint8_t> plain_;  ///< by address: kPlainRead, kPlainWrite if that access has no hook
   struct Shared {
     void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
     void* first_self = nullptr;
@@ -348,7 +349,7 @@ class Cpu {
   };
   std::deque<Shared> shared_;  ///< registers with two owners
   struct Early {
-    Hook hook;  ///< the original one
+    Hook hook;  ///< the original hook
     void (*tell)(void* self, Address address);
     void* self;
   };

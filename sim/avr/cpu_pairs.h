@@ -1,6 +1,6 @@
-// The code of two instructions that run as one (ROBOSIM_AVR_PAIRS): a macro for the interpreter's loop
-// (cpu_run.cpp), like those of cpu_steps.h. If the horizon is not after the beginning of the second, they run
-// one by one. So nothing stops in between and reads flags that have not been computed.
+// Defines the macros for pairs of instructions that run as one (ROBOSIM_AVR_PAIRS), for the interpreter's
+// loop (cpu_run.cpp). If the horizon is not after the start of the second instruction, the two run
+// separately. The loop therefore never stops between them, where some flags are not computed.
 #pragma once
 
 #include "sim/avr/cpu_steps.h"
@@ -80,7 +80,7 @@
     STORE(address, r[i->a], 1);        \
   }
 
-// For a handler that nothing interrupts, with room for its stack after its variables.
+// Runs a handler that cannot be interrupted, and whose stack does not reach its variables.
 #define CODE_OF_TIME_COUNT                                                                                \
   OPERATION(count_time, 0) {                                                                              \
     constexpr int kPushes = TimeCount::kPushes;                                                           \

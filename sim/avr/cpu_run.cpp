@@ -1,4 +1,4 @@
-// The interpreter's loop: each operation ends with a jump to the next one's code.
+// Implements the interpreter's loop. Each operation ends with a jump to the code of the next operation.
 #include "sim/avr/cpu.h"
 #include "sim/avr/cpu_pairs.h"
 #include "sim/avr/cpu_steps.h"
@@ -9,7 +9,8 @@ Cpu::Stop Cpu::run(Cycle until) {
   stop_ = Stop::reached;
   horizon_ = until;
 
-  // Registers hold what every instruction needs: a store to `r` could be a store to any member.
+  // Local variables can stay in the host's registers. Members cannot, because a store to `r` might change any
+  // member.
   std::uint8_t* const r = data.data();
   const Instruction* const code = code_.data();
   const std::uint32_t words_of_flash = words_, wrap = words_ - 1;
@@ -387,7 +388,7 @@ choose:
   OPERATION(outside, 0) STOP(Stop::outside, 0);
 
 leave:
-  // The program counter is at the next instruction, which has not run.
+  // Sets the program counter to the next instruction, which has not run yet.
   state.cycle = end - static_cast<Cycle>(left);
   state.pc = static_cast<std::uint32_t>(i - code);
   state.sreg = flags.pack();

@@ -1,8 +1,8 @@
-// The parts of the interpreter's loop (cpu_run.cpp): macros over its local variables, since a jump to a label
-// needs the label in the same function. No other file includes this.
+// Defines the steps of the interpreter's loop (cpu_run.cpp) as macros over the loop's local variables. They
+// are not functions, because a jump to a label cannot leave its function.
 //
-//   i, code        the instruction, and that of address 0
-//   left, end      cycles to `end`, which is the horizon; their difference is the present cycle
+//   i, code        the current instruction, and the instruction at address 0
+//   left, end      cycles until `end`, which is the horizon; the current cycle is end - left
 //   r, flags, sp   the registers
 #pragma once
 
@@ -17,11 +17,11 @@ constexpr Address kXLow = 26, kYLow = 28, kZLow = 30;
 constexpr Address kRampz = 0x5B, kEind = 0x5C;
 constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and a taken BRNE
 
-/// Reads a word by bytes, as most words are written: a processor stalls if it reads a word right after such
-/// writes.
+/// Reads a word byte by byte, because most words are written that way. A host processor stalls if it reads a
+/// whole word just after two byte writes.
 inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* low) {
   unsigned first = low[0];
-  asm("" : "+r"(first));  // not as one
+  asm("" : "+r"(first));  // prevents merging into one read
   return static_cast<std::uint16_t>(first | static_cast<unsigned>(low[1]) << 8);
 }
 
@@ -34,7 +34,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
 #else
 #define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
 #endif
-// NEXT(words): after the operation; `left` includes its cycles already.
+// NEXT(words) continues after an operation, whose cycles are already subtracted from `left`.
 #define DISPATCH              \
   if (left <= 0) [[unlikely]] \
     goto leave;               \
@@ -43,8 +43,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   i += (words);     \
   DISPATCH
 #define OPERATION(name, cycles) L_##name : left -= (cycles);
-// Stores the processor's state in `state`, with the program counter after the instruction; RESUME continues
-// from there.
+// Stores the processor's state in `state`, with the program counter after the instruction. RESUME continues
+// from `state`.
 #define PUT(words)                                              \
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \
@@ -52,8 +52,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.pack();                                    \
   state.sp = sp
 #define RESUME goto resume
-// Stores the state for code that reads no flags except I and T. The others stay in registers, and
-// RESUME_WITH_FLAGS restores them. `state.sreg` has them when run() returns, at the latest.
+// Stores the state for code that reads no flags except I and T. The other flags stay in local variables until
+// RESUME_WITH_FLAGS. When run() returns, `state.sreg` contains all flags.
 #define PUT_PLACE(words)                                        \
   state.cycle = end - static_cast<Cycle>(left);                 \
   state.last_pc = static_cast<std::uint32_t>(i - code);         \
@@ -61,7 +61,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.packed_into(state.sreg);                   \
   state.sp = sp
 #define RESUME_WITH_FLAGS goto resume_with_flags
-// Registers without a hook for this (`read`, `write`), if no event is due: like memory, except for last_io.
+// Returns whether an I/O register has no hook for this access and no event is due. The access is then like
+// one to memory, except for last_io.
 #define IS_PLAIN(way) (left > 0 && plain_[static_cast<std::size_t>(i->k)] & (way))
 #define NOTE_IO                                         \
   state.last_pc = static_cast<std::uint32_t>(i - code); \
@@ -69,7 +70,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.last_io = end - static_cast<Cycle>(left);     \
     state.last_io_pc = state.last_pc;                   \
   }
-// If it sets I while an interrupt waits, that is entered after the next instruction.
+// Runs an OUT to SREG. If the OUT sets I while an interrupt waits, the interrupt is entered after the next
+// instruction.
 #define OUT_SREG(note)                                         \
   {                                                            \
     const std::uint8_t value = r[i->a];                        \
@@ -116,7 +118,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     }                                    \
     RESUME_WITH_FLAGS;                   \
   }
-// The return address is after the instruction.
+// Calls a function; the return address is after the instruction.
 #define CALL(words, target)                                                            \
   {                                                                                    \
     const auto back = static_cast<std::uint32_t>(i - code) + (words);                  \
@@ -134,7 +136,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.pc = target_of(to);                                                          \
     RESUME;                                                                            \
   }
-// RETI, if no other handler waits, and there is no listener.
+// Runs RETI if no other interrupt waits and on_left has no listener.
 #define RETURN_FROM_HANDLER                                                                             \
   if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting && !on_left.function) { \
     state.cycle = end - static_cast<Cycle>(left);                                                       \
@@ -186,7 +188,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     set_pair(low, pointer);                                   \
     LOAD(i->a, pointer, 1);                                   \
   }
-// Stores the register's value from before the move of the pointer, even if it is a part of it.
+// Stores the register's value from before the increment, even if the register is part of the pointer.
 #define STORE_AND_STEP(low)              \
   {                                      \
     const Address pointer = pair(low);   \

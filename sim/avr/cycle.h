@@ -1,4 +1,4 @@
-// Time inside a chip: cycles of the processor's clock since power-on.
+// Defines the unit of time inside a chip: cycles of the processor's clock since power-on.
 #pragma once
 
 #include <cstdint>

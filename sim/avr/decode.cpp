@@ -130,7 +130,7 @@ Instruction decode_control(Fields f) {
   return {f.w & 0x80 ? Op::bclr : Op::bset, 0, static_cast<std::uint8_t>(1 << (f.w >> 4 & 7))};
 }
 
-// 1001 010.: one register, and control
+// 1001 010.: one register, and control instructions
 Instruction decode_one(Fields f, std::uint16_t next) {
   const std::uint8_t d = f.d5();
   switch (f.w & 15) {
@@ -194,7 +194,7 @@ Instruction decode_9(Fields f, std::uint16_t next) {
   }
 }
 
-// 10.0 .... .... ....: with a displacement
+// 10.0 .... .... ....: loads and stores with a displacement
 Instruction decode_displaced(Fields f) {
   const bool store = f.w & 0x200, y = f.w & 8;
   return {store ? (y ? Op::std_y : Op::std_z) : (y ? Op::ldd_y : Op::ldd_z), f.d5(), f.q()};

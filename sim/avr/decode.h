@@ -1,6 +1,6 @@
-// Decodes AVR instructions, once when flash is written, so that the interpreter needs one jump for each.
-// Source: AVR Instruction Set Manual, DS40002198B; the numbers of cycles are those of the AVRe+ core (ATmega,
-// ATtiny with AVRe: no MUL).
+// Decodes AVR instructions once, when flash is written, so that the interpreter needs one jump per
+// instruction. Source: AVR Instruction Set Manual, DS40002198B. Cycle counts are those of the AVRe+ core
+// (ATmega); the AVRe core of an ATtiny has equal counts, and lacks MUL.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace robosim::avr {
 
 // clang-format off
-/// Pairs of instructions that often follow each other and run as one: ONE(X, first, second) for each. This
-/// saves the jump between them, and the work for flags that the second overwrites.
+/// Lists pairs of frequently adjacent instructions that run as one: ONE(X, first, second) for each pair. A
+/// pair saves a jump, and the computation of flags that the second instruction overwrites.
 #define ROBOSIM_AVR_PAIRS(ONE, X) \
   /* bytes of a number */ \
   ONE(X, add, adc) ONE(X, adc, adc) ONE(X, sub, sbc) ONE(X, sbc, sbc) ONE(X, subi, sbci) ONE(X, sbci, sbci) \
@@ -26,14 +26,14 @@ namespace robosim::avr {
   ONE(X, ldd_y, ldd_y) ONE(X, ldd_z, ldd_z) ONE(X, std_y, std_y) ONE(X, std_z, std_z)
 #define ROBOSIM_AVR_AS_ONE(X, first, second) X(first##_##second)
 
-/// All operations: X(name) for each.
+/// Lists all operations: X(name) for each.
 #define ROBOSIM_AVR_OPERATIONS(X) \
   /* two registers: a = Rd, b = Rr */ \
   X(add) X(adc) X(sub) X(sbc) X(and_) X(or_) X(eor) X(mov) X(cp) X(cpc) X(cpse) X(mul) X(muls) X(mulsu) \
   X(fmul) X(fmuls) X(fmulsu) X(movw) \
-  /* a register and a constant: a = Rd, b = K */ \
+  /* one register and a constant: a = Rd, b = K */ \
   X(subi) X(sbci) X(andi) X(ori) X(ldi) X(cpi) X(adiw) X(sbiw) \
-  /* a register: a = Rd; bld, bst: b = the bit's mask */ \
+  /* one register: a = Rd; bld, bst: b = the bit's mask */ \
   X(com) X(neg) X(swap) X(inc) X(asr) X(lsr) X(ror) X(dec) X(bld) X(bst) X(push) X(pop) \
   /* data memory: a = the register, b = q, k = an address */ \
   X(ld_x) X(ld_x_inc) X(ld_x_dec) X(ldd_y) X(ld_y_inc) X(ld_y_dec) X(ldd_z) X(ld_z_inc) X(ld_z_dec) X(lds) \
@@ -48,19 +48,19 @@ namespace robosim::avr {
   /* the status register: b = the bit's mask */ \
   X(bset) X(bclr) \
   X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
-  /* no instructions of the chip: a mark in front of an instruction, and addresses after the end of flash */ \
+  /* pseudo-operations: a mark before an instruction, and addresses beyond the end of flash */ \
   X(mark) X(outside) \
-  /* BRBS and BRBC, by the flags that compilers branch on */ \
+  /* BRBS and BRBC for the flags that compilers use */ \
   X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
-  /* LDS and STS of RAM */ \
+  /* LDS and STS that access RAM */ \
   X(lds_ram) X(sts_ram) \
-  /* IN and OUT of SREG; OUT also between the halves of the stack pointer */ \
+  /* IN and OUT of SREG; prologue: OUT between the writes of SPH and SPL */ \
   X(in_sreg) X(out_sreg) X(prologue_out_sreg) \
   /* four LDS with interrupts off, as in millis(): IN Rd,SREG; CLI; LDS ...; OUT SREG,Rd */ \
   X(read_number) \
   /* BRNE back to the SBIW Rd,1 before it: a loop that counts down, executed in one step. a = Rd */ \
   X(count_down) \
-  /* a whole TimeCount except its RETI */ \
+  /* a complete TimeCount handler except its RETI */ \
   X(count_time) \
   ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_AS_ONE, X)
 
@@ -80,10 +80,10 @@ struct Instruction {
 };
 static_assert(sizeof(Instruction) == 8);
 
-/// Decodes one instruction, given its first word and the following one. Reserved codes are Op::illegal.
+/// Decodes one instruction from its first word and the next word. Reserved codes become Op::illegal.
 Instruction decode(std::uint16_t word, std::uint16_t next);
 
-/// Decodes each word of flash, as if an instruction began there.
+/// Decodes each word of flash as if an instruction started at that word.
 std::vector<Instruction> decode(std::span<const std::uint8_t> flash);
 
 }  // namespace robosim::avr

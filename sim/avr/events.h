@@ -1,4 +1,5 @@
-// The event queue of a chip: the future actions of its peripherals, and their times.
+// Implements the event queue of a chip: the future actions of peripherals, and the cycles at which they are
+// due.
 //
 //   id = events.add<&Timer::overflow>(this);      // once, when the chip is made
 //   events.schedule(id, cycle);                   // any number of times; a new time replaces the old one
@@ -21,16 +22,16 @@ class Events {
   using Id = std::uint8_t;
   static constexpr std::size_t kMost = 48;
 
-  /// All that changes while the chip runs, for snapshots.
+  /// All state that changes while the chip runs; snapshots copy it.
   struct State {
     std::array<Cycle, kMost> due;
     Cycle next = kNoCycle;
-    std::uint64_t scheduled = 0;  ///< one bit for each scheduled one
+    std::uint64_t scheduled = 0;  ///< one bit per scheduled event
     State() { due.fill(kNoCycle); }
   };
 
-  /// Registers an event that calls `Method` of `owner` with its due cycle. The processor may be a few cycles
-  /// ahead, in the middle of an instruction.
+  /// Registers an event that calls `Method` of `owner` with its due cycle. At the call, the processor may be
+  /// a few cycles further, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
     if (count_ == kMost) throw std::logic_error("a chip with more events than Events::kMost");
@@ -54,14 +55,14 @@ class Events {
   }
   void cancel(Id id) { schedule(id, kNoCycle); }
   void cancel_all() { state = {}; }
-  /// Returns its due cycle; kNoCycle if it is not scheduled.
+  /// Returns the cycle at which an event is due; kNoCycle if the event is not scheduled.
   Cycle due(Id id) const { return state.due[id]; }
-  /// Returns when the next one is due.
+  /// Returns the cycle at which the next event is due.
   Cycle next() const { return state.next; }
-  /// Marks an event without effect on the chip as deferrable: its result does not change while no instruction
-  /// runs.
+  /// Marks an event as deferrable. It must have no effect on the chip, and its result must not change while
+  /// no instruction runs.
   void let_wait(Id id) { waits_ = id; }
-  /// Returns when the next one is due that cannot be deferred.
+  /// Returns the cycle at which the next event that is not deferrable is due.
   Cycle next_urgent() const {
     if (waits_ == kNone || state.due[waits_] != state.next) return state.next;
     Cycle next = kNoCycle;
@@ -71,7 +72,7 @@ class Events {
     return next;
   }
 
-  /// Runs everything that is due by `now`, by time.
+  /// Runs all events that are due by `now`, in order of time.
   void run(Cycle now) {
     while (state.next <= now) {
       const Cycle at = state.next;
@@ -93,7 +94,7 @@ class Events {
 
   static constexpr std::uint64_t bit(std::size_t id) { return std::uint64_t{1} << id; }
 
-  /// Visits them in the order in which they were added.
+  /// Visits the scheduled events in the order in which they were added.
   template <typename Visit>
   void each_scheduled(Visit visit) const {
     for (std::uint64_t rest = state.scheduled; rest; rest &= rest - 1)

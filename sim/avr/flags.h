@@ -1,5 +1,5 @@
-// SREG in parts. An instruction stores the operands of its flags, and a flag is computed only when it is
-// read. Source: AVR Instruction Set Manual, DS40002198B.
+// Stores the flags of SREG in separate variables. An instruction stores the operands of its flags; a flag is
+// computed only when it is read. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace robosim::avr {
 struct Flags {
   unsigned carry = 0;     ///< 0 or 1
   unsigned zero = 0;      ///< Z is set if this is 0
-  unsigned negative = 0;  ///< N in bit 7; bit 15: S, which is N xor V, was set separately
-  unsigned overflow = 0;  ///< the carries into each bit: V is the one into bit 7, xor the one out of it
+  unsigned negative = 0;  ///< N in bit 7; bit 15 is set if a written S differs from N xor V
+  unsigned overflow = 0;  ///< carries into each bit; V is the carry into bit 7 xor the carry out of bit 7
   unsigned half = 0;      ///< H in bit 4
   unsigned others = 0;    ///< T and I, at their positions in SREG
 
@@ -31,7 +31,7 @@ struct Flags {
     return static_cast<std::uint8_t>(others | carry | (zero == 0 ? Cpu::kZ : 0u) | (negative >> 5 & Cpu::kN) |
                                      (v() >> 4 & Cpu::kV) | (sign() >> 3 & Cpu::kS) | (half << 1 & Cpu::kH));
   }
-  /// Returns `sreg` with its own T and I, and these other flags.
+  /// Returns `sreg` with T and I replaced by the T and I stored here.
   std::uint8_t packed_into(unsigned sreg) const {
     return static_cast<std::uint8_t>((sreg & ~unsigned{Cpu::kT | Cpu::kI}) | others);
   }
@@ -52,14 +52,14 @@ struct Flags {
     return arithmetic(d, s, wide);
   }
   std::uint8_t difference(unsigned d, unsigned s) { return difference_with(d, s, 0); }
-  /// For the higher bytes of a number: Z covers all of them.
+  /// Subtracts a higher byte of a number, with carry. Z covers all bytes so far.
   std::uint8_t difference_with_carry(unsigned d, unsigned s) {
     const unsigned before = zero;
     const std::uint8_t result = difference_with(d, s, carry);
     zero |= before;
     return result;
   }
-  // For a byte of a number, before its higher ones: computes only the flags that those use.
+  // Compute a lower byte of a number, and only the flags that the higher bytes use.
   std::uint8_t sum_below(unsigned d, unsigned s) {
     const unsigned wide = d + s + carry;
     carry = wide >> 8;
@@ -82,20 +82,20 @@ struct Flags {
     overflow = 0;
     return static_cast<std::uint8_t>(result);
   }
-  /// For INC and DEC.
+  /// Sets the flags of INC and DEC.
   std::uint8_t counted(unsigned value, bool overflows) {
     negative = zero = value & 0xFF;
     overflow = overflows ? 0x80 : 0;
     return static_cast<std::uint8_t>(value);
   }
-  /// For shifts to the right; `c` is the bit that was shifted out.
+  /// Sets the flags of a right shift; `c` is the bit that was shifted out.
   std::uint8_t shifted(unsigned result, unsigned c) {
     carry = c;
     negative = zero = result;
     overflow = result ^ c << 7;
     return static_cast<std::uint8_t>(result);
   }
-  /// For ADIW and SBIW: bit 16 of `after` is the carry.
+  /// Sets the flags of ADIW and SBIW; bit 16 of `after` is the carry.
   void added_word(unsigned after, bool overflows) {
     carry = after >> 16 & 1;
     zero = after & 0xFFFF;
@@ -121,7 +121,7 @@ struct Flags {
   unsigned v() const { return overflow ^ overflow >> 1; }
 };
 
-/// The flags of each value of SREG.
+/// Flags for each value of SREG.
 inline constexpr std::array<Flags, 256> kFlagsOf = [] {
   std::array<Flags, 256> all;
   for (unsigned sreg = 0; sreg < all.size(); ++sreg) all[sreg].take_apart(sreg);
@@ -129,7 +129,7 @@ inline constexpr std::array<Flags, 256> kFlagsOf = [] {
 }();
 
 inline void Flags::unpack(std::uint8_t sreg) {
-  const Flags& of = kFlagsOf[sreg];  // one by one: they are in registers
+  const Flags& of = kFlagsOf[sreg];  // copied one by one, because the members are in host registers
   carry = of.carry;
   zero = of.zero;
   negative = of.negative;

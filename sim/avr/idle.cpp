@@ -5,10 +5,10 @@
 namespace robosim::avr {
 namespace {
 
-constexpr int kExplored = 600;  // instructions at a time
+constexpr int kExplored = 600;  // instructions per exploration
 constexpr std::int64_t kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostLandings = 24;
-// Costs, in cycles that could have been executed meanwhile.
+// Costs, in cycles of instructions that could have run instead.
 constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
 constexpr Cycle kWorthwhile = 200;
 
@@ -56,7 +56,7 @@ void Idle::before() {
 }
 
 void Idle::after() {
-  if (core_.now() == cycle_before_) return;  // there was a mark
+  if (core_.now() == cycle_before_) return;  // a mark stopped run() first
   if (recorded_) {
     ++steps_;
     if (!path_.after()) {
@@ -141,7 +141,7 @@ bool Idle::is_as_recorded(const LoopTrace::Pass& pass) const {
   return true;
 }
 
-/// Returns how many passes from now on equal `pass`, and end before `horizon`.
+/// Returns the number of passes from now on that equal `pass` and end before `horizon`.
 Cycle Idle::passes_before(Cycle horizon, const LoopTrace::Pass& pass) const {
   const Cycle now = core_.now();
   if (horizon <= now) return 0;

@@ -1,14 +1,12 @@
-// Skips loops that wait: delay(), repeated calls of millis() and micros(), flags that are polled. Firmware,
-// pins and time are afterwards as if every pass had run; only the simulating processor saves work.
+// Skips passes of waiting loops: delay(), repeated calls of millis() and micros(), polled flags. Afterwards,
+// firmware, pins and time are as if every pass had run. Only the host saves work.
 //
-//   explores   from time to time, for some hundred instructions, looks where jumps lead back to; these are
-//              heads
-//   records    one pass from a head (loop_trace.h)
-//   skips      at a head, if what the pass reads is unchanged: as many passes as end before the next event
-//              and inside the window of the counter that it reads. One of them is run again, for everything
-//              that the pass computes
+//   explores   occasionally, for some hundred instructions: targets of backward jumps become heads
+//   records    one pass that starts at a head (loop_trace.h)
+//   skips      at a head, if the pass's inputs are unchanged: the passes that end before the next event and
+//              within the window of the counter. The last of them runs, to compute its results
 //
-// Heads are marked (Cpu), so other loops cost nothing. A head that does not pay off loses its mark.
+// Cpu marks only heads, and other loops cost nothing. A head that does not pay off loses its mark.
 #pragma once
 
 #include <cstdint>
@@ -24,33 +22,33 @@ class Idle {
  public:
   explicit Idle(Core& core) : core_(core), path_(core) { heads_.reserve(kMostHeads); }
 
-  /// With false, every instruction runs.
+  /// Allows or forbids skipping. If forbidden, every instruction runs.
   void allow(bool allowed);
   bool is_allowed() const { return allowed_; }
-  /// Returns the number of cycles for which no instruction has run.
+  /// Returns the number of skipped cycles, in which no instruction ran.
   Cycle skipped() const { return skipped_; }
 
-  /// Call it before instructions run: returns whether they must run one by one, with before() and after()
-  /// around each.
+  /// Returns whether the next instructions must run one by one, with before() and after() around each. Call
+  /// watches() before instructions run.
   bool watches() {
     return recorded_ || exploring_ > 0 || (executed() >= explore_at_ && allowed_ && begins_to_explore());
   }
   void before();
   void after();
-  /// Called when the processor is at a head; only the processor has effects before `horizon`.
+  /// Handles the processor's arrival at a head. Only the processor has effects before `horizon`.
   void at_head(Cycle horizon);
   /// Notes a mark at which the chip continued.
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
-  /// Notes that the chip has slept for that long. A loop with sleep does not count as waiting.
+  /// Notes that the chip has slept for `cycles`. A loop with sleep does not count as waiting.
   void slept(Cycle cycles) {
     slept_ += cycles;
     if (exploring_ > 0) landings_.clear();
   }
-  /// Notes an event in between: an interrupt, a reset, an input.
+  /// Notes an event during a pass: an interrupt, a reset or an input.
   void interrupted() { recorded_ = nullptr; }
-  /// Notes a jump to another cycle, possibly an earlier one.
+  /// Notes that the chip was set to another cycle, possibly an earlier one.
   void moved_in_time();
 
  private:
@@ -76,18 +74,19 @@ class Idle {
   Cycle passes_before(Cycle horizon, const LoopTrace::Pass& pass) const;
   void skip(const LoopTrace::Pass& pass, Cycle passes);
   void pay(Head& head, std::int64_t cycles);
-  /// Returns the cycles in which instructions ran: exploration costs a share of them. It may decrease.
+  /// Returns the number of cycles in which instructions ran. Exploration uses a share of them. The number can
+  /// decrease, in moved_in_time().
   std::int64_t executed() const { return static_cast<std::int64_t>(core_.now() - skipped_ - slept_); }
 
   Core& core_;
   LoopTrace path_;
   bool allowed_ = true;
-  std::vector<Head> heads_;   ///< their addresses are stable
-  Head* recorded_ = nullptr;  ///< the one whose pass is recorded
-  int steps_ = 0;             ///< of that pass
-  int exploring_ = 0;         ///< remaining instructions
+  std::vector<Head> heads_;   ///< reserved, so that pointers to heads stay valid
+  Head* recorded_ = nullptr;  ///< head whose pass is being recorded
+  int steps_ = 0;             ///< instructions of that pass so far
+  int exploring_ = 0;         ///< remaining instructions to explore
   std::vector<Landing> landings_;
-  // Counted as by executed().
+  // In cycles of executed().
   std::int64_t explore_at_ = 0, explore_every_ = 0;
   std::uint32_t pc_before_ = 0;
   Cycle cycle_before_ = 0;

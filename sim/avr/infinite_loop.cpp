@@ -10,8 +10,8 @@ bool is_of_processor(Address address) {
   return address == reg::kSreg || address == reg::kSpL || address == reg::kSpH;
 }
 
-// A reference state, replaced by a later one after 1, 2, 4 … instructions (Brent, 1980: An improved Monte
-// Carlo factorization algorithm, section 2).
+// A reference state, which a later state replaces after 1, 2, 4 … instructions (Brent, 1980: An improved
+// Monte Carlo factorization algorithm, section 2).
 struct Reference {
   std::vector<std::uint8_t> data;
   std::uint32_t pc = 0;
@@ -35,7 +35,7 @@ bool notes_reads(const InstructionEffects& effects, const Cpu& cpu, std::vector<
   return true;
 }
 
-// Visits each instruction of a handler once, on both ways of every branch.
+// Visits each instruction of a handler once, and follows both directions of every branch.
 class HandlerCode {
  public:
   explicit HandlerCode(const Cpu& cpu) : cpu_(cpu), seen_(cpu.flash().size() / 2), stores_(cpu.data.size()) {}

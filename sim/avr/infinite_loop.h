@@ -1,7 +1,7 @@
-// Decides whether a program loops forever on its own: it is followed without interrupts and peripherals until
+// Decides whether a program is in an infinite loop. Runs the program without interrupts and peripherals until
 // registers and memory repeat.
 //
-// A state that repeats once repeats again, unless an interrupt changes what the loop reads.
+// A state that repeats once repeats forever, unless an interrupt changes memory that the loop reads.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,18 @@
 namespace robosim::avr {
 
 struct InfiniteLoop {
-  std::vector<bool> reads;     ///< by address in data memory, without registers
-  bool interruptible = false;  ///< somewhere in it, the I flag is set
+  std::vector<bool> reads;     ///< by address in data memory, except registers
+  bool interruptible = false;  ///< the I flag is set somewhere in the loop
 };
 
-/// Finds the loop, within the limit of instructions. Returns nothing if the program needs more than the
+/// Finds the loop within at most `most_instructions`. Returns nothing if the program depends on more than the
 /// processor, or accesses I/O registers other than SREG and SP. `cpu` does not change.
 std::optional<InfiniteLoop> find_infinite_loop(const Cpu& cpu, int most_instructions);
 
-/// The addresses in data memory that an interrupt's handler may change, without its own stack.
+/// Addresses in data memory that an interrupt handler may change, except the handler's stack.
 using Stores = std::vector<bool>;
-/// Finds them. Returns nothing if its code alone does not tell: it calls, stores by a pointer or accesses
-/// I/O.
+/// Finds the addresses that a handler may change. Returns nothing if the code does not determine them: the
+/// handler calls functions, stores through pointers or accesses I/O.
 std::optional<Stores> stores_of_handler(const Cpu& cpu, int vector);
 
 }  // namespace robosim::avr

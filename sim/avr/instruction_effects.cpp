@@ -36,8 +36,8 @@ class Writer {
     e.bytes = static_cast<std::uint8_t>(bytes);
     e.touched = static_cast<std::uint8_t>(touched);
   }
-  /// Accesses by a pointer, which is moved by `step` before (-1) or after (1) the access. Returns the
-  /// address.
+  /// Records an access through a pointer, which moves by `step` before (-1) or after (1) the access. Returns
+  /// the accessed address.
   Address by(Address pointer, int step, int offset = 0) {
     e.reads |= two(pointer);
     if (step != 0) e.writes |= two(pointer);

@@ -1,5 +1,5 @@
-// Predicts what an instruction accesses before it runs, for observers that follow firmware without executing
-// it. Source: AVR Instruction Set Manual, DS40002198B, as in decode.h.
+// Predicts the accesses of an instruction before it runs, for observers that follow firmware without
+// executing it. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
 #include <bit>
@@ -15,13 +15,13 @@ struct InstructionEffects {
   std::uint32_t reads = 0, writes = 0;  ///< registers, one bit each
   std::uint8_t flags_read = 0, flags_written = 0;
   Memory memory = Memory::none;
-  Address address = 0;       ///< in data memory, the lowest of `bytes`
-  std::uint8_t bytes = 0;    ///< of data memory
-  std::uint8_t touched = 0;  ///< cycles from its beginning to the access
-  bool elsewhere = false;    ///< it has effects other than registers, flags and data memory
+  Address address = 0;       ///< lowest accessed address in data memory
+  std::uint8_t bytes = 0;    ///< number of accessed bytes in data memory
+  std::uint8_t touched = 0;  ///< cycles from the instruction's start to the access
+  bool elsewhere = false;    ///< affects more than registers, flags and data memory
 };
 
-/// Calls `visit` with the number of each register.
+/// Calls `visit` with the number of each register in `registers`, one bit each.
 template <typename Visit>
 void each(std::uint32_t registers, Visit visit) {
   for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));

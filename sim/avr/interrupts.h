@@ -1,7 +1,8 @@
-// The requested interrupts, by vector, the lowest first (data sheet, chapter 12).
+// Stores the requested interrupts by vector; the lowest vector has priority (data sheet, chapter 12).
 //
 // A peripheral requests a vector while its flag and its enable bit are both set. It withdraws the request
-// when either is cleared. So a flag that was set before its enable bit is served when that is set.
+// when either is cleared. A flag that was set earlier therefore requests its interrupt as soon as the enable
+// bit is set.
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@ class Interrupts {
   bool any() const { return state != 0; }
   int first() const { return std::countr_zero(state); }
 
-  /// Calls `Method` of `owner` when the processor enters the vector: it clears the flag if the data sheet
-  /// says that the hardware does.
+  /// Registers void Owner::Method(int vector), which is called when the processor enters the vector. The
+  /// method clears the flag if the data sheet says that the hardware clears it.
   template <auto Method, typename Owner>
   void on_entry(int vector, Owner* owner) {
     entries_[static_cast<std::size_t>(vector)] = {

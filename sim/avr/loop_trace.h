@@ -1,13 +1,13 @@
-// One pass of a loop that waits, from its head back to it, as it was executed: what it read before it wrote
-// it, which I/O registers it read, how long it took.
+// Records one executed pass of a waiting loop, from the loop's head back to the head: inputs, reads of I/O
+// registers, and duration. Inputs are registers and memory that the pass reads before it writes them.
 //
-// Every pass is like this one as long as
+// Further passes equal the recorded pass as long as
 //
-//   - what it reads first is the same as at the head,
-//   - I/O registers read the same, and
-//   - the counter of a timer that it reads is within the window that CounterExtrapolation has found.
+//   - the inputs have the same values as at the head,
+//   - I/O registers read the same values, and
+//   - the timer counter that the pass reads is within the window that CounterExtrapolation has found.
 //
-// A pass that writes I/O registers other than SREG, sleeps, or takes an interrupt cannot be skipped.
+// A pass that writes I/O registers other than SREG, sleeps, or is interrupted cannot be skipped.
 #pragma once
 
 #include <cstdint>
@@ -31,32 +31,34 @@ class LoopTrace {
     struct Look {
       Address address = 0;
       std::uint8_t value = 0;
-      std::uint8_t bits = 0xFF;  ///< relevant ones
-      bool counts = false;       ///< it is the counter: `value` may be larger by up to `window`
+      std::uint8_t bits = 0xFF;  ///< relevant bits
+      bool counts = false;       ///< the register is the counter: reads may exceed `value` by up to `window`
       Cycle after = 0;           ///< cycles since the head
     };
-    std::vector<Byte> reads;  ///< registers and memory that it reads before writing them
+    std::vector<Byte> reads;  ///< inputs: registers and memory
     std::uint8_t flags_read = 0, flags = 0;
     std::uint16_t sp = 0;
     std::vector<Look> looks;
-    int window = 0;  ///< of the counter
+    int window = 0;  ///< window of the counter
     Cycle cycles = 0;
     std::vector<std::uint32_t> jumps;  ///< calls and returns, as recorded by Cpu
-    int visits = 0;                    ///< of marks
-    std::uint32_t visited = 0;         ///< the place, and the time since the head
+    int visits = 0;                    ///< number of visited marks
+    std::uint32_t visited = 0;         ///< address of the mark
     Cycle visited_after = 0;
     bool enables_interrupts = false;
   };
 
   explicit LoopTrace(Core& core);
 
-  /// Begins at the head.
+  /// Starts recording at the head.
   void begin();
-  /// Called before one instruction runs. Returns whether it may belong to a pass that can be skipped.
+  /// Records an instruction before it runs. Returns whether the instruction can belong to a pass that can be
+  /// skipped.
   bool before();
   bool after();
   void visited(std::uint32_t pc);
-  /// Called at the head again: returns whether the pass leads to its initial state. If so, sets `pass`.
+  /// Ends the pass at the head. Returns whether the pass leads back to its initial state, and sets `pass` if
+  /// so.
   bool ends(Pass& pass);
 
  private:
@@ -69,7 +71,7 @@ class LoopTrace {
   Core& core_;
   CounterExtrapolation extrapolation_;
   Pass pass_;
-  std::vector<std::uint32_t> seen_;  ///< by address: the last pass with an access
+  std::vector<std::uint32_t> seen_;  ///< by address: number of the last pass that accessed it
   std::uint32_t number_ = 0;
   std::uint8_t flags_written_ = 0;
   Cycle began_ = 0;
@@ -78,7 +80,7 @@ class LoopTrace {
   Instruction instruction_;
   InstructionEffects effects_;
   std::optional<std::uint8_t> looked_;  ///< expected value of an I/O register
-  bool counter_ = false;                ///< whether that register is the counter
+  bool counter_ = false;                ///< that register is the counter
 };
 
 }  // namespace robosim::avr

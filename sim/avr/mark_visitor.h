@@ -1,4 +1,4 @@
-// Is notified before an instruction with a mark runs (Cpu::set_mark).
+// Declares the visitor of marks, which is notified before a marked instruction runs (Cpu::set_mark).
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@ namespace robosim::avr {
 
 class MarkVisitor {
  public:
-  /// Returns whether the chip continues; otherwise Chip::run_to() returns. `pc` in words.
+  /// Visits the mark at word address `pc`. Returns whether the chip continues; otherwise Chip::run_to()
+  /// returns.
   virtual bool visited(std::uint32_t pc, Cycle at) = 0;
-  /// Reports skipped passes of a waiting loop at `pc`: visits at `first` and then every `period`, `count` in
-  /// all.
+  /// Reports the visits of the mark at `pc` by skipped passes of a waiting loop: `count` visits, the first at
+  /// `first`, then one per `period`.
   virtual void left_out(std::uint32_t pc, Cycle first, Cycle period, std::uint64_t count) = 0;
 
  protected:
