@@ -5,7 +5,7 @@
 namespace robosim::avr {
 namespace {
 
-// Registers, from TCCR4A on.
+// Offsets of registers from TCCR4A.
 constexpr int kHigh = -1, kTccr4a = 0, kTccr4b = 1, kTccr4c = 2, kTccr4d = 3;
 constexpr std::size_t kA = 0, kB = 1, kTop = 2, kD = 3;
 constexpr std::uint8_t kClockMask = 0x0F, kPrescalerReset = 0x40, kModeMask = 0x03, kFast = 0,
@@ -13,10 +13,10 @@ constexpr std::uint8_t kClockMask = 0x0F, kPrescalerReset = 0x40, kModeMask = 0x
 constexpr std::uint8_t kPwmA = 0x02, kPwmB = 0x01, kPwmD = 0x01, kConnections = 0xF0, kShadows = 0xF0;
 constexpr std::uint16_t kTopAtReset = 0xFF, kMax = 0x3FF;
 
-constexpr std::array<std::size_t, 3> kOutputOf{kA, kB, kD};  // by the counter's channel
+constexpr std::array<std::size_t, 3> kOutputOf{kA, kB, kD};  // index: the counter's channel
 constexpr std::size_t channel_of(std::size_t output) { return output == kD ? 2 : output; }
 
-// TIFR4 and TIMSK4 (15.12.8, 15.12.9), in the order of the vectors.
+// Maps counter events to bits of TIFR4 and TIMSK4 (15.12.8, 15.12.9), in vector order.
 struct Flag {
   std::uint8_t hit, bit;
 };
@@ -88,7 +88,7 @@ void HighSpeedTimer::clock_runs(bool runs, Cycle at) {
 
 // --- registers
 
-// The bits COM4A and COM4B exist in TCCR4C, too.
+// Writes a control register. TCCR4C contains copies of the bits COM4A and COM4B.
 void HighSpeedTimer::write(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
@@ -197,7 +197,8 @@ Cycle HighSpeedTimer::tick_after(Cycle at, Cycle ticks) const {
   return state_.began + ((((at - state_.began) >> shift()) + ticks) << shift());
 }
 
-// Without PWM a value written to OCR4x takes effect at once, as by a moment in another mode.
+// Sets the counting mode. Without PWM, a brief switch to normal mode makes values written to OCR4x effective
+// at once.
 void HighSpeedTimer::set_mode() {
   Counting how{Counting::Kind::pwm, false, Counting::Top::capture};
   if (!has_pwm(kA) && !has_pwm(kB) && !has_pwm(kD)) {
@@ -239,7 +240,8 @@ void HighSpeedTimer::request(unsigned flags) {
     if (flags & flag.hit) core_.request(vector_of(flag.hit), true);
 }
 
-// The processor sees a flag with the tick that sets it; registers read as before.
+// Requests an interrupt in the cycle of the tick that sets its flag. Registers read the new flag only
+// afterwards.
 void HighSpeedTimer::due(Cycle at) {
   count_to(at - 1);
   const bool ticks = ticks_come() && tick_after(state_.at, 1) == at;
@@ -254,7 +256,7 @@ void HighSpeedTimer::entered(int vector) {
   settle();
 }
 
-// Returns the events with listeners other than the processor.
+// Returns the events that pins and their listeners need, in addition to interrupts.
 std::uint8_t HighSpeedTimer::wanted() const {
   unsigned wanted = 0;
   for (std::size_t output = 0; output < kOutputs; ++output) {
@@ -294,7 +296,7 @@ void HighSpeedTimer::schedule() {
 
 // --- pins
 
-/// Returns whether it is not PWM and is reported at each match.
+/// Returns whether an output has no PWM and is reported at each match.
 bool HighSpeedTimer::switches(std::size_t output) const {
   return output_pins_[output] >= 0 && connection(output) != 0 && !has_pwm(output);
 }

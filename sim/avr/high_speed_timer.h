@@ -1,17 +1,17 @@
-// Timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
+// Models timer 4 of an ATmega32U4 (data sheet 7766J, chapter 15).
 //
 //   TOP    OCR4C; 0xFF after a reset
-//   PWM4x  0 for all: up to TOP and again from 0; TOV4 there; OCR4x take effect at once
-//   WGM4   with PWM: 0 fast: as above; high for OCR4x + 1 of TOP + 1 ticks
-//                    1 phase and frequency correct: up and down, TOV4 at 0; OCR4x of TOP
-//   COM4x  at a match 1 toggles, 2 clears, 3 sets; with PWM 2 is cleared at the match, 3 set
-//   CS4    the clock divided by 2^(CS4 - 1)
-//   TC4H   the two high bits of each register: written before the low byte, stored when TCNT4 is read
+//   PWM4x  0 for all outputs: counts up to TOP and restarts at 0 with TOV4; OCR4x take effect at once
+//   WGM4   with PWM: 0 fast: counts as above; output high for OCR4x + 1 of TOP + 1 ticks
+//                    1 phase and frequency correct: counts up and down, TOV4 at 0; high for OCR4x of TOP
+//   COM4x  at a match, 1 toggles the output, 2 clears it, 3 sets it (2 and 3 also with PWM)
+//   CS4    divides the clock by 2^(CS4 - 1)
+//   TC4H   the two high bits of each register: written before the low byte, set by reads of TCNT4
 //
-// PWM is reported as a duty cycle, and a new one at once. Flags, counts and the level that PINx reads change
-// at TOP or BOTTOM. With PWM on for one output all count as it does.
+// PWM is reported as a duty cycle; a new duty cycle is reported at once. Flags, counts and the level that
+// PINx reads change only at TOP or BOTTOM. If one output has PWM, the counter is in PWM mode for all outputs.
 //
-// Not modelled: the PLL as its clock, dead times and the inverted outputs, PWM6, the fault unit, enhanced
+// Not modelled: the PLL as clock source, dead times and the inverted outputs, PWM6, the fault unit, enhanced
 // mode, and TLOCK4.
 #pragma once
 
@@ -25,7 +25,7 @@ namespace robosim::avr {
 
 class HighSpeedTimer final : public Peripheral {
  public:
-  /// `index`: in ChipSpec::timers.
+  /// `index` is the timer's position in ChipSpec::timers.
   HighSpeedTimer(Core& core, Pins& pins, int index);
 
   void reset(Cycle at) override;
@@ -33,16 +33,16 @@ class HighSpeedTimer final : public Peripheral {
   std::uint64_t may_interrupt() const override;
 
  private:
-  static constexpr std::size_t kOutputs = 4;   ///< A to D; C is TOP
-  static constexpr std::size_t kChannels = 3;  ///< of the counter: A, B and D
+  static constexpr std::size_t kOutputs = 4;   ///< A to D; the register of C is TOP
+  static constexpr std::size_t kChannels = 3;  ///< compare channels of the counter: A, B and D
   struct State {
     Counter counter;
     Cycle at = 0;     ///< all ticks up to this cycle are counted
     Cycle began = 0;  ///< a cycle at which the prescaler's count was 0
     std::array<std::uint16_t, kOutputs> compare{};
-    std::array<bool, kOutputs> taken{}, level{};  ///< level: after the last match; not for PWM
+    std::array<bool, kOutputs> taken{}, level{};  ///< `level` is the level after the last match, without PWM
     std::uint8_t flags = 0, enables = 0, requested = 0,
-                 heard = 0;  ///< as Counter::Hit; heard: one bit per output
+                 heard = 0;  ///< bits of Counter::Hit; `heard`: one bit per output
     bool runs = true;
     bool drives_stale = false;
   };
@@ -60,7 +60,7 @@ class HighSpeedTimer final : public Peripheral {
     return core_.cpu.data[spec_.control + static_cast<unsigned>(offset)];
   }
   std::uint16_t with_high(std::uint8_t low) const;
-  /// Return COM of an output, and whether PWM is on for it.
+  /// Return an output's COM bits, and whether the output has PWM.
   int connection(std::size_t output) const;
   bool has_pwm(std::size_t output) const;
 
@@ -87,7 +87,7 @@ class HighSpeedTimer final : public Peripheral {
   bool wave_level(int pin);
   void wave_heard(int pin, bool heard);
   std::size_t output_of(int pin) const;
-  /// Reports pins that change, and edges with a listener.
+  /// Reports changed pins, and edges on pins with a listener.
   void tell();
   void tell_drives();
 

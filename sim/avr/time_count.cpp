@@ -8,8 +8,8 @@ namespace {
 struct Word {
   std::uint16_t value, mask = 0xFFFF;
 };
-constexpr Word kAddress{0, 0};  // of a variable
-// Variable parts: the summands and limits, which depend on the board's clock.
+constexpr Word kAddress{0, 0};  // matches any address of a variable
+// Masks for instructions with a constant: summands and limits depend on the board's clock.
 constexpr std::uint16_t kConstant = 0xF0F0, kSmall = 0xFF30;
 
 // clang-format off
@@ -21,7 +21,7 @@ constexpr Word kHandler[] = {
     {0x9130}, kAddress,                                          // lds r19, fraction
     {0xE020, kConstant}, {0x0F23},                               // ldi r18, step; add r18, r19
     {0x3020, kConstant}, {0xF420},                               // cpi r18, limit; brcc to the other LDI
-    {0x9600, kSmall}, {0x1DA1}, {0x1DB1}, {0xC005},              // adiw r24, few; adc; adc; rjmp behind
+    {0x9600, kSmall}, {0x1DA1}, {0x1DB1}, {0xC005},              // adiw r24, few; adc; adc; rjmp to the STS
     {0xE020, kConstant}, {0x0F23},                               // ldi r18, carried_step; add r18, r19
     {0x9600, kSmall}, {0x1DA1}, {0x1DB1},                        // adiw r24, many; adc; adc
     {0x9320}, kAddress,                                          // sts fraction, r18
@@ -38,7 +38,7 @@ constexpr Word kHandler[] = {
 // clang-format on
 static_assert(std::size(kHandler) == TimeCount::kWords);
 
-// The places of its instructions, in words from its beginning.
+// Positions of the handler's instructions, in words from its start.
 constexpr std::size_t kLoadMillis = 11, kLoadFraction = 19, kStep = 21, kLimit = 23, kFew = 25, kCarried = 29,
                       kMany = 31, kStoreFraction = 34, kStoreMillis = 36, kLoadOverflows = 44, kOne = 52,
                       kStoreOverflows = 55;
@@ -58,7 +58,8 @@ bool is_apart(int a, int a_bytes, int b, int b_bytes) { return a + a_bytes <= b 
 std::optional<TimeCount> time_count_of(std::span<const std::uint8_t> flash, std::span<const Instruction> code,
                                        int first_ram, int last_ram) {
   if (flash.size() < 2 * TimeCount::kWords || !is_handler(flash)) return std::nullopt;
-  // Compares four bytes, the lowest first.
+  // Returns whether four consecutive accesses from `place` on use the four bytes at `address`, the lowest
+  // first.
   const auto are_of = [&](std::size_t place, int address) {
     for (int byte = 0; byte < 4; ++byte)
       if (code[place + 2 * static_cast<std::size_t>(byte)].k != address + byte) return false;

@@ -82,7 +82,7 @@ void Timer::set_mode() {
   listen();
 }
 
-// A prescaler of 1 is bypassed.
+// Returns whether the prescaler provides ticks. A divisor of 1 bypasses the prescaler.
 bool Timer::ticks_come() const {
   return state_.runs && state_.shift >= 0 && (state_.shift == 0 || !prescalers_.is_held(prescaler_));
 }
@@ -155,7 +155,7 @@ std::uint8_t Timer::flag_of(int vector) const {
   return kCaptured;
 }
 
-// Returns what the clock's edge at `at` will set, if all earlier ones are counted.
+// Returns the flags that the clock edge at `at` will set. All earlier edges must have been counted.
 std::uint8_t Timer::coming(Cycle at) const {
   std::uint8_t hits = next_edge() == at ? coming_by_edge() : std::uint8_t{0};
   if (ticks_come() && tick_after(state_.at, 1) == at) hits |= state_.counter.next_hits();
@@ -182,7 +182,8 @@ void Timer::request(unsigned flags) {
     core_.request(vector_of(static_cast<std::uint8_t>(flags & (0 - flags))), true);
 }
 
-// The processor sees a flag with the edge that sets it; registers read as before.
+// Requests an interrupt in the cycle of the edge that sets its flag. Registers read the new flag only
+// afterwards.
 void Timer::due(Cycle at) {
   if (state_.beat && !state_.requested) return request(state_.beat);
   count_to(at - 1);
@@ -209,7 +210,7 @@ void Timer::settle() {
   schedule();
 }
 
-// Returns the events with listeners other than the processor.
+// Returns the events that pins and ADC triggers need, in addition to interrupts.
 std::uint8_t Timer::wanted() const {
   const Counter& counter = state_.counter;
   unsigned wanted = state_.watched & ~state_.flags & flags_of_ticks();
@@ -225,8 +226,8 @@ std::uint8_t Timer::wanted() const {
   return static_cast<std::uint8_t>(wanted);
 }
 
-// Most timers only overflow, for millis(): such periodic events are predicted. All others are counted
-// normally.
+// Finds a periodic event that can be predicted. Most timers only overflow, for millis(). All other timers are
+// counted normally.
 void Timer::find_beat(std::uint8_t flag, Cycle at) {
   const Counter& counter = state_.counter;
   if (flag != enables() || !std::has_single_bit(flag) || at == kNoCycle || state_.requested ||
@@ -239,7 +240,8 @@ void Timer::find_beat(std::uint8_t flag, Cycle at) {
   state_.beat_period = (counter.top() + Cycle{1}) << state_.shift;
 }
 
-// Handles the entry of the beat's interrupt. Other events of the timer since then must not matter.
+// Handles the entry of a predicted interrupt. Returns false if other events of the timer may have changed its
+// flags since then.
 bool Timer::beat() {
   const Cycle now = core_.now(), next = state_.beat_at + state_.beat_period;
   if (next <= now || state_.beat_flags & ~(state_.flags | state_.beat)) return false;

@@ -1,23 +1,23 @@
-// The timers of 8 and of 16 bits. ATmega328P data sheet DS40002061B: 15 (timer 0), 16 (timer 1), 17
-// (prescaler), 18 (timer 2, with the processor's clock).
+// Models the 8-bit and 16-bit timers. ATmega328P data sheet DS40002061B, chapters 15 (timer 0), 16 (timer 1),
+// 17 (prescaler) and 18 (timer 2, with the processor's clock).
 //
 //   prescaler, pin Tn ─► Counter ─► flags in TIFRn ─► interrupts, ADC
 //                         ▲   └───► pins OCnA, OCnB
 //   pin ICPn ─► canceler ─┘ ICRn
 //
-// - Time. At each cycle of its clock the timer does what its registers held before; a write takes effect
-//   afterwards. With a prescaler of 1, a value written to TCNTn in cycle c reads as written in c + 1, and one
-//   more in c + 2. A flag reads as set from the cycle after its tick on; its interrupt may be entered with
-//   the tick. A flag that is set in the cycle in which 1 is written to it stays set.
-// - Counting happens on demand. Events are scheduled only for what the world would see: a flag that is not
-//   set and whose interrupt is enabled, a level of a pin that changes, OCRnx that change a duty cycle.
-// - Pins. PWM is reported as a duty cycle, a pin in toggle mode (COM = 1) as a tone of its frequency. If the
-//   tone is too slow to be heard, the level changes at each match, as with COM = 2 and 3 in modes without
-//   PWM. A counter without a clock holds its pin's level. PINx reads the level of the moment, and edges are
+// - Time. In each clock cycle the timer uses its registers from before the cycle; a write takes effect
+//   afterwards. With a prescaler of 1, a value written to TCNTn in cycle c reads unchanged in c + 1, and as
+//   one more in c + 2. A flag reads as set from the cycle after its tick on. Its interrupt can be entered in
+//   the cycle of the tick. A flag that is set in the cycle in which 1 is written to it stays set.
+// - Counting happens on demand. Only observable changes are scheduled as events: a flag that is not set and
+//   whose interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
+// - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of its frequency. If
+//   the tone is too slow to be heard, each match reports a new level. COM = 2 and 3 without PWM also report
+//   levels. A counter without a clock holds its pin's level. PINx reads the current level, and edges are
 //   events while the chip listens to the pin.
 // - Capture. Edges of ICPn are recorded once firmware uses capture (ICIEn, ICESn, ICNCn, or a read of ICRn or
 //   TIFRn), so that other pins cost nothing. The analog comparator can replace the pin.
-// - PRR. Without a clock the registers read 0 and are not written (10.10).
+// - PRR. Without a clock, the registers read 0 and ignore writes (10.10).
 //
 // Not modelled: timer 2's crystal (ASSR).
 #pragma once
@@ -38,32 +38,32 @@ namespace robosim::avr {
 
 class Timer final : public Peripheral {
  public:
-  /// `index`: in ChipSpec::timers.
+  /// `index` is the timer's position in ChipSpec::timers.
   Timer(Core& core, Pins& pins, Prescalers& prescalers, int index);
 
   void reset(Cycle at) override;
   void clock_runs(bool runs, Cycle at) override;
   std::uint64_t may_interrupt() const override;
 
-  /// Counts up to the tick at `at`, including its flags.
+  /// Counts all ticks up to and including cycle `at`, and sets their flags.
   void count_to(Cycle at);
   /// Updates requests, pins, and the next event after a change.
   void settle();
 
   const Counter& counter() const { return state_.counter; }
 
-  /// Starts or stops to capture the comparator's output, at `level`, instead of ICPn's edges (ACIC).
+  /// Starts or stops capturing the comparator's output instead of ICPn (ACIC). `level` is the current output.
   void capture_comparator(bool is, bool level, Cycle at);
   void comparator_changed(bool level, Cycle at);
 
-  // --- for timers that share TIFR and TIMSK: bits in their positions
+  // --- for timers that share TIFR and TIMSK: bits at their positions in these registers
   std::uint8_t flags_in_register();
   void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
   void enable_in_register(std::uint8_t flags);
   ReadForecast forecast_of_flags(Address address, std::uint8_t bits);
 
  private:
-  // Bits of TCCRnB of 16 bits, and of TIFRn and TIMSKn.
+  // Bits of TCCRnB in 16-bit timers, and bits of TIFRn and TIMSKn.
   static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
   static constexpr std::uint8_t kConnections = 0xFC;  ///< COM of all channels in TCCRnA
   static constexpr std::uint8_t kCaptured = Counter::kTop;
@@ -72,7 +72,7 @@ class Timer final : public Peripheral {
 
   struct Output {
     bool taken = false;
-    bool level = false;  ///< after the last match; not for PWM
+    bool level = false;  ///< level after the last match; unused with PWM
     PinDrive drive;
   };
   struct State {
@@ -81,21 +81,21 @@ class Timer final : public Peripheral {
     std::uint8_t control_a = 0, control_b = 0,
                  enables = 0;  ///< TCCRnA, TCCRnB and TIMSKn, in an ATmega's layout
     std::uint8_t flags = 0, requested = 0, watched = 0;
-    std::uint8_t temp = 0;  ///< the high byte between the two accesses
-    bool runs = true;       ///< it has a clock: PRR, sleep
-    int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = not clocked by it
+    std::uint8_t temp = 0;  ///< high byte between the two accesses to a register
+    bool runs = true;       ///< the timer has a clock (PRR, sleep)
+    int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no prescaler clock
     bool drives_stale = false;
     std::uint8_t tones = 0,
-                 heard = 0;  ///< bits of channels: reported as a tone; with a listener in the chip
+                 heard = 0;  ///< one bit per channel: reported as a tone; heard by a listener in the chip
     std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;
     bool wants_captures = false, captures_comparator = false;
-    bool comparator = false;  ///< its output
+    bool comparator = false;  ///< level of the comparator's output
     Cycle pll_locked_at = kNoCycle;
-    /// A periodic flag whose interrupt is enabled, if there are no other listeners; 0 = none.
+    /// Periodic flag whose interrupt is enabled and that has no other listeners; 0 = none.
     std::uint8_t beat = 0;
-    std::uint8_t beat_flags = 0;  ///< all that it may set
+    std::uint8_t beat_flags = 0;  ///< all flags that the timer can set
     int beat_vector = 0;
     Cycle beat_at = 0, beat_period = 0;
   };
@@ -147,7 +147,7 @@ class Timer final : public Peripheral {
   void set_enables(std::uint8_t enables);
   void count_ticks(Cycle to);
   Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
-  bool ticks_come() const;  ///< from the prescaler, at present
+  bool ticks_come() const;  ///< the prescaler currently provides ticks
   void set_flags(std::uint8_t hits, Cycle at);
   void due(Cycle at);
   void entered(int vector);

@@ -5,8 +5,8 @@
 namespace robosim::avr {
 namespace {
 
-// After this number of ends every counter is in its regular period: on to MAX, then a new TOP, then twice
-// around.
+// Number of turns after which every counter is in its regular period. A counter possibly runs on to MAX
+// first, then adopts a new TOP, and then takes two rounds.
 constexpr int kTurnsUntilRegular = 8;
 
 }  // namespace
@@ -61,7 +61,7 @@ std::uint8_t Counter::tick() {
   return pwm ? hits | take_over() : hits;
 }
 
-// Returns the ticks until a value whose leaving is more than a match.
+// Returns the number of ticks until a value at which the counter turns or restarts.
 std::uint16_t Counter::straight() const {
   if (hidden_) return 0;
   if (down_) return value_;

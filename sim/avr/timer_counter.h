@@ -1,25 +1,25 @@
-// The counter of a timer, tick by tick. ATmega328P data sheet DS40002061B: 15.4 to 15.8, 16.4 to 16.10, 18.4
-// to 18.7.
+// Models the counter of a timer, tick by tick (ATmega328P data sheet DS40002061B, 15.4 to 15.8, 16.4 to
+// 16.10, 18.4 to 18.7).
 //
 //   MAX     0xFF, or 0xFFFF
-//   TOP     where it turns or starts again: fixed, OCRnA or ICRn
+//   TOP     value at which the counter turns or restarts: fixed, OCRnA or ICRn
 //   BOTTOM  0
 //
-// Everything happens at the tick by which the counter leaves a value (figures 15-8 to 15-11, 16-10 to 16-13):
+// Each event happens at the tick at which the counter leaves a value (figures 15-8 to 15-11, 16-10 to 16-13):
 //
-//   leaves      in               what
-//   OCRnx       all              a match: OCFnx, and the pin
-//   TOP         clear on match   next is 0
-//   TOP         fast PWM         next is 0, TOV, OCRnx are latched
-//   TOP         phase correct    it turns, OCRnx are latched; phase and frequency correct: it turns
-//   TOP = ICRn  all              ICF
-//   BOTTOM      dual slope       it turns, TOV; phase and frequency correct: OCRnx are latched
-//   MAX         all              next is 0; TOV in normal mode and if a match clears
+//   leaves      in mode          event
+//   OCRnx       all              match: OCFnx is set, and the pin changes
+//   TOP         clear on match   restart at 0
+//   TOP         fast PWM         restart at 0, TOV is set, OCRnx are latched
+//   TOP         phase correct    turn, OCRnx are latched; phase and frequency correct: only turn
+//   TOP = ICRn  all              ICF is set
+//   BOTTOM      dual slope       turn, TOV is set; phase and frequency correct: OCRnx are latched
+//   MAX         all              restart at 0; TOV is set in normal and clear-on-match mode
 //
-// A counter above a lowered TOP runs on to MAX. A TOP of 0 holds a counter of dual slope at 0.
+// A counter above a lowered TOP runs on to MAX. A TOP of 0 holds a dual-slope counter at 0.
 //
-// A write to TCNTn hides the value from the comparators at the next tick: no match, no TOP of OCRnA or ICRn,
-// and no turn at BOTTOM for one that counts down (15.5.3, 16.7.3).
+// A write to TCNTn hides the value from the comparators at the next tick. There is no match, no TOP from
+// OCRnA or ICRn, and no turn at BOTTOM while counting down (15.5.3, 16.7.3).
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ namespace robosim::avr {
 
 class Counter {
  public:
-  /// The events of a tick, as the bits of TIFRn.
+  /// The events of a tick, encoded like the bits of TIFRn.
   enum Hit : std::uint8_t {
     kOverflow = 0x01,
     kMatchA = 0x02,
@@ -49,14 +49,14 @@ class Counter {
   const Counting& how() const { return how_; }
   bool counts_down() const { return down_; }
   std::uint16_t top() const { return static_cast<std::uint16_t>(top_of(how_, compare_[0], capture_)); }
-  /// Returns the effective value; one written to OCRnx may be pending.
+  /// Returns the effective compare value. A value written to OCRnx may still be pending.
   std::uint16_t compare(std::size_t channel) const { return compare_[channel]; }
   bool waits() const {
     return compare_[0] != written_[0] || compare_[1] != written_[1] || compare_[2] != written_[2];
   }
   std::uint16_t capture() const { return capture_; }
 
-  /// `channels`: the number of OCRnx.
+  /// Sets the counting mode; `channels` is the number of OCRnx registers.
   void count(const Counting& how, std::uint16_t max, std::uint8_t channels = 2);
   void set_value(std::uint16_t value) {
     value_ = value;
@@ -67,9 +67,10 @@ class Counter {
 
   /// Advances by `ticks`. Returns the events, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
-  // Returns whether it is in the usual state of most counters: up to TOP and around, without a recent write.
+  // Returns whether the counter is in the usual state: it counts up to TOP and restarts, without a recent
+  // write.
   bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
-  /// Like advance(), for a regular counter whose events have no listener.
+  /// Advances a regular counter whose events have no listener.
   void pass(Cycle ticks) {
     const Cycle period = top() + Cycle{1}, value = value_ + ticks;
     value_ = static_cast<std::uint16_t>(value < period       ? value
@@ -78,11 +79,11 @@ class Counter {
   }
   /// Returns the number of matches of a channel in `ticks`.
   Cycle matches(std::size_t channel, Cycle ticks) const;
-  /// Returns the result of the next tick.
+  /// Returns the events of the next tick, without advancing.
   std::uint8_t next_hits() const;
-  /// Returns the tick, from 1, of the next event in `wanted`; kNoCycle = never.
+  /// Returns the number of ticks, from 1, to the next event in `wanted`; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
-  /// Returns the number of ticks for which it surely counts up, one each.
+  /// Returns a number of ticks in which the counter is certain to count up by one each.
   Cycle ticks_upwards() const { return down_ ? 0 : straight(); }
 
  private:
@@ -92,9 +93,9 @@ class Counter {
   };
   static constexpr int kManyTurns = std::numeric_limits<int>::max();
 
-  /// Runs until an event in `wanted`, but at most `most` ticks, and at most `turns` ticks that leave an end.
+  /// Runs until an event in `wanted`, for at most `most` ticks, and at most `turns` turns or restarts.
   Ran run(Cycle most, std::uint8_t wanted, int turns);
-  /// Advances by at most one period, with the results of run() in steps.
+  /// Advances a regular counter by at most one period, with the same result as run().
   std::uint8_t advance_regularly(unsigned ticks);
   std::uint8_t hits_at_end() const;
   std::uint8_t tick();

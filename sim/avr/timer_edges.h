@@ -1,10 +1,10 @@
-// Edges of pins on their way into a timer. ATmega328P data sheet DS40002061B: 16.6 (capture), 17.2 (external
-// clock).
+// Models the delay of pin edges on their way into a timer (ATmega328P data sheet DS40002061B: 16.6, capture;
+// 17.2, external clock).
 //
 //   pin ─► synchroniser, edge detector: 3 cycles ─► counter, or ICRn
 //   pin ─► noise canceler: 4 cycles more; a shorter level is ignored
 //
-// The delay is 2.5 to 3.5 cycles for an edge at any moment. An edge that the chip makes itself is synchronous
+// An asynchronous edge is delayed by 2.5 to 3.5 cycles. An edge that the chip itself causes is synchronous
 // with its clock.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace robosim::avr {
 
 constexpr Cycle kEdgeCycles = 3, kCancelerCycles = 4;
 
-/// The arrival times of edges on their way.
+/// Queues the arrival times of edges that are on their way.
 class EdgesUnderWay {
  public:
   Cycle next() const { return count_ ? at_[0] : kNoCycle; }
@@ -39,17 +39,17 @@ class EdgesUnderWay {
   std::uint8_t count_ = 0;
 };
 
-/// The levels that the noise canceler passes on.
+/// Filters levels like the noise canceler.
 class NoiseCanceler {
  public:
   enum class Verdict : std::uint8_t { passes, takes_back };
-  /// Sets the level at which it is switched on.
+  /// Switches the canceler on while its input has this level.
   void begin(bool level) {
     behind_ = before_ = level;
     since_ = 0;
   }
-  /// Handles a level change at its input. It passes, unless it ends a level that was too short, which is then
-  /// withdrawn.
+  /// Handles a level change at the input. The change passes unless it ends a level that was too short. Such a
+  /// level is withdrawn.
   Verdict change(bool level, Cycle at) {
     if (at - since_ >= kCancelerCycles) behind_ = before_;
     before_ = level;
@@ -58,8 +58,8 @@ class NoiseCanceler {
   }
 
  private:
-  bool behind_ = false;  ///< its output, as far as settled
-  bool before_ = false;  ///< the pin
+  bool behind_ = false;  ///< last settled level of the output
+  bool before_ = false;  ///< level of the pin
   Cycle since_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// TIFR and TIMSK that several timers share: an ATtiny85, data sheet 2586Q, 11.9.7, 11.9.8, 12.3.7, 12.3.8.
+// Models TIFR and TIMSK of an ATtiny85, which its timers share (data sheet 2586Q, 11.9.7, 11.9.8, 12.3.7,
+// 12.3.8).
 #pragma once
 
 #include <cstdint>

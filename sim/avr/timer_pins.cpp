@@ -1,4 +1,4 @@
-// The pins of a timer: its outputs (DS40002061B, 15.6, 16.8, 18.6), and its inputs (16.6, 17.2).
+// Implements the pins of a timer: outputs (DS40002061B, 15.6, 16.8, 18.6) and inputs (16.6, 17.2).
 #include <algorithm>
 
 #include "sim/avr/timer.h"
@@ -7,7 +7,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr std::int64_t kLowestTone_hz = 20;
-constexpr std::uint8_t kForceA = 0x80;  // FOCnA, which FOCnB follows
+constexpr std::uint8_t kForceA = 0x80;  // FOCnA; the next lower bit is FOCnB
 constexpr std::uint8_t kClockSelect = 7, kRisingClock = 7;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool Timer::changes_at_match(std::size_t channel) const {
   return is_external() || 2 * kLowestTone_hz * period > core_.clock_hz;
 }
 
-// Returns the level of a pin with PWM when the clock stops.
+// Returns the current level of a pin with PWM, as when the clock stops.
 bool Timer::pwm_level(std::size_t channel) const {
   const Counter& counter = state_.counter;
   const std::uint16_t compare = counter.compare(channel), value = counter.value();
@@ -144,7 +144,8 @@ void Timer::pulsed(int, bool level, Cycle at) {
   schedule();
 }
 
-// 16.6.1: a change of the source is an edge, if their levels differ.
+// Selects the source of captures. A change of the source counts as an edge if the sources' levels differ
+// (16.6.1).
 void Timer::capture_comparator(bool is, bool level, Cycle at) {
   if (is == state_.captures_comparator) return;
   const bool before = capture_level();

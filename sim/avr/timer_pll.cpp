@@ -1,16 +1,16 @@
-// The differences of an ATtiny85's timer 1 from the others. Data sheet 2586Q, chapter 12.
+// Implements the differences between an ATtiny85's timer 1 and other timers (data sheet 2586Q, chapter 12).
 //
-//   TCCR1    CTC1, PWM1A, COM1A, CS13 to CS10: the clock divided by 2^(CS - 1)
-//   GTCCR    PWM1B, COM1B, FOC1B, FOC1A; PSR1 and timer 0's are Prescalers'
+//   TCCR1    CTC1, PWM1A, COM1A; CS13 to CS10: the clock is divided by 2^(CS - 1)
+//   GTCCR    PWM1B, COM1B, FOC1B, FOC1A; Prescalers implements PSR1 and timer 0's bits
 //   OCR1C    TOP with PWM, and with CTC1; 0xFF after a reset
-//   PLLCSR   PLLE: the PLL, which is locked (PLOCK) 100 us later; PCKE: the timer's clock is its 64 MHz
+//   PLLCSR   PLLE: starts the PLL, which locks (PLOCK) 100 us later; PCKE: clocks the timer from its 64 MHz
 //
-// Their values are stored in the layout of an ATmega's TCCRnA and TCCRnB. PWM for one channel is treated as
-// PWM for both. The 64 MHz are 4, 8 ... cycles of the processor's clock, whichever is nearest. A timer that
-// would be faster than the processor counts once per cycle.
+// TCCR1 and GTCCR are stored in the layout of an ATmega's TCCRnA and TCCRnB. PWM for one channel is treated
+// as PWM for both. The ratio of 64 MHz to the processor's clock is rounded to a power of two: 4, 8 ... A
+// timer that would be faster than the processor counts once per cycle.
 //
-// Not modelled: the cycle and a half by which the timer's clock synchronises writes (figure 12-2), the
-// inverted outputs and their dead times (chapter 14), ATtiny15 mode.
+// Not modelled: the synchronisation of writes with the timer's clock, one and a half cycles (figure 12-2),
+// the inverted outputs and their dead times (chapter 14), and ATtiny15 mode.
 #include <algorithm>
 #include <bit>
 
@@ -42,7 +42,7 @@ void Timer::take_pll_control() {
                      general = core_.at(core_.chip.at.timers);
   const bool pwm = (control | general) & kPwm;
   unsigned a = control & kConnection, b = general & kConnection;
-  // COM = 1 has the inverted output in addition.
+  // Treats COM = 1 like COM = 2, without the inverted output that COM = 1 adds.
   if (pwm && a == 0x10) a = 0x20;
   if (pwm && b == 0x10) b = 0x20;
   const unsigned mode = pwm ? 3 : control & kCtc ? 2 : 0;
@@ -94,7 +94,7 @@ std::uint8_t Timer::read_pll(Address address) {
                                    (core_.now() >= state_.pll_locked_at ? kPllLocked : 0));
 }
 
-// Returns the ratio of the PLL's to the processor's clock, as a power of two.
+// Returns the ratio of the PLL's clock to the processor's clock, as an exponent of two.
 int Timer::pll_shift() const {
   if (!spec_.top || !(core_.cpu.data[core_.chip.at.pll] & kPllClock)) return 0;
   return std::countr_zero(std::bit_ceil(static_cast<std::uint64_t>(kPll_hz / core_.clock_hz)));

@@ -1,4 +1,4 @@
-// The registers of a timer. DS40002061B: 15.9, 16.3 (16 bits through TEMP), 16.11, 18.11.
+// Implements the registers of a timer (DS40002061B: 15.9; 16.3, 16 bits through TEMP; 16.11, 18.11).
 #include "sim/avr/timer.h"
 
 namespace robosim::avr {
@@ -126,7 +126,7 @@ std::uint8_t Timer::read_flags(Address address) {
   return core_.at(address) = state_.flags;
 }
 
-// Flags that a tick sets are read from the cycle after it on.
+// Predicts reads of the flags. A flag reads as set from the cycle after its tick on.
 ReadForecast Timer::forecast_of_flags(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());
@@ -207,7 +207,7 @@ std::uint8_t Timer::read_capture(Address address) {
   return show(address, value);
 }
 
-// 16.11.7: writable only if it is TOP.
+// Writes ICRn, which is writable only while it is TOP (16.11.7).
 void Timer::write_capture(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs || state_.counter.how().top != Counting::Top::capture) return;
