@@ -39,7 +39,7 @@ Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.dat
 
 Cycle Adc::edge_after(Cycle cycle) const {
   const Cycle first = state_.origin + clock() / 2;
-  // A power of two.
+  // clock() is a power of two.
   return cycle < first ? first : first + ((cycle - first) & ~(clock() - 1)) + clock();
 }
 
@@ -96,12 +96,14 @@ void Adc::write_control(Address address, std::uint8_t value) {
   request();
 }
 
-// SBI and CBI, which reach ADCSRA on an ATtiny85, do not change ADIF (2586Q, the register summary's notes).
+// Handles SBI and CBI, which can address ADCSRA on an ATtiny85. A write to another bit does not clear ADIF
+// (2586Q, notes on the register summary).
 void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
 }
 
-// 24.4: the flags reach the converter by one line, whose rising edge starts it, even by another selection.
+// Handles a change of the trigger source (24.4). All flags share one line to the converter. A rising edge on
+// the line starts a conversion, even if the new selection causes the edge.
 void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const int before = trigger();
@@ -123,7 +125,7 @@ void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (state_.converting && core_.now() < state_.start) select();
 }
 
-// Connects the capacitor to another input, at once or after the conversion.
+// Restarts the charging time of the sampling capacitor if another input is selected.
 void Adc::selects_another(std::uint8_t multiplexer, std::uint8_t control_b) {
   const auto now = adc_selection(core_.chip.adc, core_.at(at_.adc_multiplexer), core_.at(at_.adc_control_b));
   if (adc_selection(core_.chip.adc, multiplexer, control_b) != now) state_.charges_since = core_.now();

@@ -1,15 +1,16 @@
-// The analog-digital converter. Data sheet DS40002061B, chapter 24; hal/board/avr_adc.h has the meaning of
-// its registers. One ADC clock is P cycles (ADPS), and its prescaler counts from ADEN on, so that rising
-// edges come at
+// Models the analog-to-digital converter (data sheet DS40002061B, chapter 24). hal/board/avr_adc.h documents
+// its registers. One ADC clock takes P cycles (ADPS). The prescaler starts when ADEN is set, and its rising
+// edges occur at
 //
-//   e = origin + P/2 + k P            origin: when ADEN was set
-//   start    the first e after the write of ADSC; ADMUX is latched there
-//   sample   start + 1.5 P,  13.5 P in the first conversion after ADEN
-//   end      start + 13 P,   25 P     ADIF is set, ADSC reads 0; free running starts again at once
+//   e = origin + P/2 + k P            origin: the cycle at which ADEN was set
+//   start    the first e after ADSC is written; ADMUX is latched at this edge
+//   sample   start + 1.5 P; 13.5 P in the first conversion after ADEN
+//   end      start + 13 P; 25 P in the first conversion. ADIF is set, ADSC reads 0; free running restarts
 //
-// An auto trigger moves origin to 3 cycles after its flag, so it samples 2 P later and ends 13.5 P later
-// (table 24-1). Falling asleep while the ADC's clock runs starts a conversion, too, unless auto triggers are
-// on (10.3, 24.6). A stopped clock (PRR, deeper sleep) pauses a conversion; ADEN = 0 ends it.
+// An auto trigger moves the origin to 3 cycles after its flag. The conversion then samples 2 P and ends 13.5
+// P after the origin (table 24-1). Entering a sleep mode that keeps the ADC clock running also starts a
+// conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock (PRR, deeper sleep) pauses a
+// conversion; ADEN = 0 ends it.
 #pragma once
 
 #include <cstdint>
@@ -30,17 +31,17 @@ class Adc final : public Peripheral {
 
  private:
   struct State {
-    Cycle origin = 0;  ///< when the prescaler began to count
-    Cycle start = 0;   ///< of the conversion
+    Cycle origin = 0;  ///< cycle at which the prescaler started
+    Cycle start = 0;   ///< cycle at which the conversion starts
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
-    std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, as latched by the conversion
-    double held = 0.0;                            ///< V, on the converter's capacitor after its last sample
-    Cycle charges_since = 0;                      ///< from the present selection
+    std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, latched by the conversion
+    double held = 0.0;                            ///< V, on the sampling capacitor after the last sample
+    Cycle charges_since = 0;  ///< cycle from which the selected input charges the capacitor
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;
-    bool locked = false;  ///< ADCL was read and ADCH not yet
+    bool locked = false;  ///< ADCL was read, ADCH was not
   };
 
   std::uint8_t read_control(Address address);

@@ -1,5 +1,6 @@
-// Flags that start something elsewhere in the chip, as a timer's match starts a conversion of the ADC. A flag
-// is named by the vector of its interrupt. One peripheral at a time waits, for one flag.
+// Connects interrupt flags to the peripheral that they trigger: a timer's compare match can start an ADC
+// conversion. The interrupt vector identifies the flag. Only one peripheral waits at a time, and for only one
+// flag.
 //
 //   core.triggers.offer<&Timer::awaited>(vector, this);   // once: this peripheral owns the flag
 //   core.triggers.raised(vector, at);                     // when the flag is set; cheap if not awaited
@@ -17,10 +18,10 @@ namespace robosim::avr {
 
 class AdcTriggers {
  public:
-  static constexpr int kNone = 0;  ///< the reset's vector: not awaited
+  static constexpr int kNone = 0;  ///< the reset vector: no flag is awaited
 
-  /// Offers a flag by bool Owner::Method(int vector, bool awaited): starts or stops waiting for it. Returns
-  /// whether it is set now.
+  /// Registers bool Owner::Method(int vector, bool awaited) for a flag. The method is called when a
+  /// peripheral starts or stops waiting, and returns whether the flag is set.
   template <auto Method, typename Owner>
   void offer(int vector, Owner* owner) {
     offers_[static_cast<std::size_t>(vector)] = {[](void* self, int number, bool awaited) {
@@ -29,19 +30,19 @@ class AdcTriggers {
                                                  },
                                                  owner};
   }
-  /// Reports that the flag is set, and was not before.
+  /// Reports that the flag has changed from clear to set.
   void raised(int vector, Cycle at) const {
     if (vector == state.awaited && started_.call) started_.call(started_.self, at);
   }
   bool is_awaited(int vector) const { return vector == state.awaited; }
 
   // --- for the waiting peripheral
-  /// Registers void Owner::Method(Cycle)
+  /// Registers void Owner::Method(Cycle), which is called when the awaited flag is set.
   template <auto Method, typename Owner>
   void on_trigger(Owner* owner) {
     started_ = {[](void* self, Cycle at) { (static_cast<Owner*>(self)->*Method)(at); }, owner};
   }
-  /// Starts to wait; returns whether the flag is set already.
+  /// Starts waiting for a flag; returns whether the flag is already set.
   bool await(int vector) {
     if (vector == state.awaited) return tell(vector, true);
     tell(state.awaited, false);

@@ -114,7 +114,8 @@ void Comparator::write(Address address, std::uint8_t value) {
   request();
 }
 
-// SBI and CBI, which reach ACSR on an ATtiny85, do not change ACI (2586Q, the register summary's notes).
+// Handles SBI and CBI, which can address ACSR on an ATtiny85. A write to another bit does not clear ACI
+// (2586Q, notes on the register summary).
 void Comparator::write_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write(address, bit == kAci ? value : static_cast<std::uint8_t>(value & ~kAci));
 }

@@ -1,18 +1,18 @@
-// The analog comparator. Data sheet DS40002061B, chapter 23.
+// Models the analog comparator (data sheet DS40002061B, chapter 23).
 //
 //   +      AIN0, or the bandgap (ACBG)
 //   -      AIN1, or the analog input that ADMUX selects (ACME in ADCSRB, while ADEN is 0). A chip without
-//          AIN1 has the bandgap there (ATmega32U4, 7766J, 23.2)
+//          AIN1 uses the bandgap (ATmega32U4, 7766J, 23.2)
 //   ACO    1 if + is higher
-//   ACI    set by ACO's edges that ACIS selects: 0 any, 2 falling, 3 rising
-//   ACIC   timer 1 captures ACO's edges instead of ICP1's
+//   ACI    set by the edges of ACO that ACIS selects: 0 any, 2 falling, 3 rising
+//   ACIC   timer 1 captures edges of ACO instead of edges of ICP1
 //
-// From the first write to ACSR on, edges of AIN0 and AIN1 take effect at their cycle. Voltages that change by
-// themselves are sampled when ACSR is read or written, and every 64 cycles while a result is awaited: by an
-// interrupt (ACIE), timer 1 (ACIC), or the ADC's auto trigger.
+// After the first write to ACSR, edges of AIN0 and AIN1 take effect at their cycle. Other voltage changes are
+// sampled when ACSR is read or written. They are also sampled every 64 cycles while an interrupt (ACIE),
+// timer 1 (ACIC) or the ADC's auto trigger waits for an edge.
 //
-// Not modelled: the 1 to 2 cycles of ACO's synchroniser, the comparator's offset and hysteresis. PWM at AIN0
-// or AIN1 counts as the level in PORTx.
+// Not modelled: the synchroniser delay of ACO (1 to 2 cycles), and the comparator's offset and hysteresis. A
+// pin with PWM counts as having its level in PORTx.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class Timer;
 
 class Comparator final : public Peripheral {
  public:
-  /// `captures`: the timer that captures its edges; may be null.
+  /// `captures` is the timer that captures the comparator's edges; may be null.
   Comparator(Core& core, Pins& pins, Timer* captures);
 
   void reset(Cycle at) override;
@@ -53,14 +53,14 @@ class Comparator final : public Peripheral {
   void request();
   bool is_on() const;
   double negative_volts(Cycle at);
-  /// Scaled like the pins' volts: ChipEnvironment::supply_share().
+  /// Returns the bandgap voltage, scaled like the pins' volts (ChipEnvironment::supply_share()).
   double bandgap() const { return core_.chip.adc.bandgap_volts / core_.environment.supply_share(); }
 
   Core& core_;
   Pins& pins_;
   Timer* const captures_;
   Address control_;
-  int positive_, negative_;  ///< pins; -1 = none
+  int positive_, negative_;  ///< input pins; -1 = none
   std::array<int, 2> listeners_{-1, -1};
   Events::Id look_ = 0;
   State state_;

@@ -1,14 +1,15 @@
-// The EEPROM. Data sheet DS40002061B, 8.4 and 8.6.
+// Models the EEPROM (data sheet DS40002061B, 8.4 and 8.6).
 //
-//   read    EERE: EEDR holds the byte at once; the processor stops for 4 cycles
-//   write   EEMPE, and within 4 cycles EEPE; the processor stops for 2 cycles, EEPE reads 1 until the end
+//   read    set EERE: EEDR contains the byte at once; the processor halts for 4 cycles
+//   write   set EEMPE, and EEPE within 4 cycles: the processor halts for 2 cycles; EEPE reads 1 until the end
 //
-//   EEPM   0 erase and write, 3.4 ms      the byte becomes EEDR
-//          1 erase only, 1.8 ms           0xFF
-//          2 write only, 1.8 ms           its old value AND EEDR
+//   EEPM   0 erase and write, 3.4 ms      new value: EEDR
+//          1 erase only, 1.8 ms           new value: 0xFF
+//          2 write only, 1.8 ms           new value: old value AND EEDR
 //
-// During a write, EEAR and EEPM cannot change, and nothing is read. EERIE requests EE_READY whenever no write
-// is in progress. A write continues through sleep and resets. Its duration does not depend on CLKPR.
+// During a write, EEAR and EEPM cannot change, and the EEPROM cannot be read. EERIE requests EE_READY
+// whenever no write is in progress. A write continues through sleep and resets. The duration of a write does
+// not depend on CLKPR.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ class Eeprom final : public Peripheral {
 
  private:
   struct State {
-    Cycle unlocked_until = 0;  ///< EEMPE reads 1 before
+    Cycle unlocked_until = 0;  ///< EEMPE reads 1 up to this cycle
     Cycle done_at = kNoCycle;
     std::uint8_t mode = 0;  ///< EEPM of the write in progress
     bool writing = false;

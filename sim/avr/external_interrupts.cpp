@@ -6,13 +6,13 @@ namespace robosim::avr {
 namespace {
 
 constexpr Cycle kIntCycles = 2, kPcintCycles = 3;
-constexpr std::size_t kSensesPerRegister = 4;  // ISCn in EICRA, the others in EICRB
+constexpr std::size_t kSensesPerRegister = 4;  // in EICRA; EICRB has the ISCn of the other lines
 
 constexpr std::uint8_t flag_bit(std::size_t number) { return static_cast<std::uint8_t>(1u << number); }
 constexpr std::uint8_t flag_bits(std::size_t count, unsigned from) {
   return static_cast<std::uint8_t>(((1u << count) - 1) << from);
 }
-/// Replaces the bits of a register that are in `mask`.
+/// Returns `kept` with the bits in `mask` replaced by bits of `value`.
 constexpr std::uint8_t replaced(std::uint8_t kept, std::uint8_t value, std::uint8_t mask) {
   return static_cast<std::uint8_t>((kept & ~mask) | (value & mask));
 }

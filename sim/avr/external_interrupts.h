@@ -1,4 +1,5 @@
-// Interrupts by pins: INTn and the pin changes PCINTn. Data sheet DS40002061B, chapter 13.
+// Models the pin interrupts: external interrupts INTn, and pin change interrupts PCINTn (data sheet
+// DS40002061B, chapter 13).
 //
 //   ISCn (EICRA)   sets INTFn      requests the interrupt
 //   00             never           while the pin is low
@@ -8,14 +9,14 @@
 //
 // PCMSKg has one bit per pin of group g. Both edges of such a pin set PCIFg.
 //
-// A request counts if EIMSK or PCICR has its bit. Entering its vector clears the flag, as does writing 1 to
-// it. An edge passes the input's synchroniser: INTFn is set 2 cycles after it, PCIFg 3 (figure 13-1). Edges
-// that the chip's own outputs cause count, too.
+// A request takes effect if its bit in EIMSK or PCICR is set. Entering the vector or writing 1 to the flag
+// clears the flag. An edge passes the input's synchroniser: INTFn is set 2 cycles after the edge, PCIFg 3
+// cycles (figure 13-1). Edges caused by the chip's own outputs also count.
 //
-// Edges of INTn wake the chip from every sleep mode. By 13.1 they need the I/O clock, but real chips notice
-// them without, and sketches rely on it.
+// Edges of INTn wake the chip from every sleep mode. Section 13.1 says that these edges require the I/O
+// clock. Real chips detect them without the clock, however, and sketches rely on that.
 //
-// A pin has no listener until its ISCn or its bit in EIMSK is written 1, or its bit in PCMSKg.
+// A pin gets a listener only when its ISCn becomes nonzero, or its bit in EIMSK or PCMSKg is set.
 #pragma once
 
 #include <array>

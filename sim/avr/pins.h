@@ -1,14 +1,14 @@
-// The chip's pins: ports, other drivers of a pin, and listeners. Data sheet DS40002061B, chapter 14.
+// Models the chip's pins: ports, other drivers of pins, and listeners (data sheet DS40002061B, chapter 14).
 //
 //   PORTx DDRx ──► ┐
 //   timers, UARTs ─┴─► drive ──► ChipEnvironment::driven
-//   ChipEnvironment::level ─► synchroniser ─► PINx           own outputs return by the same way
+//   ChipEnvironment::level ─► synchroniser ─► PINx           own outputs are read back the same way
 //   ChipEnvironment's edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
-// PINx reads a value written to PORTx from the second instruction after it on (14.2.4). A write to PINx
-// toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads 0. The
-// world receives PWM and tones as a duty cycle, never as edges. For PINx and listeners the timer computes
-// them (Wave).
+// PINx reads a value written to PORTx from the second instruction after the write on (14.2.4). A write to
+// PINx toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads 0.
+// The environment receives PWM and tones as a duty cycle, never as edges. For PINx and listeners, the timer
+// computes the levels and edges (Wave).
 #pragma once
 
 #include <array>
@@ -27,14 +27,14 @@ class Pins final : public Peripheral {
   void reset(Cycle at) override;
 
   // --- for peripherals that drive pins
-  /// Makes `drive` replace the port's latch from now on. `even_input`: also if DDRx is input (a UART's
-  /// transmitter); otherwise only while it is output (timers).
+  /// Makes `drive` replace the port's latch from now on. With `even_input`, the drive applies even if DDRx is
+  /// input (a UART's transmitter); otherwise only while DDRx is output (timers).
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
-  /// A timer that may drive a pin with a waveform: the world gets a duty cycle instead of edges.
+  /// A timer that can drive a pin with a waveform. The environment receives a duty cycle instead of edges.
   struct Wave {
-    bool (*level)(void* self, int pin) = nullptr;  ///< now
+    bool (*level)(void* self, int pin) = nullptr;  ///< returns the current level
     void (*heard)(void* self, int pin,
                   bool heard) = nullptr;  ///< starts or stops reports of each edge
     void* self = nullptr;
@@ -46,7 +46,7 @@ class Pins final : public Peripheral {
         [](void* self, int number, bool heard) { (static_cast<Owner*>(self)->*Heard)(number, heard); },
         owner};
   }
-  /// Reports a possible level change of a pin that is treated as a wave.
+  /// Reports that the level of a pin with a waveform may have changed.
   void wave_edge(int pin, bool level) {
     if (is_output(pin)) tell_listeners(pin, level, core_.now());
   }
@@ -56,8 +56,8 @@ class Pins final : public Peripheral {
     void (*call)(void* self, int pin, bool level, Cycle at) = nullptr;
     void* self = nullptr;
   };
-  /// Registers `Method` of `owner`, called with (pin, level, cycle) at each level change while listening is
-  /// on. Returns the listener's number, for listen().
+  /// Registers `Method` of `owner`, which is called with (pin, level, cycle) at each level change while
+  /// listening is on. Returns the listener's number, for listen().
   template <auto Method, typename Owner>
   int add_listener(int pin, Owner* owner) {
     listeners_.push_back({pin,
@@ -72,22 +72,22 @@ class Pins final : public Peripheral {
   /// Returns the level of a pin that was last reported to its listeners.
   bool heard_level(int pin) const { return state_.heard_level[static_cast<std::size_t>(pin)]; }
 
-  /// Returns the level of a pin now, from any driver.
+  /// Returns the current level of a pin, from any driver.
   bool level(int pin);
-  /// Returns the volts at a pin, from any driver; -1 = no pin, 0 V.
+  /// Returns the volts at a pin, from any driver; 0 V for pin -1 (no pin).
   double volts(int pin, Cycle at);
   /// Calls ChipEnvironment::convert().
   double convert(int pin, double before, Cycle from, Cycle at);
   /// Handles an external level change of a pin with a listener.
   void edge(int pin, bool level, Cycle at);
 
-  /// Return the last pin whose input was read by an instruction, and when; -1 = none yet.
+  /// Return the last pin whose input an instruction has read (-1 = none yet), and the cycle of that read.
   int last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
 
-  /// Returns the chip's pin at a bit of a port, by its letter; -1 = none.
+  /// Returns the pin at a bit of the port with this letter; -1 = none.
   int at(char port, int bit) const;
-  /// Returns the pin by its name in the data sheet.
+  /// Returns the pin with this name in the data sheet; -1 = none.
   int named(std::string_view name) const;
   /// Returns the pin of an analog input; -1 = none.
   int analog(int channel) const { return analog_at_[static_cast<std::size_t>(channel)]; }

@@ -7,7 +7,7 @@
 namespace robosim::avr {
 namespace {
 
-constexpr int kIdle = 0, kNoiseReduction = 1, kStandby = 6, kExtendedStandby = 7;  // SM
+constexpr int kIdle = 0, kNoiseReduction = 1, kStandby = 6, kExtendedStandby = 7;  // values of SM
 constexpr std::uint8_t kClockChangeEnable = 0x80, kDivisorMask = 0x0F, kLargestDivisor = 8;
 constexpr std::uint8_t kResetFlags = 0x0F;
 constexpr Cycle kDivisorWindow = 4;
@@ -59,7 +59,8 @@ std::uint8_t Power::read_divisor(Address address) {
   return static_cast<std::uint8_t>(core_.at(address) | (unlocked ? kClockChangeEnable : 0));
 }
 
-// 9.12.2: CLKPCE alone first, then the divisor within four cycles. Another CLKPCE does not extend them.
+// Changes the divisor (9.12.2). Firmware first writes CLKPCE alone, then the divisor within four cycles.
+// Writing CLKPCE again does not extend this window.
 void Power::write_divisor(Address address, std::uint8_t value) {
   const Cycle now = core_.now();
   const bool unlocked = now <= state_.divisor_unlocked_until;
@@ -78,7 +79,7 @@ void Power::divide_clock(int divisor, Cycle at) {
   if (core_.clock_hz != before) core_.environment.clock_divided(divisor, at);
 }
 
-// 11.9.1: a flag is cleared by writing 0 to it.
+// Clears each flag to which 0 is written (11.9.1).
 void Power::write_reset_flags(Address address, std::uint8_t value) {
   core_.at(address) &= value & kResetFlags;
 }

@@ -1,17 +1,18 @@
-// Clocks and sleep: SMCR, PRR, CLKPR, MCUSR. Data sheet DS40002061B, chapters 9 to 11.
+// Models clocks and sleep: SMCR, PRR, CLKPR and MCUSR (data sheet DS40002061B, chapters 9 to 11).
 //
 //   mode                         processor   I/O clock   ADC clock   start-up on wake-up
 //   idle                         stopped     runs        runs        none
 //   noise reduction              stopped     stopped     runs        none
 //   standby, extended standby    stopped     stopped     stopped     6 cycles
-//   the others                   stopped     stopped     stopped     the oscillator's
+//   other modes                  stopped     stopped     stopped     the oscillator's start-up time
 //
-// The oscillator's start-up time is in table 9-4: 16384 cycles for a crystal (ChipSpec has each chip's).
-// After it the processor waits for 4 more cycles, before the 4 of the interrupt (10.2).
+// Table 9-4 lists the oscillator's start-up time: 16384 cycles for a crystal (ChipSpec stores the time of
+// each chip). Afterwards the processor waits for 4 more cycles, and then takes 4 cycles to enter the
+// interrupt (10.2).
 //
-// The registers of a peripheral that its bit in PRR has stopped read 0 and keep their content (10.11.3).
-// CLKPR divides all clocks except those of the watchdog and the EEPROM. Not modelled: timer 2's own crystal;
-// all timers use the I/O clock.
+// While a bit in PRR stops a peripheral, its registers read 0 and keep their content (10.11.3). CLKPR divides
+// all clocks except those of the watchdog and the EEPROM. Not modelled: timer 2's own crystal; all timers use
+// the I/O clock.
 #pragma once
 
 #include <cstdint>
@@ -27,18 +28,18 @@ class Power final : public Peripheral {
 
   explicit Power(Core& core);
 
-  /// Connects a peripheral to its clock: `bit` of PRR, at `reduction`, stops it, as does a sleep mode that
-  /// stops `clock`. Without a bit: -1.
+  /// Connects a peripheral to its clock. The peripheral stops in sleep modes without `clock`, and while `bit`
+  /// of the PRR at address `reduction` is set; -1 = no bit.
   void supply(Peripheral& peripheral, Clock clock, Address reduction, int bit);
 
   void reset(Cycle at) override;
 
-  /// Handles SLEEP. Returns false if SE is not set: then it has no effect.
+  /// Handles SLEEP. Does nothing and returns false if SE is not set.
   bool sleep(Cycle at);
   bool is_asleep() const { return state_.asleep; }
   /// Handles an interrupt that wakes the chip: the processor continues after the start-up time.
   void wake(Cycle at);
-  /// Returns the cycles slept.
+  /// Returns the number of cycles slept.
   Cycle slept(Cycle now) const { return state_.slept + (state_.asleep ? now - state_.slept_from : 0); }
 
  private:
@@ -53,7 +54,7 @@ class Power final : public Peripheral {
     bool io_runs = true, adc_runs = true;
     Cycle slept_from = 0, slept = 0;
     std::uint64_t stopped = 0;  ///< one bit per supplied peripheral
-    Cycle start_up = 0;         ///< when it wakes
+    Cycle start_up = 0;         ///< start-up time at wake-up, in cycles
     Cycle divisor_unlocked_until = 0;
   };
 

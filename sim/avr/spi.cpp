@@ -3,7 +3,7 @@
 namespace robosim::avr {
 namespace {
 
-// SPCR and SPSR
+// Bits of SPCR, then of SPSR.
 constexpr std::uint8_t kSpie = 0x80, kSpe = 0x40, kMstr = 0x10, kCpol = 0x08, kSprMask = 0x03;
 constexpr std::uint8_t kSpif = 0x80, kWcol = 0x40, kSpi2x = 0x01;
 
@@ -62,7 +62,7 @@ std::uint8_t Spi::read(Address address) {
   return core_.at(address);
 }
 
-// With a flag set, a read prepares its clearing.
+// Predicts no reads of SPSR while a flag is set, because such a read prepares the clearing of the flag.
 ReadForecast Spi::forecast(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
@@ -112,7 +112,7 @@ void Spi::shifted(Cycle) {
   request();
 }
 
-// 19.3.2
+// Ends master mode if SS is an input at low level (19.3.2).
 void Spi::look_at_select() {
   const ChipPin& place = core_.chip.pins[select_];
   const bool is_output =
@@ -126,7 +126,8 @@ void Spi::look_at_select() {
   request();
 }
 
-// Table 19-1: a master's MISO is an input, its other pins are outputs if the port sets them so.
+// Takes the pins of a master (table 19-1): MISO is an input; the other pins are outputs if the port makes
+// them outputs.
 void Spi::drive() {
   const bool master = is_master();
   if (master) {

@@ -1,12 +1,12 @@
-// The serial peripheral interface as master. Data sheet DS40002061B, chapter 19.
+// Models the serial peripheral interface as master (data sheet DS40002061B, chapter 19).
 //
-//   transfer   8 bits of D cycles from the write of SPDR on; then SPIF is set
-//   D          4, 16, 64, 128 by SPR, half of it with SPI2X (table 19-5)
+//   transfer   starts when SPDR is written; takes 8 bits of D cycles, and then sets SPIF
+//   D          4, 16, 64 or 128, selected by SPR; SPI2X halves D (table 19-5)
 //
-// Writing SPDR during a transfer sets WCOL and changes nothing. Reading SPSR while the flags are set, and
-// then accessing SPDR, clears both; its vector clears SPIF, too. The received byte is the level of MISO at
-// the end, since bits are not simulated. SS as an input at low level ends being master: MSTR is cleared and
-// SPIF set. As a slave it does nothing, since it has no clock.
+// Writing SPDR during a transfer only sets WCOL. Reading SPSR while flags are set, and then accessing SPDR,
+// clears these flags. Entering the vector also clears SPIF. Single bits are not simulated: each received bit
+// is the level of MISO at the end of the transfer. If SS is an input at low level, master mode ends: MSTR is
+// cleared, and SPIF is set. A slave does nothing, because it has no clock.
 #pragma once
 
 #include <cstdint>

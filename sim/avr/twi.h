@@ -1,6 +1,7 @@
-// The two-wire serial interface as master: registers, interrupt and pins. hal/board/avr_twi.h has its steps
-// on the bus and their durations. While TWINT is not set, writes to TWDR are ignored (TWWC). TWINT requests
-// the interrupt as long as it is set. While TWEN is set, SDA and SCL are inputs, with the port's pull-ups.
+// Models the two-wire serial interface as master: registers, interrupt and pins. hal/board/avr_twi.h models
+// the steps on the bus and their durations. While TWINT is not set, writes to TWDR are ignored (TWWC). TWINT
+// requests the interrupt as long as it is set. While TWEN is set, SDA and SCL are inputs, with the port's
+// pull-ups.
 #pragma once
 
 #include <cstdint>

@@ -6,12 +6,12 @@
 namespace robosim::avr {
 namespace {
 
-// UCSRnA
+// Bits of UCSRnA.
 constexpr std::uint8_t kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02, kMpcm = 0x01;
-// UCSRnB
+// Bits of UCSRnB.
 constexpr std::uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20;
 constexpr std::uint8_t kRxen = 0x10, kTxen = 0x08, kUcsz2 = 0x04, kRxb8 = 0x02, kTxb8 = 0x01;
-// UCSRnC
+// Bits of UCSRnC.
 constexpr std::uint8_t kUmselMask = 0xC0, kUmselSynchronous = 0x40, kUpm1 = 0x20, kUsbs = 0x08;
 constexpr std::uint8_t kUcsrcAtReset = 0x06;
 
@@ -144,7 +144,7 @@ void Usart::write_control(std::uint8_t value) {
   tell();
 }
 
-// 20.6.5: TXEN = 0 takes effect when nothing is left to send.
+// Takes or gives back the pins. TXEN = 0 takes effect when nothing is left to send (20.6.5).
 void Usart::take_pins() {
   const auto update = [this](int pin, bool taken, bool& before, const PinDrive& drive) {
     if (pin < 0 || taken == before) return;

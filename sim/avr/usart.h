@@ -1,4 +1,4 @@
-// A USART as UART. Data sheet DS40002061B, chapter 20.
+// Models a USART in UART mode (data sheet DS40002061B, chapter 20).
 //
 //   frame     (start + 5..9 data + parity + 1..2 stop) bits of (U2X ? 8 : 16) (UBRR + 1) cycles (table 20-1)
 //             synchronous (UMSEL 1): bits of 2 (UBRR + 1) cycles
@@ -6,10 +6,10 @@
 //                                                         TXC: both are empty, after a frame has left
 //   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer holds a frame
 //
-// A third frame waits in the shift register. A fourth replaces it, and sets DOR until UDR is read. RXC and
-// UDRE request interrupts as long as they are set; TXC is cleared by its vector or by writing 1. RXEN = 0
-// empties the buffer. TXEN = 0 takes effect once everything has left, and only then TxD is the port's again.
-// Frames begin to leave at once.
+// A third received frame waits in the shift register. A fourth frame replaces it, and sets DOR until UDR is
+// read. RXC and UDRE request interrupts as long as they are set. Entering its vector or writing 1 clears TXC.
+// RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; only then does the port
+// drive TxD again. Frames start without delay.
 //
 // Not modelled: frames with errors (FE and UPE are 0), the multi-processor mode (MPCM), the clock pin and the
 // USART as SPI (UMSEL 3).
@@ -30,12 +30,12 @@ class Usart final : public Peripheral {
   void clock_runs(bool runs, Cycle at) override;
   std::uint64_t may_interrupt() const override;
 
-  /// Delivers a whole frame, at `at`.
+  /// Delivers a whole frame at cycle `at`.
   void receive(std::uint16_t data, Cycle at);
 
  private:
   struct State {
-    std::array<std::uint16_t, 3> received{};  ///< the last one of three is still in the shift register
+    std::array<std::uint16_t, 3> received{};  ///< a third frame is still in the shift register
     std::uint8_t received_count = 0;
     std::uint16_t last_read = 0;
     std::uint16_t waiting_data = 0;
@@ -43,11 +43,11 @@ class Usart final : public Peripheral {
     bool early = false;    ///< a frame was written before TXEN
     bool shifting = false;
     bool overrun = false;
-    bool drives = false;   ///< TxD
-    bool listens = false;  ///< to RxD, which is an input regardless of the port
+    bool drives = false;   ///< the USART drives TxD
+    bool listens = false;  ///< RxD is an input, regardless of the port
     bool runs = true;
     Core::Held held;
-    Cycle told = 0;  ///< the frame duration that was reported to the surroundings; 0 = off
+    Cycle told = 0;  ///< frame duration that was reported to the environment; 0 = receiver off
   };
 
   std::uint8_t read(Address address);

@@ -5,23 +5,23 @@
 namespace robosim::avr {
 namespace {
 
-// Registers, from USBCON on.
+// Offsets of registers from USBCON.
 constexpr int kUsbcon = 0x00, kUsbsta = 0x01, kUdcon = 0x08, kUdint = 0x09, kUdien = 0x0A, kUdfnumL = 0x0C,
               kUdfnumH = 0x0D, kUeintx = 0x10, kUenum = 0x11, kUerst = 0x12, kUeconx = 0x13, kUecfg0x = 0x14,
               kUecfg1x = 0x15, kUesta0x = 0x16, kUeienx = 0x18, kUedatx = 0x19, kUebclx = 0x1A,
               kUebchx = 0x1B, kUeint = 0x1C;
-// USBCON, USBSTA, UDCON
+// Bits of USBCON, USBSTA and UDCON.
 constexpr std::uint8_t kUsbe = 0x80, kFrzclk = 0x20, kOtgpade = 0x10, kVbus = 0x01, kFullSpeed = 0x08,
                        kDetach = 0x01;
-// UDINT
+// Bits of UDINT.
 constexpr std::uint8_t kSofi = 0x04, kEorsti = 0x08;
-// UECONX, UECFG1X, UESTA0X
+// Bits of UECONX, UECFG1X and UESTA0X.
 constexpr std::uint8_t kEpen = 0x01, kStallrq = 0x20, kStallrqc = 0x10, kAlloc = 0x02, kCfgok = 0x80;
-// UEINTX
+// Bits of UEINTX.
 constexpr std::uint8_t kFifocon = 0x80, kRwal = 0x20, kRxstpi = 0x08, kRxouti = 0x04, kStalledi = 0x02,
                        kTxini = 0x01;
 constexpr std::uint8_t kFlags = kRxstpi | kRxouti | kStalledi | kTxini;
-// PLLCSR
+// Bits of PLLCSR.
 constexpr std::uint8_t kPlle = 0x02, kPlock = 0x01;
 constexpr std::int64_t kLock_ns = 100'000;
 constexpr std::uint16_t kFrameMask = 0x7FF;
@@ -160,7 +160,7 @@ void UsbDevice::write(Address address, std::uint8_t value) {
       core_.at(address) = value;
       on_attachment();
       break;
-    case kUdint:  // a flag is cleared by writing 0 to it
+    case kUdint:  // writing 0 to a flag clears the flag
       core_.at(address) &= value;
       break;
     case kUeintx:

@@ -1,20 +1,20 @@
-// The USB device controller. ATmega16U4/32U4 data sheet 7766J, chapters 21 and 22; the PLL: 6.11.
+// Models the USB device controller (ATmega16U4/32U4 data sheet 7766J, chapters 21 and 22) and its PLL (6.11).
 //
 //   PLLE     PLOCK reads 1 after 100 us
 //   device   attached while USBE and OTGPADE are set, and FRZCLK and DETACH are not
 //   UDINT    end of reset (EORSTI) and one frame per millisecond (SOFI); requests the general vector while
 //            UDIEN has the same bit
-//   UENUM    selects the endpoint that the other registers belong to; a flag of UEINTX that UEIENX enables
-//            requests the endpoints' vector
+//   UENUM    selects the endpoint that the other registers access; a flag of UEINTX that UEIENX enables
+//            requests the endpoint vector
 //
 //   control  SETUP sets RXSTPI, and UEDATX returns its 8 bytes
 //            TXINI: clearing it sends what was written to UEDATX
 //            RXOUTI: a packet can be read
-//   IN       one or two banks; FIFOCON reads 1 while a bank can be filled, and clearing it passes that to the
-//            host
-//   OUT      FIFOCON reads 1 while a packet can be read, and clearing it frees its bank
+//   IN       one or two banks; FIFOCON reads 1 while a bank can be filled, and clearing FIFOCON passes the
+//            bank to the host
+//   OUT      FIFOCON reads 1 while a packet can be read, and clearing FIFOCON frees the packet's bank
 //
-// The host's side is usb_host.h. Not modelled: suspend and wake-up, isochronous endpoints, ping-pong errors,
+// usb_host.h models the host. Not modelled: suspend and wake-up, isochronous endpoints, ping-pong errors,
 // NAKINI and NAKOUTI, VBUS interrupts (VBUS is always present).
 #pragma once
 
@@ -32,7 +32,7 @@ class UsbDevice final : public Peripheral {
     std::array<std::uint8_t, kMostBytes> bytes{};
     std::uint8_t count = 0;
   };
-  /// The answer to a packet, or to a request for one.
+  /// The device's answer to a packet, or to a request for a packet.
   enum class Answer : std::uint8_t { later, stall, done };
 
   explicit UsbDevice(Core& core);
@@ -47,17 +47,18 @@ class UsbDevice final : public Peripheral {
   void setup(const std::array<std::uint8_t, 8>& request);
   Answer take(std::size_t endpoint, Packet& packet);
   Answer give(std::size_t endpoint, const Packet& packet);
-  /// Called when is_attached() may have changed, and when there is data for the host.
+  /// Called when is_attached() may have changed (on_attachment), or when data for the host is ready
+  /// (on_filled).
   Cpu::Call on_attachment, on_filled;
 
  private:
   static constexpr std::size_t kEndpoints = 7;
   struct Endpoint {
     std::uint8_t control = 0, direction = 0, layout = 0, enables = 0;  ///< UECONX, UECFG0X, UECFG1X, UEIENX
-    std::uint8_t flags = 0;    ///< of UEINTX, without FIFOCON and RWAL
-    std::uint8_t waiting = 0;  ///< banks for the host, or to be read
-    std::uint8_t read = 0;     ///< bytes of the first of them
-    bool armed = false;        ///< for the control endpoint: `filling` is ready for the host
+    std::uint8_t flags = 0;    ///< bits of UEINTX, except FIFOCON and RWAL
+    std::uint8_t waiting = 0;  ///< number of banks that wait for the host or for firmware
+    std::uint8_t read = 0;     ///< number of bytes already read from the first bank
+    bool armed = false;        ///< control endpoint only: `filling` is ready for the host
     std::array<Packet, 2> banks{};
     Packet filling;
 
@@ -74,7 +75,7 @@ class UsbDevice final : public Peripheral {
   };
   struct State {
     std::array<Endpoint, kEndpoints> endpoints{};
-    Cycle locked_at = kNoCycle;  ///< of the PLL
+    Cycle locked_at = kNoCycle;  ///< cycle at which the PLL locks
     std::uint16_t frame = 0;
   };
 

@@ -9,7 +9,7 @@ using Answer = UsbDevice::Answer;
 
 constexpr std::int64_t kMillisecond_ns = 1'000'000, kDebounce_ns = 100 * kMillisecond_ns,
                        kReset_ns = 10 * kMillisecond_ns, kTransaction_ns = 100'000, kByte_ns = 1'500;
-// Requests, in their order.
+// Requests of the enumeration, in order.
 enum Step : std::uint8_t {
   kDevice,
   kAddress,
@@ -172,7 +172,8 @@ void UsbHost::answered() {
   core_.environment.listens(line(), core_.cycles(kByte_ns), core_.now());
 }
 
-// Reads the serial port: an interface of class 2, and the endpoints of one of class 10.
+// Finds the serial port in the descriptors: an interface of class 2, and the endpoints of an interface of
+// class 10.
 void UsbHost::read_descriptors() {
   const auto& have = state_.descriptors;
   state_.configuration = have[5];

@@ -1,13 +1,13 @@
-// The computer at the other end of a chip's USB. It enumerates the device, and opens its serial port if there
-// is one (USB 2.0, chapters 7.1.7 and 9; CDC PSTN 1.2, 6.3).
+// Models the computer at the other end of a chip's USB cable. The host enumerates the device, and opens the
+// device's serial port, if any (USB 2.0, chapters 7.1.7 and 9; CDC PSTN 1.2, 6.3).
 //
 //   attached ── 100 ms ── reset, 10 ms ── 10 ms ── descriptors, address, configuration
 //            ── line coding (115200 8N1), DTR
 //
-// From then on the port is open. ChipEnvironment::sent() receives what the device sends, with a line number
-// after those of the UARTs. Bytes for the device wait here until it accepts them. A transaction takes 100 us.
+// The port is then open. ChipEnvironment::sent() receives the device's bytes, with a line number after the
+// UARTs' numbers. Bytes for the device wait here until the device accepts them. A transaction takes 100 us.
 //
-// The port is opened as soon as it exists, as by a user who waits for it. What a sketch prints earlier is
+// The port is opened as soon as it exists, as if a user were waiting for it. Earlier output of a sketch is
 // lost, unless the sketch waits for the port.
 #pragma once
 
@@ -37,12 +37,12 @@ class UsbHost final : public Peripheral {
     Stage stage = Stage::setup;
     std::uint8_t step = 0;
     std::uint8_t control_interface = 0, data_in = 0,
-                 data_out = 0;  ///< the serial port's, from the descriptors
+                 data_out = 0;  ///< interface and endpoints of the serial port
     std::uint8_t configuration = 0;
     std::uint16_t received = 0;
     std::array<std::uint8_t, kMostDescriptors> descriptors{};
     std::array<std::uint8_t, kMostWaiting> waiting{};
-    std::uint16_t first = 0, count = 0;  ///< of the waiting bytes
+    std::uint16_t first = 0, count = 0;  ///< position and number of the waiting bytes
     Core::Held held_act, held_frame;
   };
   struct Request {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08;
 constexpr std::uint8_t kWdpMask = kWdp3 | 0x07;
-constexpr std::uint8_t kWdrf = 0x08;  // in MCUSR
+constexpr std::uint8_t kWdrf = 0x08;  // bit of MCUSR
 constexpr Cycle kWdceWindow = 4;
 constexpr int kLongestWdp = 9;
 constexpr std::int64_t kShortestCycles = 2048, kWatchdogClock_hz = 128'000;

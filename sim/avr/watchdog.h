@@ -1,17 +1,17 @@
-// The watchdog. Data sheet DS40002061B, 11.8 and 11.9.2.
+// Models the watchdog (data sheet DS40002061B, 11.8 and 11.9.2).
 //
 //   timeout     (2048 << WDP) cycles of 128 kHz after WDR, or after the last timeout: 16 ms to 8 s
 //
 //   WDE  WDIE   (WDTON is not programmed)
 //   0    0      stopped
-//   0    1      WDIF is set, at each timeout
-//   1    0      the chip is reset: WDRF in MCUSR
-//   1    1      WDIF is set; its vector clears WDIE, so that the next timeout resets, and so does a timeout
-//               before the vector was entered
+//   0    1      each timeout sets WDIF
+//   1    0      a timeout resets the chip, with WDRF in MCUSR
+//   1    1      a timeout sets WDIF; entering the vector clears WDIE. The next timeout then resets the chip.
+//               A timeout before the vector is entered also resets the chip
 //
-// WDE is cleared, and WDP changed, within 4 cycles of writing WDCE and WDE together. WDE may be set, and WDIE
-// changed, at any time. WDRF holds WDE: after a watchdog reset it runs on, with 16 ms. It runs in all sleep
-// modes, by its own clock.
+// Firmware can clear WDE and change WDP only within 4 cycles of writing WDCE and WDE together. WDE can be
+// set, and WDIE changed, at any time. While WDRF is set, WDE stays set: after a watchdog reset, the watchdog
+// continues with 16 ms. The watchdog runs in all sleep modes, on its own clock.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ class Watchdog final : public Peripheral {
 
  private:
   struct State {
-    Cycle origin = 0;          ///< when it began to count
-    Cycle unlocked_until = 0;  ///< WDCE reads 1 before
+    Cycle origin = 0;          ///< cycle at which the current timeout started
+    Cycle unlocked_until = 0;  ///< WDCE reads 1 up to this cycle
   };
 
   std::uint8_t read(Address address);
