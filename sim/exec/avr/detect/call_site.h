@@ -1,4 +1,4 @@
-// Finds the caller of a function that is about to begin.
+// Finds the caller of a function that is about to start.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace robosim::exec::avr {
 
-/// Returns the flash address of its call. For a `call` it is the middle of the instruction, which debug
-/// information treats as the same place.
+/// Returns the flash address of the call. For the instruction `call`, this is the address of its second word,
+/// for which debug information gives the same line.
 inline std::uint32_t call_site(const robosim::avr::Cpu& cpu) {
   std::uint32_t words = 0;
   for (int i = 1; i <= cpu.chip().return_address_bytes; ++i)

@@ -1,4 +1,4 @@
-// Static analysis of a sketch's instructions. Addresses are in words.
+// Analyses a sketch's instructions statically. Addresses are in words.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,22 @@
 
 namespace robosim::exec::avr {
 
-/// Returns whether the next instruction always runs after this one.
+/// Returns whether the following instruction always runs next.
 bool is_straight(robosim::avr::Op op);
 bool is_store_by_pointer(robosim::avr::Op op);
-/// Appends to `next` where the processor may continue after the instruction at `pc`, as far as the code
-/// determines it. For a call that is the following instruction, and with `into_calls` also its target.
+/// Appends to `next` the addresses at which the processor may continue after the instruction at `pc`.
+/// Computed jumps are not followed. A call continues at the following instruction, and with `into_calls` also
+/// at its target.
 void add_next(const robosim::avr::Cpu& cpu, std::uint32_t pc, bool into_calls,
               std::vector<std::uint32_t>& next);
-/// For each word, up to `code_end` in bytes: returns whether interrupts are off there, since every way there
-/// passes a CLI.
+/// Returns, for each word, whether interrupts are off because every path to the word passes a CLI. `code_end`
+/// is a byte address.
 std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
-/// For each word: returns whether it belongs to a handler, so that the main program never runs it. Functions
-/// that handlers call are not included.
+/// Returns, for each word, whether it belongs to a handler and the main program never runs it. Functions that
+/// handlers call are not included.
 std::vector<bool> of_handlers(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
 
-/// Tracks the registers that hold a value read from memory, unchanged or changed.
+/// Tracks the registers that contain a value read from memory, unchanged or changed.
 class ValueFlow {
  public:
   explicit ValueFlow(int reg) : read_(bit(reg)) {}

@@ -1,5 +1,5 @@
-// The base class of detectors. They watch a sketch on the chip as it is flashed, and report what would fail
-// on a real robot (docs/howto/sanitizers.md). They do not change the run.
+// Declares the base class of detectors. Detectors observe the flashed sketch on the chip, and report
+// behaviour that would fail on a real robot (docs/howto/sanitizers.md). Detectors do not change the run.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace robosim::exec::avr {
 class Detector {
  public:
   virtual ~Detector() = default;
-  /// Called before an instruction runs, at each address requested by WatchedChip::show; in bytes.
+  /// Called before an instruction runs, for each byte address requested by WatchedChip::show().
   virtual void visited(std::uint32_t pc, robosim::avr::Cycle at) {
     static_cast<void>(pc), static_cast<void>(at);
   }
-  /// Called when the processor has entered a handler, or returned from one (WatchedChip::show_handlers).
+  /// Called when the processor has entered or left a handler (WatchedChip::show_handlers()).
   virtual void entered(int vector, robosim::avr::Cycle at) {
     static_cast<void>(vector), static_cast<void>(at);
   }
@@ -28,20 +28,20 @@ class Detector {
   virtual std::vector<Detected> found() const = 0;
 };
 
-/// The program that runs on the chip. All outlive their use.
+/// The program that runs on the chip. All referenced objects must outlive their use.
 struct Program {
   const Firmware& firmware;
   const DebugInfo& debug;
   const BoardSpec& board;
 };
 
-/// Returns the firmware's present place in the sketch. Costly.
+/// Returns the current line of the sketch. Calls are expensive.
 using WhereNow = std::function<SourceLine()>;
 
-/// The findings of a detector, one for each place: the first few.
+/// Collects the first few findings of a detector, one per place.
 class Sightings {
  public:
-  /// Adds a finding, or counts one more if that place has the same kind already.
+  /// Adds a finding. If the place already has a finding of the same kind, increases that finding's count.
   void add(Detected seen) {
     for (Detected& known : all_) {
       if (known.detector != seen.detector || known.where.file != seen.where.file ||

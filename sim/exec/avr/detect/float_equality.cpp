@@ -15,7 +15,7 @@ using robosim::avr::Op;
 
 constexpr std::uint8_t kLeft = 22, kRight = 18, kResult = 24, kZero = 1;  // registers
 constexpr std::uint8_t kFlagZ = 2;
-constexpr std::uint32_t kWordsOfTest = 6;  // how far after the call its result is tested
+constexpr std::uint32_t kWordsOfTest = 6;  // largest distance between the call and the test of its result
 constexpr int kMany = 10, kLongAway = 20;
 
 float float_of(std::uint32_t bits) {
@@ -24,16 +24,16 @@ float float_of(std::uint32_t bits) {
   return value;
 }
 
-/// Returns the target of the call at `pc`, in words; nothing if there is no call.
+/// Returns the target of the call at `pc`, in words; nothing for other instructions.
 std::optional<std::uint32_t> target_of(const Instruction& i, std::uint32_t pc) {
   if (i.op == Op::call) return static_cast<std::uint32_t>(i.k);
   if (i.op == Op::rcall) return pc + 1 + static_cast<std::uint32_t>(i.k);
   return std::nullopt;
 }
 
-/// Returns whether the result of the call before `pc`, a word's address, is tested for 0, not for its sign.
+/// Returns whether the result of the call before word address `pc` is tested for 0, not for its sign.
 bool is_tested_for_zero(const robosim::avr::Cpu& cpu, std::uint32_t pc) {
-  bool compared = false;  // with 0
+  bool compared = false;  // the result was compared with 0
   for (const std::uint32_t end = pc + kWordsOfTest; pc < end; pc += cpu.instruction(pc).words) {
     const Instruction& i = cpu.instruction(pc);
     const bool with_zero = (i.a == kResult && i.b == kZero) || (i.a == kZero && i.b == kResult);

@@ -10,9 +10,9 @@ namespace {
 
 constexpr SimTime kSettled = kSecond;
 constexpr std::size_t kMostGrowths = 4096;
-constexpr int kMostPieces = 1024;  // limit, in case the list was overwritten
+constexpr int kMostPieces = 1024;  // stops the search if the list was overwritten
 constexpr int kTimesInPieces = 3;
-// The effect of a leak in each third of a run.
+// Smallest effect of a leak: rises and bytes in each third of a run.
 constexpr int kThirds = 3, kTimesInThird = 3, kBytesInThird = 8;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::uint16_t Heap::word(reg::Address at) const {
 
 void Heap::visited(std::uint32_t pc, Cycle) {
   if (asked_ && pc == asked_->returns_to && machine_.chip().sp() == asked_->sp) return answered();
-  // realloc() calls malloc(). An earlier request that has not returned by now never will, such as after a
+  // Ignores calls of malloc() by realloc(). Any other open request will never return, for example after a
   // reset.
   const bool is_within =
       asked_ && machine_.chip().sp() + machine_.chip().spec().return_address_bytes < asked_->sp;
@@ -90,7 +90,7 @@ void Heap::answered() {
   const std::uint16_t before = growths_.empty() ? end : growths_.back().end;
   growths_.push_back({machine_.now(), end});
   grown_at_ = where_();
-  // A block at the end of the heap grows in place.
+  // Excludes a block at the end of the heap, which grows in place.
   if (word(kArgument[0]) >= before && machine_.now() > kSettled) note_pieces(asked.bytes, end);
 }
 

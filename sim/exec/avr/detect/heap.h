@@ -1,27 +1,26 @@
-// Detects a heap that grows until it meets the stack, a fragmented heap, and failed allocations.
+// Detects a heap that grows until it reaches the stack, a fragmented heap, and failed allocations.
 //
-//   log += String(position) + ' ';          each pass of loop(): the text is longer, and so is the heap
-//   Motor* m = new Motor(5);                each time, and never deleted
+//   log += String(position) + ' ';          each pass of loop() lengthens the text, and the heap
+//   Motor* m = new Motor(5);                in each pass, and never deleted
 //
-// The chip has 2 KB. Growth in each pass fills them in a minute, but not on the bench. Then malloc() fails, a
-// String silently becomes empty, and `new` returns a null pointer. Or the stack grows into the heap, and a
-// function returns to nowhere. A freed block leaves a hole between used ones, which serves only for
-// allocations of at most its size. So a fragmented heap (strings of many lengths, some freed, some not) grows
-// although enough is free.
+// The chip has 2 KB of RAM. Growth in each pass fills the RAM within a minute, although not in a short test
+// on the bench. Then malloc() fails, a String silently becomes empty, and `new` returns a null pointer.
+// Alternatively the stack grows into the heap, and a function returns to an invalid address. A freed block
+// leaves a hole between used blocks, which fits only allocations of at most its size. A fragmented heap
+// (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
 //
-//   heap_grows      in each third of the run, without its first second, the heap's end has risen several
-//                   times
-//   heap_in_pieces  after the first second, and without heap_grows: the end has risen three times although
-//                   the requested number of bytes was free, in pieces each of which was too small
+//   heap_grows      the heap's end has risen several times in each third of the run, except its first second
+//   heap_in_pieces  without heap_grows: after the first second, the end has risen three times although the
+//                   requested number of bytes was free, in pieces that were all too small
 //   no_memory       malloc() or realloc() has failed; reports whether fragmentation was the reason
 //
-// Not detected: a heap that rises by an occasional step; pieces that a small object will soon need.
+// Not detected: a heap that rises in rare steps; free pieces that a small object will soon use.
 //
-// Fix it by printing text without storing it, or by a buffer of fixed size (char line[32]). One reserve() in
-// setup() helps, too, as do objects that are created once.
+// To fix the sketch, print text without storing it, or use a buffer of fixed size (char line[32]). One
+// reserve() in setup(), and objects that are created only once, also help.
 //
-// avr-libc stores the free pieces in a list, `__flp`. Each has its size, then the address of the next one
-// (avr-libc's stdlib_private.h, struct __freelist).
+// avr-libc stores the free pieces in a list, `__flp`. Each piece contains its size, then the address of the
+// next piece (avr-libc's stdlib_private.h, struct __freelist).
 #pragma once
 
 #include <cstdint>
@@ -43,10 +42,10 @@ class Heap final : public Detector {
  private:
   struct Asked {
     std::uint32_t returns_to = 0;
-    std::uint16_t sp = 0;  ///< after the return
+    std::uint16_t sp = 0;  ///< stack pointer after the return
     std::uint16_t bytes = 0;
   };
-  /// The free pieces below the heap's end.
+  /// The free pieces below the heap's end, in bytes.
   struct Pieces {
     int count = 0, bytes = 0, largest = 0;
   };
@@ -65,15 +64,15 @@ class Heap final : public Detector {
 
   Machine& machine_;
   const WhereNow where_;
-  const std::uint32_t malloc_, realloc_;  ///< 0 = there is none
-  const std::uint16_t end_;               ///< the variable that holds the heap's end
-  const std::uint16_t free_;              ///< the one that holds the first free piece
-  std::vector<std::uint32_t> returns_;    ///< addresses to which they return
-  std::optional<Asked> asked_;            ///< from the outer of the two
+  const std::uint32_t malloc_, realloc_;  ///< addresses of the functions; 0 = missing
+  const std::uint16_t end_;               ///< address of the variable with the heap's end
+  const std::uint16_t free_;              ///< address of the variable with the first free piece
+  std::vector<std::uint32_t> returns_;    ///< addresses to which the functions return
+  std::optional<Asked> asked_;            ///< request to the outer function
   std::vector<Growth> growths_;
-  SourceLine grown_at_;                ///< last time
-  std::optional<Detected> in_pieces_;  ///< the worst rise for that reason, and their number
-  int worst_bytes_ = 0;                ///< bytes that were free at that rise
+  SourceLine grown_at_;                ///< place of the last growth
+  std::optional<Detected> in_pieces_;  ///< the worst rise by fragmentation, and the number of rises
+  int worst_bytes_ = 0;                ///< free bytes at the worst rise
   Sightings seen_;
 };
 

@@ -1,6 +1,6 @@
-// Detects analogWrite() on a pin without PWM, on the chip (sim/exec/core/lost_pwm.h). The function's
-// arguments are in registers when it begins (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not
-// detected: calls that the compiler has inlined, as it does if a sketch has only one.
+// Detects analogWrite() on a pin without PWM, on the chip (sim/exec/core/lost_pwm.h). When the function
+// starts, its arguments are in registers (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not
+// detected: inlined calls; the compiler inlines the only call in a sketch.
 #pragma once
 
 #include <cstdint>

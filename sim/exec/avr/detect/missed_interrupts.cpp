@@ -39,7 +39,7 @@ MissedInterrupts::MissedInterrupts(Machine& machine, const Firmware& firmware, c
 
 MissedInterrupts::~MissedInterrupts() { machine_.chip().chip().core().on_lost = nullptr; }
 
-/// Returns the present reason: "because interrupts were off".
+/// Returns why the handler is delayed now, such as "because interrupts were off".
 std::string MissedInterrupts::held_off() const {
   return machine_.chip().in_handler() ? "because a handler was still running"
                                       : "because interrupts were off (noInterrupts(), cli())";
@@ -70,7 +70,8 @@ void MissedInterrupts::lost(int vector) {
       place->second, 1);
 }
 
-/// Returns the cycles between overflows of timer 0; 0 if it does not count as the core has set it up.
+/// Returns the number of cycles between overflows of timer 0; 0 if the sketch has changed the core's timer
+/// mode.
 Cycle MissedInterrupts::tick() const {
   const std::uint8_t a = cpu_.data[timer_.control];
   const std::uint8_t b = cpu_.data[timer_.control_b ? timer_.control_b : timer_.control + 1];
@@ -92,10 +93,11 @@ void MissedInterrupts::entered(int vector, Cycle at) {
 }
 
 void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
-  // The handler that ran in between has just returned; its RETI is the last jump except this interrupt's.
+  // If another handler delayed this interrupt, it has just returned: the last jump before this interrupt is
+  // its RETI.
   const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
   const bool handler = jumps.size() > 1 && cpu_.instruction(jumps[1] / 2).op == robosim::avr::Op::reti;
-  // For the core's handlers, uses the place in what they have called.
+  // For a handler of the core, uses the place in a function that the handler called.
   SourceLine where = handler ? SourceLine{} : debug_.place(machine_.chip().interrupted_pc());
   for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
     where = debug_.place(jumps[i]);

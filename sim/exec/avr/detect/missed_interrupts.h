@@ -1,22 +1,21 @@
-// Detects what was lost while interrupts were off, or while another handler ran.
+// Detects events that were lost while interrupts were off, or while another handler ran.
 //
-// The chip remembers that an interrupt was requested, not how often. A second request before the handler runs
-// is lost for good:
+// The chip stores whether an interrupt was requested, not the number of requests. A second request before the
+// handler runs is lost:
 //
-//   an edge at a pin of attachInterrupt()   the encoder's count is too low, the robot turns too far
-//   a received byte, after three others     a message without its middle
+//   an edge at a pin of attachInterrupt()   the encoder's count is too low, and the robot turns too far
+//   a received byte, after three others     the middle of a message is missing
 //   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
 //
-// Counts the actual losses, with the place that delayed the handler. That is a section between noInterrupts()
-// and interrupts(), or another slow handler: one that prints, waits, or computes with floats. An encoder with
-// 1200 edges per second needs its handler within 0.8 ms; bytes at 115200 within 0.26 ms.
+// Counts the actual losses, with the place that delayed the handler: a section between noInterrupts() and
+// interrupts(), or another slow handler. Slow handlers print, wait, or compute with floats. An encoder with
+// 1200 edges per second needs its handler within 0.8 ms; bytes at 115200 baud within 0.26 ms.
 //
-// Not detected: edges at pin change interrupts, which several pins share; matches of the other timers. Nor
-// bytes that did not fit in Serial's buffer of 64, and ticks in runs that sleep, or change timer 0.
+// Not detected: edges at pin change interrupts, which several pins share; matches of other timers; bytes that
+// did not fit in Serial's buffer of 64 bytes; ticks in runs that sleep or change timer 0.
 //
-// Fix it by disabling interrupts only to copy a number, and by handlers that record and return: loop() does
-// the work.
-// work is loop()'s.
+// To fix the sketch, disable interrupts only to copy a number. Handlers should only record an event and
+// return; loop() does the work.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +31,7 @@ namespace robosim::exec::avr {
 
 class MissedInterrupts final : public Detector {
  public:
-  /// `counted`: pins of the board of which each edge counts, such as an encoder's.
+  /// `counted` lists the board's pins whose edges are all relevant, such as those of an encoder.
   MissedInterrupts(Machine& machine, const Firmware& firmware, const DebugInfo& debug, WhereNow where,
                    const std::vector<Pin>& counted);
   ~MissedInterrupts() override;
@@ -55,8 +54,8 @@ class MissedInterrupts final : public Detector {
   const robosim::avr::Cpu& cpu_;
   const TimerSpec& timer_;
   std::map<int, Pin> pins_;                                     ///< by vector
-  std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place in the code
-  Cycle flagged_ = 0;  ///< last overflow of timer 0, or a little earlier; 0 = unknown
+  std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place
+  Cycle flagged_ = 0;  ///< cycle of the last overflow of timer 0, or slightly earlier; 0 = unknown
   Cycle period_ = 0, slept_ = 0, bitten_ = 0;
   Sightings seen_;
 };

@@ -7,12 +7,12 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::size_t kFewest = 3, kMost = 64;  // open at once: reported; examined
+constexpr std::size_t kFewest = 3, kMost = 64;  // open calls that are reported; examined
 
 }  // namespace
 
 NestedLoop::NestedLoop(Machine& machine, const Program& program) : machine_(machine), program_(program) {
-  // If only main() calls it, it is inlined there.
+  // If only main() calls loop(), the compiler inlines loop(), and `loop` is missing.
   if (const auto begin = program.firmware.find("loop")) machine.chip().show(*this, *begin);
 }
 

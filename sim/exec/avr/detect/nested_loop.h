@@ -1,17 +1,17 @@
-// Detects a loop() that calls itself, directly or not, and does not return.
+// Detects a loop() that calls itself, directly or indirectly, without returning.
 //
-//   void goTo(int n) { drive(n); for (;;) loop(); }      each destination begins a loop() in the last one
+//   void goTo(int n) { drive(n); for (;;) loop(); }      each destination starts another nested loop()
 //
-// Each call takes a return address, saved registers and local variables from the stack, for ever. The chip
-// has 2 KB. After some calls, which may take a minute or a week, the stack reaches the variables. A threshold
-// or a pointer is overwritten, and the sketch misbehaves or restarts.
+// Each call pushes a return address, saved registers and local variables, which are never popped. The chip
+// has 2 KB of RAM. After some calls, within a minute or a week, the stack reaches the variables. The stack
+// overwrites a threshold or a pointer, and the sketch misbehaves or restarts.
 //
-//   nested_loop   three loop() are open at once, each within the previous one
+//   nested_loop   three calls of loop() are open at once, each within the previous call
 //
-// One loop() within another is not a finding: some sketches wait for a button that way, and return. Not
-// detected: other functions that call themselves; a loop() whose call the compiler has turned into a jump.
+// One nested call is not a finding: some sketches wait for a button that way, and return. Not detected: other
+// functions that call themselves; calls of loop() that the compiler has turned into jumps.
 //
-// Fix it by return: main() calls loop() repeatedly.
+// To fix the sketch, return from loop(): main() calls loop() repeatedly.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class NestedLoop final : public Detector {
  private:
   Machine& machine_;
   const Program program_;
-  std::vector<std::uint16_t> open_;  ///< stack pointers at the beginning of each, the outermost first
+  std::vector<std::uint16_t> open_;  ///< stack pointer at the start of each call, the outermost first
   std::size_t deepest_ = 0;
   Detected seen_;
 };

@@ -18,11 +18,11 @@ using robosim::avr::Interrupts;
 using robosim::avr::Op;
 
 constexpr std::uint32_t kLargestNumber = 8;
-// The largest distances, in words: between bytes of one access, and from an access to the next read of the
-// number.
+// Largest distances, in words: between the bytes of one access, and between an access and the next read of
+// the number.
 constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
-constexpr int kMostOfHandler = 5000;  // instructions
-constexpr int kZeroRegister = 1;      // which avr-gcc holds at 0
+constexpr int kMostOfHandler = 5000;  // longest handler, in instructions
+constexpr int kZeroRegister = 1;      // register that avr-gcc keeps at 0
 constexpr std::int64_t kSoon_hz = 20'000;
 
 bool is_sketchs(const DebugInfo& debug, std::uint32_t pc) {
@@ -51,8 +51,8 @@ RaceAnalysis::RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, con
     if (may_write_numbers(vector)) writers_ |= Interrupts::bit(vector);
 }
 
-/// Returns whether a handler, or its callees, may store to one of the numbers: also by a pointer, or if
-/// unknown.
+/// Returns whether a handler, or a function that it calls, may store to one of the numbers. Stores through
+/// pointers, and unknown code, count as such stores.
 bool RaceAnalysis::may_write_numbers(int vector) const {
   const Cpu& cpu = chip_.cpu();
   std::vector<bool> seen(firmware_.code_end / 2 + 2);
@@ -109,7 +109,7 @@ void RaceAnalysis::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Adds a number if another of its bytes is accessed after the access at `pc`, a word's address.
+/// Adds an access if another byte of the same number is accessed after word address `pc`.
 void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -126,7 +126,7 @@ void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Adds an update if a byte is read at `pc`, a word's address, changed, and written back.
+/// Adds an update if the byte that is read at word address `pc` is changed and written back.
 void RaceAnalysis::add_update(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -146,8 +146,7 @@ void RaceAnalysis::add_update(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Returns whether the number is read twice near `pc`, in the same function, and then compared with a jump
-/// back.
+/// Returns whether the function reads the number twice near `pc`, compares the values, and jumps back.
 bool RaceAnalysis::is_read_again(std::uint32_t pc, std::size_t number) const {
   const Cpu& cpu = chip_.cpu();
   std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;
@@ -161,7 +160,7 @@ bool RaceAnalysis::is_read_again(std::uint32_t pc, std::size_t number) const {
   for (std::uint32_t at = begin; at < end; ++at) {
     const Instruction& i = cpu.instruction(at);
     if (i.op == Op::lds && i.k == numbers_[number].begin) ++first_bytes;
-    // avr-gcc 14 tests a register for 0 by a comparison with r1.
+    // Ignores comparisons with r1, by which avr-gcc 14 tests a register for 0.
     const bool compares_two =
         (i.op == Op::cp || i.op == Op::cpc) && i.a != kZeroRegister && i.b != kZeroRegister;
     compares = compares || (compares_two && first_bytes > 0);
@@ -192,12 +191,13 @@ Cycle RaceAnalysis::soon() const { return static_cast<Cycle>(chip_.core().clock_
 void RaceAnalysis::touch(std::size_t access) {
   const std::size_t number = accesses_[access].number;
   std::erase_if(armed_, [&](const Armed& armed) { return accesses_[armed.access].number == number; });
-  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler runs before
+  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler runs within that time
   const std::uint64_t vectors = chip_.may_interrupt();
   if (vectors) armed_.push_back({access, vectors, chip_.cycle(), chip_.cpu().data, chip_.cpu().state});
 }
 
-/// Returns where the handler, had it run then, would have changed the number; nothing if it would not have.
+/// Returns the address at which the handler would have changed the number if it had run at the access.
+/// Returns nothing if the handler would not have changed the number.
 std::optional<std::uint32_t> RaceAnalysis::would_have_changed(const Armed& armed, int vector) {
   const Number& number = numbers_[accesses_[armed.access].number];
   alone_.data = armed.data;

@@ -1,21 +1,23 @@
-// Detects torn reads and writes. A handler writes a number while the main program is between its bytes, and
-// so old and new values are mixed. Also detects lost updates: the main program has read a byte, and is about
-// to write it back changed (flags |= 2). A handler that writes it in between is undone.
+// Detects torn reads and writes: a handler writes a number while the main program is between the number's
+// bytes, which mixes old and new values. Also detects lost updates: the main program has read a byte, and is
+// about to write back a changed value (flags |= 2). If a handler writes the byte in between, its write is
+// lost.
 //
-// Such a moment is rare. So a finding proves that it is possible, step by step:
+// Such coincidences are rare. A finding therefore proves, step by step, that one is possible:
 //
 //   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
 //   an enabled interrupt has a handler that would change the number if it ran there
-//   that handler did run within 50 µs, and changed it
+//   that handler ran within 50 µs, and changed the number
 //   for a number of several bytes, handlers have changed more than one of them in this run
 //
-// A number's accesses are not examined before a handler has changed it once. Most numbers belong to the main
-// program alone, and reporting each access takes time.
+// Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
+// main program alone, and observing each access takes time.
 //
-// A number is not a finding if it is read again until two reads agree. Nor is it if a flag hands it over, or
-// with its interrupt masked. Nor is a byte that is written without regard to its old value. Examined are
-// global numbers of the sketch and its libraries whose addresses are in its instructions. The core's own are
-// not. When tone() writes its counter while the previous tone counts it down, the sketch is not to blame.
+// Not a finding: a number that is read again until two reads agree; a number that a flag hands over; a number
+// that is accessed while its interrupt is masked; a byte that is written independently of its old value. The
+// analysis covers global numbers of the sketch and its libraries whose addresses are in instructions. Numbers
+// of the core are excluded: when tone() writes its counter while the previous tone decrements the counter,
+// the sketch is not at fault.
 #pragma once
 
 #include <cstdint>
@@ -36,19 +38,19 @@ class RaceAnalysis {
   struct Found {
     const Symbol* number = nullptr;
     AccessKind kind = AccessKind::reads;
-    std::uint32_t pc = 0;           ///< of the main program, at a later byte; in bytes
-    std::uint32_t handler_pc = 0;   ///< where the handler writes
-    robosim::avr::Cycle later = 0;  ///< delay of the handler after that moment
+    std::uint32_t pc = 0;           ///< byte address of the main program's access to a later byte
+    std::uint32_t handler_pc = 0;   ///< byte address at which the handler writes
+    robosim::avr::Cycle later = 0;  ///< delay from the access to the handler
   };
 
-  /// Requests visited() through `show` for a place, in bytes, once a handler has changed what is accessed
-  /// there.
+  /// Calls `show` with the byte addresses of accesses to a number, as soon as a handler has changed the
+  /// number. The caller of this class then calls visited() there.
   RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
                std::function<void(std::uint32_t pc)> show);
 
-  /// Called before the instruction there runs.
+  /// Called before the instruction at byte address `pc` runs.
   void visited(std::uint32_t pc);
-  /// Called when the processor has entered a handler, or returned from one.
+  /// Called when the processor has entered or left a handler.
   void entered(int vector);
   void left();
   const std::optional<Found>& found() const { return found_; }
@@ -57,7 +59,7 @@ class RaceAnalysis {
   struct Number {
     const Symbol* symbol = nullptr;
     robosim::avr::Address begin = 0;
-    std::uint64_t before = 0;   ///< when the handler began
+    std::uint64_t before = 0;   ///< value when the handler started
     std::uint64_t changed = 0;  ///< bits that handlers have changed
   };
   /// An access to a later byte of a number, or the write-back of its only byte.
@@ -66,10 +68,11 @@ class RaceAnalysis {
     std::size_t number = 0;
     AccessKind kind = AccessKind::reads;
   };
-  /// An access that a handler may have torn, and the values at that time: examined once a handler has run.
+  /// An access that a handler can tear, with the state of the chip at that time. Examined after a handler has
+  /// run.
   struct Armed {
     std::size_t access = 0;
-    std::uint64_t vectors = 0;  ///< the enabled ones
+    std::uint64_t vectors = 0;  ///< enabled interrupts, one bit per vector
     robosim::avr::Cycle at = 0;
     std::vector<std::uint8_t> data;
     robosim::avr::Cpu::State state;
@@ -96,7 +99,7 @@ class RaceAnalysis {
   std::vector<Access> accesses_;  ///< by pc
   std::vector<Armed> armed_;      ///< for each number, the last access that could be torn
   std::uint64_t writers_ = 0;     ///< handlers that may write a number; one bit per vector
-  int vector_ = 0;                ///< the vector whose handler runs; 0 = none that is examined
+  int vector_ = 0;                ///< vector of the running handler, if examined; 0 = none
   std::optional<Found> found_;
 };
 

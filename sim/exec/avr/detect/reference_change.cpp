@@ -7,9 +7,9 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint8_t kReference = 0xC0;  // REFS1 and REFS0
+constexpr std::uint8_t kReference = 0xC0;  // bits REFS1 and REFS0
 constexpr int kManyChanges = 4, kManyUsed = 3;
-constexpr SimTime kAgain = 50 * kMillisecond;  // within which a second reading discards the first
+constexpr SimTime kAgain = 50 * kMillisecond;  // a second reading within this time discards the first
 
 }  // namespace
 

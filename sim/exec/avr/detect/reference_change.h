@@ -1,22 +1,21 @@
-// Finds a sketch that uses the first reading after a change of the ADC's reference.
+// Detects sketches that use the first reading after a change of the ADC's reference.
 //
 //   analogReference(INTERNAL);  battery = analogRead(A5);
 //   analogReference(DEFAULT);   left = analogRead(A0);
 //
 // "The first ADC conversion result after switching reference voltage source may be inaccurate, and the user
 // is advised to discard this result" (ATmega328P, DS40002061B, 24.5.2). The capacitor at AREF, 100 nF on an
-// Uno, must be charged or emptied first, which takes some milliseconds from 5 V to 1.1 V. Here each
-// conversion is exact. A finding is a sketch that
+// Uno, must first be charged or discharged. This takes some milliseconds from 5 V to 1.1 V. In the simulation
+// each conversion is exact. A finding is a sketch that
 //
 //   - changes the reference at least four times,
-//   - and at least three times does not read the pin of the first reading after the change again within 50
-//     ms.
+//   - and at least three times reads a pin first after the change without reading it again within 50 ms.
 //
-// So a sketch that discards a reading or averages is not reported, nor one that sets the reference once in
-// setup(). To fix it, discard one reading after a few milliseconds, or use one reference for everything.
+// Sketches that discard a reading, average readings, or set the reference once in setup() are not reported.
+// To fix the sketch, discard one reading after a few milliseconds, or use one reference for everything.
 //
-// Not detected: sketches that do not use analogRead(); a pause before the reading (a long one helps);
-// readings after a change of the channel (sim/judge/slow_source.h).
+// Not considered: sketches that do not use analogRead(); a pause before the reading, although a long pause
+// helps; readings after a change of the channel (sim/judge/slow_source.h).
 #pragma once
 
 #include <cstdint>
@@ -41,14 +40,14 @@ class ReferenceChange final : public Detector {
   struct Read {
     std::uint8_t pin = 0;
     SimTime at = 0;
-    std::uint32_t pc = 0;                   ///< of the call
-    std::optional<std::uint8_t> reference;  ///< bits of ADMUX; unknown until it ends
+    std::uint32_t pc = 0;                   ///< address of the call
+    std::optional<std::uint8_t> reference;  ///< bits of ADMUX; unknown until the call ends
   };
 
   const Machine& machine_;
   const DebugInfo& debug_;
   const BoardSpec& board_;
-  Read before_, last_;  ///< the last call, and the one before it
+  Read before_, last_;  ///< `last_` is the last call, `before_` the call before it
   bool has_read_ = false;
   int changes_ = 0;
   std::int64_t used_ = 0;

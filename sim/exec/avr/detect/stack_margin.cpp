@@ -44,8 +44,8 @@ int StackMargin::heap_end() const {
   return std::max<int>(end, firmware_.globals_end);
 }
 
-/// Returns the instruction that ran last, and its calls up to the return to `until`; later ones belong to
-/// others.
+/// Returns the last instruction and its open calls, up to the return to `until`. Calls further out belong to
+/// interrupted code.
 StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   Chain chain = {machine_.chip().last_pc()};
   machine_.stack().each_call(until, [&](const Stack::Call& call) {
@@ -55,7 +55,7 @@ StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   return chain;
 }
 
-/// Returns the innermost line that is the user's; empty if none is.
+/// Returns the innermost line of user code; empty if the chain has none.
 SourceLine StackMargin::place(const Chain& chain) const {
   for (const std::uint32_t pc : chain)
     if (const SourceLine& where = debug_.place(pc); !where.file.empty()) return where;
@@ -80,7 +80,7 @@ void StackMargin::look() {
   if (open == 0) {
     open_.clear();
     if (cpu_.interrupts_enabled()) look_at_main();
-  } else if (open == open_.size()) {  // else one is about to begin
+  } else if (open == open_.size()) {  // otherwise a handler is about to start
     look_at_handler();
   }
   await_deeper();
@@ -129,8 +129,8 @@ void StackMargin::left() {
   await_deeper();
 }
 
-/// Sets when look() is called: when the stack is deeper than before. For the main program an equal depth is
-/// enough, if known handlers were not enabled at the deepest moment.
+/// Sets the stack depth at which look() is called: any depth greater than before. For the main program an
+/// equal depth is enough if known handlers were disabled at the deepest moment.
 void StackMargin::await_deeper() {
   int watch = 0;
   if (open_.empty()) {
@@ -138,12 +138,13 @@ void StackMargin::await_deeper() {
   } else {
     watch = open_.back().began - handlers_[static_cast<std::size_t>(open_.back().vector)].bytes;
   }
-  // The stack's own watcher needs calls for new depths, too.
+  // WatchedChip also needs calls for new greatest depths.
   watch = std::clamp<int>(watch, machine_.chip().lowest_sp(), 0xFFFF);
   cpu_.state.sp_watch = static_cast<std::uint16_t>(watch);
 }
 
-/// Returns "the handler at Count.ino:3"; "the core's handler __vector_16, in wiring.c"
+/// Returns a description such as "the handler at Count.ino:3" or "the core's handler __vector_16, in
+/// wiring.c".
 std::string StackMargin::name(int vector) const {
   const Handler& handler = handlers_[static_cast<std::size_t>(vector)];
   const SourceLine where = place(handler.where);
@@ -156,7 +157,7 @@ std::string StackMargin::name(int vector) const {
 
 std::vector<Detected> StackMargin::found() const {
   if (has_own_stacks_ || !firmware_.named) return {};
-  int deepest = 0, bytes = 0;  // of those that do not nest
+  int deepest = 0, bytes = 0;  // deepest: vector of the deepest handler that does not nest
   std::string names;
   const auto take = [&](int vector) {
     const int its = handlers_[static_cast<std::size_t>(vector)].bytes;

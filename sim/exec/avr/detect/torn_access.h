@@ -1,6 +1,6 @@
-// Detects torn reads, torn writes and lost updates (detect/race_analysis.h) in the sketch as it is flashed:
-// the run continues. In addition to RaceAnalysis's limits, it misses numbers that the compiler accesses by a
-// pointer register. This may be so in the flashed image only.
+// Detects torn reads, torn writes and lost updates (detect/race_analysis.h) in the flashed sketch, without
+// ending the run. Beyond RaceAnalysis's limits, this detector misses numbers that the compiler accesses
+// through a pointer register. The compiler may do that in the flashed image only.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace robosim::exec::avr {
 
 /// Returns "torn_read", "torn_write" or "lost_update".
 const char* check_of(RaceAnalysis::AccessKind kind);
-/// Returns a text about what can happen, and where the handler is. fix_of() returns the fix.
+/// Returns a text that describes the possible fault and the handler's place.
 std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, std::uint32_t clock_hz);
 /// Returns the fix: "copy it with interrupts off …"
 std::string fix_of(RaceAnalysis::AccessKind kind);

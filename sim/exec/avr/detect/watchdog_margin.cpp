@@ -92,7 +92,7 @@ void WatchdogMargin::fed() {
 }
 
 std::vector<Detected> WatchdogMargin::found() const {
-  // Repeated resets are the run's verdict already.
+  // Omits the resets if the run already failed because of repeated resets.
   std::vector<Detected> all;
   if (!machine_.chip().fault()) all = bite_;
   if (longest_ == 0) return all;

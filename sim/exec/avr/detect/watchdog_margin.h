@@ -1,19 +1,19 @@
-// Detects a watchdog that resets the chip, or is fed too late to be safe.
+// Detects a watchdog that resets the chip, or that the sketch feeds with too little margin.
 //
-//   wdt_enable(WDTO_250MS);  …  void loop() { wdt_reset(); … }       and one pass takes 230 ms, or 270
+//   wdt_enable(WDTO_250MS);  …  void loop() { wdt_reset(); … }       one pass takes 230 ms, or 270 ms
 //
-// With 270 ms it resets the chip: the robot restarts in the middle of its course, with its motors' pins as
-// after a reset. The finding has the sketch's place at the first reset, and the number of resets. A reset on
-// purpose is not a finding: it waits for the watchdog in a loop that does nothing: while (true) {}.
+// With 270 ms, the watchdog resets the chip: the robot restarts in the middle of its course, with its motor
+// pins in the reset state. The finding contains the sketch's place at the first reset, and the number of
+// resets. An intentional reset is not a finding: the sketch waits for the watchdog in an empty loop.
 //
-// With 230 ms all is well here: the watchdog's 256 ms are counted by the chip's clock. A real one uses its
-// own oscillator, of 128 kHz at 3 V and 25 °C. It differs by some 10 % from chip to chip, and with heat and a
-// falling supply. Then the chip resets occasionally while driving, on one robot of ten. The finding is the
-// longest time between two feeds, if it was more than 80 % of the watchdog's period.
+// With 230 ms, the simulated chip does not reset: its main clock also counts the watchdog's 256 ms. A real
+// watchdog has its own oscillator, of 128 kHz at 3 V and 25 °C. The frequency varies by some 10 % between
+// chips, and with heat and a falling supply. One robot in ten then resets occasionally while driving. The
+// finding is the longest time between two feeds, if that time exceeds 80 % of the watchdog's period.
 //
-// Not detected: a pass that takes longer in another world.
+// Not detected: a pass that takes longer in another scenario.
 //
-// Fix it by the next longer period, or a wdt_reset() within the slow part.
+// To fix the sketch, use the next longer period, or call wdt_reset() within the slow part.
 #pragma once
 
 #include "sim/avr/cpu.h"
@@ -22,7 +22,7 @@
 
 namespace robosim::exec::avr {
 
-/// `watchdog_bite` and `watchdog_margin`.
+/// Reports the findings `watchdog_bite` and `watchdog_margin`.
 class WatchdogMargin final : public Detector {
  public:
   WatchdogMargin(Machine& machine, WhereNow where);
@@ -35,21 +35,21 @@ class WatchdogMargin final : public Detector {
  private:
   void fed();
   void watchdog_resets(std::uint8_t flags);
-  /// Returns whether the chip only waits.
+  /// Returns whether the chip is in an empty loop.
   bool waits() const;
   double now_s() const { return 1e-9 * static_cast<double>(machine_.now()); }
 
   Machine& machine_;
   const WhereNow where_;
   robosim::avr::Cpu& cpu_;
-  const robosim::avr::Cpu::Call watchdog_;  ///< previous listener, called as well
-  /// Another listener for resets, called as well.
+  const robosim::avr::Cpu::Call watchdog_;  ///< previous listener, which is also called
+  /// The previous listener for resets, which is also called.
   void (*const reset_)(void* self, std::uint8_t flags);
   void* const reset_self_;
   Cycle last_ = 0, longest_ = 0;
-  std::uint32_t longest_power_ = 0;  ///< of the watchdog's period at that time
+  std::uint32_t longest_power_ = 0;  ///< exponent of the watchdog's period at that time
   Detected seen_;
-  std::vector<Detected> bite_;  ///< none, or the first
+  std::vector<Detected> bite_;  ///< empty, or the first reset by the watchdog
 };
 
 }  // namespace robosim::exec::avr
