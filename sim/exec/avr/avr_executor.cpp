@@ -109,7 +109,7 @@ class AvrExecutor::Running final : public RunningChip {
   std::vector<std::unique_ptr<avr::Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
   avr::DebugPort* debugger_;               ///< null without a debugger
-  avr::BackwardSlice* causes_;             ///< null unless causes are sought
+  avr::BackwardSlice* causes_;             ///< null if causes are not searched
   robosim::avr::Chip*& chip_;              ///< the executor's copy of the pointer
 };
 
@@ -160,7 +160,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
 
  private:
   const Image image_;
-  std::vector<Pin> counted_;  ///< by detectors
+  std::vector<Pin> counted_;  ///< pins whose edges detectors count
   std::unique_ptr<avr::DebugPort> debugger_;
   std::unique_ptr<avr::BackwardSlice> causes_;
 };

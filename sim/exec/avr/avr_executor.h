@@ -1,8 +1,8 @@
-// The executor for AVR boards: runs the flashed ELF file itself, in an emulated chip (sim/avr).
+// Runs the flashed ELF file of an AVR board in an emulated chip (sim/avr).
 //
 //   ELF ──► WatchedChip ── Chip of sim/avr ──► BoardAdapter ──► FirmwarePort
 //
-// Time: the chip's clock is the board's; a tick may end up to 3 cycles late.
+// The chip uses the board's clock. A tick may end up to 3 cycles late.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class AvrExecutor final : public ChipExecutor {
   AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// From the next power-on on, runs waiting loops, too, and skips nothing (robosim::avr::Idle).
+  /// Runs waiting loops instead of skipping them (robosim::avr::Idle), from the next power-on on.
   void run_waiting_loops();
   /// Returns the chip; null while the power is off.
   const robosim::avr::Chip* chip() const;
@@ -31,7 +31,7 @@ class AvrExecutor final : public ChipExecutor {
   class Firmware;
   class Running;
 
-  AvrExecutor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of it
+  AvrExecutor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of `firmware`
 
   Firmware& firmware_;
 };

@@ -3,7 +3,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr Cycle kClockRounding = 2;  // between the board's time and cycles
+constexpr Cycle kClockRounding = 2;  // rounding error between the board's time and cycles
 
 bool is_same_place(const ChipPin& a, const ChipPin& b) {
   return a.port == b.port && a.bit == b.bit && a.analog_channel == b.analog_channel;
@@ -115,7 +115,7 @@ void BoardAdapter::clock_divided(int divisor, Cycle at) {
     board_.listen(state_.clock_map.length_of(state_.frame), state_.clock_map.time_of(at));
   state_.expected = kNever;
   expect_input();
-  chip_->cpu().stop();  // the tick ends at another cycle
+  chip_->cpu().stop();  // the end of the tick is now at another cycle
 }
 
 void BoardAdapter::write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) {

@@ -1,4 +1,4 @@
-// The surroundings of the chip on a board: maps its pins to the board's, and its cycles to the board's time.
+// Connects the chip to a board: maps the chip's pins to the board's pins, and cycles to the board's time.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
  public:
   BoardAdapter(ClockedBoard& board, SimTime began);
 
-  /// Connects the chip. Call it before all other functions.
+  /// Connects the chip. Must be called before all other functions.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
   /// Passes the inputs that have arrived by now to the chip, and schedules the call for the next input.
   void take_inputs(Cycle now) {
@@ -27,14 +27,14 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   int chip_pin(Pin pin) const { return chip_pins_[pin]; }
   /// Returns the board's pin for a pin of the chip; kNoPin = none.
   Pin board_pin(int pin) const { return pins_[static_cast<std::size_t>(pin)]; }
-  /// Returns the board's pin that the firmware read last, and when; kNoPin = none yet.
+  /// Return the board's pin that the firmware read last (kNoPin = none yet), and the cycle of that read.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
 
   /// All state that changes while the chip runs.
   struct State {
     ClockMap clock_map;
-    SimTime expected = kNever;  ///< when the chip is called for the next input
+    SimTime expected = kNever;  ///< time of the call for the next input
     Cycle frame = 0;            ///< duration of a received frame; 0 = the receiver is off
   };
   const State& save() const { return state_; }
@@ -71,7 +71,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   robosim::avr::Chip* chip_ = nullptr;
   std::vector<Pin> pins_;       ///< the board's pin for each pin of the chip; kNoPin = not connected
   std::vector<int> chip_pins_;  ///< the chip's pin for each pin of the board; -1 = none
-  const int serial_;            ///< the line that leads to the computer
+  const int serial_;            ///< the serial line to the computer
   State state_;
 };
 

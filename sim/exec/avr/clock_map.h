@@ -8,10 +8,10 @@ namespace robosim::exec::avr {
 
 using robosim::avr::Cycle;
 
-/// Times are by the chip's own clock.
+/// Converts times that the chip's own clock measures.
 class ClockMap {
  public:
-  /// The power came on at `began`, with cycle 0.
+  /// Sets `began`, the time of the power-on, to cycle 0.
   ClockMap(std::int64_t clock_hz, SimTime began) : clock_hz_(clock_hz), cycles_(clock_hz), began_(began) {}
 
   SimTime time_of(Cycle cycle) const {
@@ -22,14 +22,14 @@ class ClockMap {
     return t <= began_ ? first_ : first_ + static_cast<Cycle>(cycles_.first_at(t - began_));
   }
   SimTime length_of(Cycle cycles) const { return cycles_.of(static_cast<SimTime>(cycles)); }
-  /// Divides the oscillator's clock by `divisor` for the processor, from cycle `at` on.
+  /// Sets the processor's clock to the oscillator's clock divided by `divisor`, from cycle `at` on.
   void divide(int divisor, Cycle at) {
     began_ = time_of(at);
     first_ = at;
     cycles_ = CycleTime(clock_hz_ / divisor);
     ++divisions_;
   }
-  /// Returns how often the divisor was changed.
+  /// Returns the number of changes of the divisor.
   int divisions() const { return divisions_; }
 
  private:

@@ -1,9 +1,10 @@
-// The debug port of the emulated chip, for avr-gdb. gdb::DebugPort describes how it halts, steps and watches.
+// Implements the debug port of the emulated chip, for avr-gdb. gdb::DebugPort describes halts, steps and
+// watchpoints.
 //
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
 //   addresses   flash from 0, data memory from kAvrData, EEPROM from kAvrEeprom (sim/elf/avr_addresses.h)
 //
-// Breakpoints take no time: they are traps in the core's decoded flash.
+// Breakpoints cost no time, because they are traps in the decoded flash.
 #pragma once
 
 #include "sim/exec/avr/machine.h"
@@ -16,7 +17,7 @@ class DebugPort final : public gdb::DebugPort {
   DebugPort(gdb::Server& server, const Firmware& firmware, ClockedBoard& board)
       : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
-  /// Connects it at power-on.
+  /// Connects the debug port at power-on.
   void plug_into(Machine& machine);
   void unplug() { machine_ = nullptr; }
 
@@ -39,7 +40,7 @@ class DebugPort final : public gdb::DebugPort {
   void resume() override { chip().step_singly(steps_singly()); }
   void resume_again() override { resume(); }
 
-  std::uint32_t flash_end() const;  ///< an image built with checks may exceed the real chip's
+  std::uint32_t flash_end() const;  ///< an image with checks may exceed the real chip's flash
   std::uint32_t data_end() const;
   WatchedChip& chip() const { return machine_->chip(); }
 

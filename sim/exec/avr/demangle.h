@@ -1,4 +1,4 @@
-// Formats a variable's name as it stands in the sketch.
+// Converts a symbol to the variable's name in the sketch.
 #pragma once
 
 #include <cxxabi.h>

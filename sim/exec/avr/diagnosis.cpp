@@ -165,7 +165,7 @@ SourceLine Diagnosis::place_of_check(const Undefined& found) const {
     for (SourceLine frame : debug_.frames(call.pc)) {
       if (is_core_file(frame.file) || frame.function.starts_with(kCheckPrefix)) continue;
       if (found.file.empty()) return frame;
-      // The optimiser may have moved the call; the check has its own line.
+      // Uses the check's own line, because the optimiser may have moved the call.
       if (best.file.empty()) best = {frame.function, file_name(found.file), found.line};
       if (file_name(frame.file) != file_name(found.file)) continue;
       frame.line = found.line;
@@ -191,7 +191,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
   if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().race_analysis()->found()->kind);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
-  // For a jump to an invalid address: the call or return that led there.
+  // For a jump to an invalid address, finds the call or return that led there.
   if (is_jump(fault))
     for (const std::uint32_t pc : machine_.chip().last_jumps())
       if (crash.where.file.empty()) crash.where = debug_.place(pc);

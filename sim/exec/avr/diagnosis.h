@@ -13,28 +13,28 @@ class Diagnosis {
       : firmware_(firmware), debug_(debug), machine_(machine) {}
 
   Crash crash(const Fault& fault) const;
-  /// Returns the activity, except its last_call.
+  /// Returns the current activity, except last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Returns the line of the running instruction, or of the calls that led there: the sketch's line, not a
-  /// library's.
+  /// Returns the line of the current instruction, or of an open call. The line is in the sketch, not in a
+  /// library.
   SourceLine sketch_line() const;
-  /// Returns the first of these calls that is the user's.
+  /// Returns the place of the first of `calls` that is in user code.
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;
 
  private:
   SourceLine place_of_check(const Undefined& found) const;
   /// Returns the target of the jump at `pc` (`jmp`, `rjmp`); nothing for any other instruction.
   std::optional<std::uint32_t> jump_target(std::uint32_t pc) const;
-  /// Returns the interrupt whose vector leads directly to address 0, like avr-libc's for interrupts without a
-  /// handler.
+  /// Returns the interrupt whose vector leads directly to address 0. avr-libc generates such vectors for
+  /// interrupts without a handler.
   std::optional<int> unhandled(const Fault& fault) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
-  /// Returns the core's function that the sketch has called and is in: "delay()", not what delay() calls.
-  /// Empty if it is not in one.
+  /// Returns the core's function that the sketch has called and that is still running: "delay()", not a
+  /// function that delay() calls. Empty if there is no such function.
   std::string api_call_now() const;
   std::string stopped_by() const;
   std::vector<SourceLine> call_chain(std::uint32_t pc) const;

@@ -1,8 +1,8 @@
-// Finds the line of the sketch that has driven a pin, while the chip reports the change.
+// Finds the line of the sketch that has driven a pin. Works only while the chip reports the change.
 //
-//   an instruction writes to I/O      its line, or that of the call which led there
-//   a timer starts a new duty cycle   at the end of a period, so the line is the one that has written OCRnx
-//   a timer or handler of the core    switches the pin by itself: no line
+//   an instruction writes to I/O      line of the instruction, or of the call that led there
+//   a timer starts a new duty cycle   line that wrote OCRnx, because the change comes at the end of a period
+//   a timer or handler of the core    no line, because it switches the pin by itself
 #pragma once
 
 #include <vector>
@@ -15,12 +15,13 @@ namespace robosim::exec::avr {
 
 class DrivenLines {
  public:
-  /// All three outlive this, which outlives the chip's use.
+  /// All arguments must outlive this object, which must outlive the chip's use.
   DrivenLines(WatchedChip& chip, const Stack& stack, const DebugInfo& debug);
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// Returns the line. `pin`: the chip's; `pwm`: PWM drives it from now on. Empty if no line is known.
+  /// Returns the line that has driven the chip's `pin`; empty if unknown. `pwm`: PWM drives the pin from now
+  /// on.
   const SourceLine& line_of(int pin, bool pwm) const;
 
  private:
@@ -33,7 +34,7 @@ class DrivenLines {
   const DebugInfo& debug_;
   Cycle written_at_ = robosim::avr::kNoCycle;
   std::vector<int> pin_of_compare_;             ///< by address of OCRnx; -1 = none
-  std::vector<const SourceLine*> compared_by_;  ///< by the chip's pin; null = not yet
+  std::vector<const SourceLine*> compared_by_;  ///< by the chip's pin; null = no line yet
 };
 
 }  // namespace robosim::exec::avr

@@ -18,7 +18,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint32_t kEnlargedFlash = 0x10000;  // the reach of a data pointer
+constexpr std::uint32_t kEnlargedFlash = 0x10000;  // the range of a data pointer
 
 void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) {
   const std::uint64_t first_ram = kAvrData + firmware.chip->ram_address;
@@ -60,7 +60,7 @@ void load_flash(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) 
 void load_eeprom(const ElfFile& elf, Firmware& firmware) {
   const std::uint32_t end = kAvrEeprom + firmware.chip->eeprom_bytes;
   for (const ElfSegment& segment : elf.segments()) {
-    // Skips fuses, lock bits and the signature after it: the board defines them.
+    // Skips the fuses, lock bits and signature after the EEPROM, because the board defines them.
     if (segment.address < kAvrEeprom || segment.address >= kAvrFuses) continue;
     if (segment.address + segment.bytes.size() > end) {
       throw InputError({firmware.file}, fmt::format("too much content for the EEPROM: expected at most {} "
@@ -75,10 +75,10 @@ void load_eeprom(const ElfFile& elf, Firmware& firmware) {
   }
 }
 
-/// Returns where the variables end, from the start-up code of avr-libc. It copies and clears up to there, by
-/// X: `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
+/// Returns the end of the variables, from the start-up code of avr-libc. The code copies and clears variables
+/// through X up to their end: `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
 std::uint16_t end_of_variables(const Firmware& firmware) {
-  constexpr std::size_t kStartupWords = 256;  // vectors included
+  constexpr std::size_t kStartupWords = 256;  // including vectors
   constexpr std::uint8_t kX = 26;
   using robosim::avr::Op;
   const std::size_t bytes = std::min(firmware.flash.size() & ~std::size_t{1}, 2 * kStartupWords);

@@ -1,5 +1,5 @@
-// A finished program for an AVR, from an ELF file: the contents of the chip's memories, and the addresses of
-// its names. An Intel HEX file provides flash only.
+// Loads a program for an AVR from an ELF file: the contents of the chip's memories, and the addresses of
+// symbols. An Intel HEX file provides only the flash.
 #pragma once
 
 #include <cstdint>
@@ -23,28 +23,28 @@ struct Firmware {
   const ChipSpec* chip = nullptr;
   std::vector<std::uint8_t> flash;   ///< content of flash: code, constants, initial values of variables
   std::vector<std::uint8_t> eeprom;  ///< initial content of the EEPROM; may be shorter
-  bool named = true;                 ///< false: of a .hex; `symbols` is empty
+  bool named = true;                 ///< false = from a .hex file; `symbols` is empty
   std::uint32_t code_end = 0;        ///< end of .text
   std::uint16_t globals_end = 0;     ///< data address after the last variable: the start of the heap
-  std::uint32_t ram_bytes = 0;       ///< variables
+  std::uint32_t ram_bytes = 0;       ///< size of the variables
   Symbols symbols;                   ///< functions and variables: flash from 0, data memory from kAvrData
-  /// Last address of RAM, where the stack begins. An image built with checks is far larger than the chip. It
-  /// gets RAM up to the start of its stack, and 64 KB of flash.
+  /// Last address of RAM, where the stack starts. An image built with checks is far larger than the chip.
+  /// Such an image gets RAM up to the start of its stack, and 64 KB of flash.
   std::uint16_t last_ram = 0;
   bool needs_larger_chip() const { return last_ram + 1u != ram_end(*chip); }
 
   /// Returns the instruction word at an even flash address.
   int word(std::uint32_t pc) const { return flash[pc] | flash[pc + 1] << 8; }
 
-  /// Reads a program. Throws InputError if the file is missing, or not an AVR executable or Intel HEX file.
-  /// The same applies if it is larger than the board's flash, or not linked for the board's chip.
+  /// Reads a program. Throws InputError if the file is missing, or is not an AVR executable or Intel HEX
+  /// file. Also throws if the program exceeds the board's flash, or is not linked for the board's chip.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 
-  /// Returns the address of a symbol, if the image has it.
+  /// Returns the address of a symbol, if the image contains the symbol.
   std::optional<std::uint32_t> find(const std::string& name) const;
   /// Returns the data address of a variable.
   std::optional<std::uint16_t> find_variable(const std::string& name) const;
-  /// Returns the function that holds a flash address; null if none does.
+  /// Returns the function that contains a flash address; null if no function does.
   const Symbol* function_at(std::uint32_t pc) const;
 };
 

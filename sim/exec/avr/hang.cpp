@@ -23,8 +23,7 @@ bool is_usb(int vector, const ChipSpec& chip) {
   return chip.usb.address && vector >= chip.usb.vector && vector < chip.usb.vector + kVectorsOfUsb;
 }
 
-// Returns the variable whose methods the handler of `vector` calls, if that is a UART's; null if there is
-// none.
+// Returns the Serial variable of the UART that `vector` belongs to; null if there is no such variable.
 const Symbol* serial_of(int vector, const Firmware& firmware) {
   for (int i = 0; i < firmware.chip->uart_count; ++i) {
     const UartSpec& uart = firmware.chip->uarts[i];
@@ -34,10 +33,11 @@ const Symbol* serial_of(int vector, const Firmware& firmware) {
   return nullptr;
 }
 
-// Returns what the handlers of the Arduino core's Serial change; nothing if `vector` is not theirs.
+// Returns the addresses that a handler of the Arduino core's Serial changes; nothing if `vector` does not
+// belong to Serial.
 std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   const ChipSpec& chip = *firmware.chip;
-  // USB's handlers have their state in their own variables.
+  // Treats all addresses as changed by the USB handlers, whose state is in separate variables.
   if (is_usb(vector, chip) && firmware.symbols.find("Serial")) return Stores(cpu.data.size(), true);
   const Symbol* const serial = serial_of(vector, firmware);
   if (!serial || serial->address < kAvrData) return std::nullopt;
@@ -47,7 +47,8 @@ std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu,
   return stores;
 }
 
-// Returns what a handler of the Arduino core changes; nothing if it is the sketch's, or that is unknown.
+// Returns the addresses that a handler of the Arduino core changes; nothing if the handler belongs to the
+// sketch, or if the addresses are unknown.
 std::optional<Stores> stores_of_core(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   if (vector == overflow_of(firmware.chip->timers[0])) return robosim::avr::stores_of_handler(cpu, vector);
   return stores_of_serial(vector, cpu, firmware);

@@ -1,4 +1,4 @@
-// Proves that silent firmware will be silent for ever.
+// Proves that silent firmware will stay silent forever.
 #pragma once
 
 #include "sim/exec/avr/firmware.h"
@@ -6,11 +6,11 @@
 
 namespace robosim::exec::avr {
 
-/// Returns whether that is proved: the program loops (sim/avr/infinite_loop.h), and no enabled handler can
-/// change what the loop reads. All these handlers are the Arduino core's. The effects of the clock's handler
-/// are read from its code. Serial's handlers store by pointers; they are known to change nothing except
-/// Serial. Any enabled handler of the sketch counts as activity, even if it only increments a counter: the
-/// host cannot distinguish those. Returns false without proof. Takes some milliseconds.
+/// Returns whether the firmware provably hangs; false if there is no proof. Proof requires an infinite loop
+/// (sim/avr/infinite_loop.h), and that no enabled handler can change memory that the loop reads. All enabled
+/// handlers must belong to the Arduino core. The code of the clock's handler determines its effects. Serial's
+/// handlers store through pointers, and are known to change only Serial. Any enabled handler of the sketch
+/// counts as activity, even if it only increments a counter. Takes some milliseconds.
 bool hangs(const WatchedChip& chip, const Firmware& firmware);
 
 }  // namespace robosim::exec::avr

@@ -14,7 +14,7 @@ namespace {
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
-// Functions that gcc calls or jumps to for a switch: they jump by a table.
+// Functions that gcc calls or jumps to for a switch, and that jump through a table.
 constexpr const char* kTableJumps[] = {"__tablejump2__", "__tablejump__", "__tablejump_elpm__"};
 
 class Code final : public ChipCode {
@@ -26,7 +26,7 @@ class Code final : public ChipCode {
       if (const auto address = firmware.find(name)) table_jumps_.insert(*address / 2);
   }
 
-  /// Returns the calls of a function, and jumps to it from elsewhere.
+  /// Returns the calls of a function, and the jumps to it from other code.
   std::vector<std::uint32_t> calls_of(const Symbol& function) const override {
     std::vector<std::uint32_t> calls;
     const std::uint32_t begin = function.address, end = begin + function.size;
@@ -97,7 +97,7 @@ class Code final : public ChipCode {
       if (!goes_on) behind_jumps.insert(2 * next);
       steps.emplace(2 * pc, std::move(step));
     }
-    // Cases of a switch: code to which nothing else leads.
+    // Adds the cases of a switch: code that no other instruction reaches.
     for (const std::uint32_t from : anywhere)
       for (const std::uint32_t to : behind_jumps)
         if (steps.contains(to) && !reached.contains(to)) steps[from].next.push_back(to);
@@ -114,7 +114,7 @@ class Code final : public ChipCode {
   const Firmware& firmware_;
   std::uint32_t words_;
   std::vector<Instruction> code_;
-  std::set<std::uint32_t> table_jumps_;  ///< in words
+  std::set<std::uint32_t> table_jumps_;  ///< addresses in words
 };
 
 }  // namespace

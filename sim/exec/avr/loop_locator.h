@@ -7,7 +7,7 @@
 
 namespace robosim::exec::avr {
 
-/// See sim/exec/elf/loop_locator.h.
+/// Returns the rounds of loop() (sim/exec/elf/loop_locator.h).
 LoopMarks locate_loop(const Firmware& firmware, const DebugInfo& debug);
 
 }  // namespace robosim::exec::avr

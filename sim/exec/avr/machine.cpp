@@ -98,7 +98,7 @@ void Machine::trace_bytes(TxProvenance& bytes) {
 }
 
 void Machine::write_called() {
-  constexpr reg::Address kByte = 22;  // where avr-gcc passes it; `this` is in 24 and 25
+  constexpr reg::Address kByte = 22;  // register in which avr-gcc passes the byte; 24 and 25 contain `this`
   tx_provenance_->wrote(chip_.data(kByte), board_.to_world(now()));
 }
 
@@ -109,7 +109,7 @@ void Machine::set_clock(SimTime start) {
 
 void Machine::start_clock() {
   chip_.clear_trap(WatchedChip::kMainTrap, chip_.pc());
-  // Copied from the core (wiring.c): milliseconds, and overflows of timer 0.
+  // Sets the variables of the core (wiring.c): milliseconds, and overflows of timer 0.
   constexpr SimTime kOverflowCycles = 64 * 256;
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);

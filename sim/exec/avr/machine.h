@@ -1,4 +1,4 @@
-// The chip with everything around it that firmware can access.
+// Combines the chip with everything around it that firmware can access.
 #pragma once
 
 #include "sim/exec/avr/board_adapter.h"
@@ -15,25 +15,25 @@ class InstructionLog;
 
 class Machine final : BoardAdapter {
  public:
-  /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
+  /// `loop` marks the rounds of loop(). All times in the chip are measured by the chip's own clock.
   Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, SimTime t);
   ~Machine();
 
   void run_until(SimTime t);
-  /// Sets the debug port, called before and after instructions run; may be null.
+  /// Sets the debug port, which is called before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
-  /// Records each instruction in `log` from now on, which outlives this; null = stop.
+  /// Records each instruction in `log` from now on; null stops recording. `log` must outlive this object.
   void log_into(InstructionLog* log);
-  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
+  /// Reports each byte that the firmware prints to `bytes`, which must outlive this object.
   void trace_bytes(TxProvenance& bytes);
-  /// Makes millis() begin with `start` when main() begins.
+  /// Sets millis() to `start` when main() starts.
   void set_clock(SimTime start);
   Resources resources() const;
 
-  /// Returns data memory as a debugger sees it, without effect on the firmware: PINx and UDR0 hold their last
-  /// read value.
+  /// Returns a byte of data memory for a debugger, without effect on the firmware. PINx and UDR0 return their
+  /// last read value.
   std::uint8_t peek(reg::Address address);
-  /// Writes as if the firmware had done so.
+  /// Writes a byte of data memory with the same effects as a write by the firmware.
   void poke(reg::Address address, std::uint8_t value);
 
   WatchedChip& chip() { return chip_; }
@@ -46,7 +46,7 @@ class Machine final : BoardAdapter {
     LoopTimer<Cycle> rounds;
     SimTime clock_start = 0;
   };
-  /// All state that changes while the chip runs, except its board's.
+  /// All state that changes while the chip runs, except the board's state.
   struct Saved {
     State own;
     WatchedChip::Saved chip;

@@ -1,9 +1,9 @@
-// Observes the stack: its depth, whether it has met the variables, and the open calls.
+// Observes the stack: its depth, its overflow into the variables, and the open calls.
 //
 //   0x0100 variables | heap -> ...        ... <- stack | 0x08FF      addresses of an ATmega328P
 //
-// The chip checks the stack pointer at every change. So it misses neither a short deep call nor a large array
-// that is never written.
+// The chip checks every change of the stack pointer. This also detects short deep calls, and large arrays
+// that are never written.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,27 @@ class Stack {
   Stack(WatchedChip& chip, const Firmware& firmware);
 
   bool has_heap() const { return heap_pointer_ != 0; }
-  /// Updates the limit by the heap's present end: the stack must not cross it.
+  /// Updates the limit that the stack must not cross to the current end of the heap.
   void look();
   /// Returns the largest number of bytes that were in use.
   std::uint32_t most_bytes() const {
     return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
   }
-  /// Returns the room between variables and heap, and the end of RAM.
+  /// Returns the number of bytes between the end of variables and heap, and the end of RAM.
   std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - state_.heap_end; }
   /// Returns whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
 
-  /// An instruction that has called code which is still running.
+  /// An instruction that has called code that is still running.
   struct Call {
-    std::uint32_t pc = 0;     ///< of the call instruction
-    bool by_pointer = false;  ///< icall, eicall
+    std::uint32_t pc = 0;     ///< address of the call instruction
+    bool by_pointer = false;  ///< the instruction is icall or eicall
   };
-  /// Returns the open calls, innermost first: every word on the stack that is the address after a call. Saved
-  /// registers may happen to look like one.
+  /// Returns the open calls, innermost first. Every word on the stack that is the address after a call counts
+  /// as an open call. Saved registers may match by chance.
   std::vector<Call> open_calls() const;
-  /// Passes the pc of each to `visit`. Stops where that returns true, or at the word `until`, unless it is 0.
+  /// Passes each open call to `visit`, until `visit` returns true. Also stops at the word `until`, unless
+  /// `until` is 0.
   template <typename Visit>
   void each_call(std::uint32_t until, Visit visit) const {
     Call call;
@@ -52,12 +53,12 @@ class Stack {
     }
   }
   struct State {
-    std::uint16_t heap_end = 0;  ///< the highest so far
+    std::uint16_t heap_end = 0;  ///< highest end of the heap so far
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 
-  /// Returns the word that the last `ret` has taken, as a flash address.
+  /// Returns the word that the last `ret` has popped, as a flash address.
   std::uint32_t last_return() const;
 
  private:
@@ -66,7 +67,7 @@ class Stack {
 
   WatchedChip& chip_;
   const Firmware& firmware_;
-  const std::uint16_t heap_pointer_;  ///< where malloc stores the heap's end; 0 = there is no heap
+  const std::uint16_t heap_pointer_;  ///< address at which malloc stores the heap's end; 0 = no heap
   State state_;
 };
 

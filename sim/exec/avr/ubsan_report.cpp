@@ -8,7 +8,7 @@ namespace {
 
 constexpr reg::Address kWord = 2, kLocation = 3 * kWord;
 
-/// The chip's memory, in the layout of gcc's data.
+/// Reads the chip's memory in the layout of gcc's data.
 class Memory {
  public:
   explicit Memory(const WatchedChip& chip) : chip_(chip) {}
@@ -31,17 +31,18 @@ class Memory {
   }
 
  private:
-  static constexpr std::size_t kLongest = 4096;  // of a path
+  static constexpr std::size_t kLongest = 4096;  // longest path, in bytes
   const WatchedChip& chip_;
 };
 
-/// Converts "'int [6]'" to "'int'": in avr-gcc 5, values of a type share the description of its first array.
+/// Converts "'int [6]'" to "'int'", because avr-gcc 5 reuses the description of a type's first array for
+/// values of the type.
 std::string without_lengths(std::string name) {
   const std::size_t length = name.find(" [");
   return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");
 }
 
-/// A type's description, in the layout of this program's memory.
+/// Copies a type's description to the layout of the host's memory.
 class Type {
  public:
   enum class Of { value, array };
@@ -57,7 +58,7 @@ class Type {
   const ubsan::Type* get() const { return reinterpret_cast<const ubsan::Type*>(storage_.data()); }
   unsigned bits() const { return bits_; }
 
-  /// Returns a value of this type; if it is wider than a pointer, it was passed by address.
+  /// Returns a value of this type. Values wider than a pointer are passed by address.
   std::uint64_t value(const Memory& memory, std::uint16_t handle) const {
     return bits_ <= 8 * kWord ? handle : memory.bytes(handle, bits_ <= 64 ? bits_ / 8 : 8);
   }
@@ -67,13 +68,14 @@ class Type {
   unsigned bits_ = 0;
 };
 
-/// Passes a value of that width like this program's gcc.
+/// Converts a value of `bits` bits to a handle of the host's gcc.
 std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
   return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
                                             : reinterpret_cast<std::uintptr_t>(&value);
 }
 
-/// avr-gcc 5 passes no location for a float that does not fit: its data begins with the float's type.
+/// Returns whether the data has no location. For a float that does not fit, the data of avr-gcc 5 starts with
+/// the float's type.
 bool lacks_location(const Memory& memory, unsigned data) {
   return memory.word(memory.word(data)) == ubsan::Type::floating;
 }

@@ -16,11 +16,11 @@ using robosim::avr::Op;
 constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
-constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // WDCE and WDE
-// Between the writes of the stack pointer's two halves is at most one write of SREG.
+constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // bits WDCE and WDE
+// Largest distance between the writes of the stack pointer's two halves: at most one write of SREG comes
+// between them.
 constexpr Cycle kHalvesApart = 6;
-// The largest distance, in instructions, from a write to the stack pointer back to the computation of its
-// value.
+// Largest distance, in instructions, between the computation of a stack pointer's value and its write.
 constexpr std::uint32_t kLooksBack = 8;
 
 bool is_load(Op op) { return (op >= Op::ld_x && op <= Op::lds) || op == Op::pop; }
@@ -88,7 +88,7 @@ void WatchedChip::run_to(Cycle cycle) {
     const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
     switch (why) {
       case Chip::Stop::reached:
-      case Chip::Stop::sleep:  // through which a chip sleeps by itself
+      case Chip::Stop::sleep:  // never returned by Chip::run_to(), which sleeps by itself
         break;
       case Chip::Stop::off:
         state_.off = true;
@@ -113,7 +113,7 @@ void WatchedChip::run_to(Cycle cycle) {
         if (data(reg::kSpmcsr) & 1) fail(Fault::Kind::flash_write, last, cpu().pair(30));
         break;
       case Chip::Stop::break_:
-        break;  // no effect without a debugger in the chip
+        break;  // no effect, because the chip contains no debugger
       case Chip::Stop::stopped:
         return;
     }
@@ -163,7 +163,7 @@ void WatchedChip::was_browned_out(const std::vector<std::uint8_t>& ram) {
 
 namespace {
 
-// Sorted by place.
+// Returns the first trap at or after `pc`; `traps` are sorted by place.
 template <class Traps>
 auto first_from(Traps& traps, std::uint32_t pc) {
   return std::lower_bound(traps.begin(), traps.end(), pc,
@@ -293,7 +293,7 @@ void WatchedChip::stack_is_low() {
 }
 
 void WatchedChip::stack_pointer_written() {
-  // It is whole when both halves are written, or when something is pushed.
+  // The stack pointer is whole when both halves are written, or when something is pushed.
   const Cycle now = cycle();
   const bool whole = state_.pointer_written != 0 && now - state_.pointer_written <= kHalvesApart;
   state_.pointer_written = whole ? 0 : now;
@@ -314,7 +314,8 @@ void WatchedChip::stack_pointer_written() {
   stack_moved();
 }
 
-/// A new stack may begin directly after its variable, at the first byte of another.
+/// Returns the variable that contains a stack. A new stack may start directly after its variable, at the
+/// first byte of another variable.
 const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) const {
   const Symbol* const here = firmware_.symbols.variable_at(kAvrData + at);
   if (is_in_use || (here && here->address < kAvrData + at)) return here;
@@ -322,8 +323,8 @@ const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) c
   return below ? below : here;
 }
 
-/// Returns whether the value just written to the stack pointer was computed from it, as when a function
-/// reserves variables. Otherwise it was stored elsewhere, like the stack of another task.
+/// Returns whether the new stack pointer was computed from the old one, as when a function reserves
+/// variables. Other values come from elsewhere, such as the stack of another task.
 bool WatchedChip::is_computed_from_itself() const {
   const auto& cpu = chip_.cpu();
   const std::uint32_t pc = cpu.last_pc();
@@ -337,7 +338,7 @@ bool WatchedChip::is_computed_from_itself() const {
   return false;
 }
 
-/// Returns whether it was read from memory, like the stack pointer of another task.
+/// Returns whether the new stack pointer was read from memory, like the stack pointer of another task.
 bool WatchedChip::was_loaded() const {
   const auto& cpu = chip_.cpu();
   const std::uint32_t pc = cpu.last_pc();
@@ -349,8 +350,8 @@ bool WatchedChip::was_loaded() const {
   return false;
 }
 
-/// A handler may leave the task that it has interrupted, and continue one that had left by itself: by RET,
-/// not RETI.
+/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task by RET
+/// instead of RETI, if that task had yielded by itself.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
   if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
   const auto left = state_.handlers_of_stacks.find(to);

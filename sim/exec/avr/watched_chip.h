@@ -1,9 +1,9 @@
-// The chip with a sketch in its flash, watched for faults: wild reads, writes and jumps, stack overflow,
-// repeated watchdog resets. sim/avr has the chip itself.
+// Runs a chip (sim/avr) with a sketch in its flash, and detects faults: wild reads, writes and jumps, stack
+// overflow, and repeated watchdog resets.
 //
-// It starts where the boot loader would jump to. It handles the watchdog's resets like the Uno's boot loader
-// (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader WDRF is set, and the watchdog
-// resets again in 16 ms unless the sketch turns it off.
+// The chip starts at the address to which the boot loader would jump. After a watchdog reset it behaves like
+// the Uno's boot loader (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader, WDRF
+// stays set. The watchdog then resets the chip again in 16 ms, unless the sketch turns the watchdog off.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ namespace robosim::exec::avr {
 struct Fault {
   enum class Kind { bad_read, bad_write, bad_opcode, bad_jump, restart, stack, watchdog, flash_write, torn };
   Kind kind = Kind::bad_jump;
-  std::uint32_t pc = 0;       ///< of the instruction; for a jump, its target
-  std::uint32_t address = 0;  ///< of a read, write or flash write; the opcode of a bad_opcode
+  std::uint32_t pc = 0;       ///< address of the instruction; for a jump, the target
+  std::uint32_t address = 0;  ///< accessed address; for bad_opcode, the opcode
 };
 
 class WatchedChip final : robosim::avr::MarkVisitor {
@@ -40,26 +40,26 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   std::uint32_t clock_hz() const { return clock_hz_; }
   Cycle cycle() const { return chip_.cycle(); }
   std::uint32_t pc() const { return 2 * cpu().pc(); }
-  /// Returns the address of the instruction that runs, or ran last.
+  /// Returns the address of the current or last instruction.
   std::uint32_t last_pc() const { return 2 * cpu().last_pc(); }
   std::uint16_t sp() const { return cpu().sp(); }
   std::uint8_t status() const { return cpu().sreg(); }
-  /// Returns the byte in memory, without effect on the firmware.
+  /// Returns a byte of data memory, without effect on the firmware.
   std::uint8_t data(reg::Address address) const { return cpu().data[address]; }
   bool in_handler() const { return cpu().open_handlers() > 0; }
   int open_handlers() const { return cpu().open_handlers(); }
-  /// Returns an address that a call or interrupt has pushed, as a flash address; its first byte is at `at`.
+  /// Returns the return address that a call or interrupt has pushed at `at`, as a flash address.
   std::uint32_t return_address(reg::Address at) const;
 
-  /// Runs until `cycle` or a few cycles later. Returns sooner after a fault, before an instruction with a
+  /// Runs until `cycle` or a few cycles later. Returns earlier after a fault, before an instruction with a
   /// trap, when the firmware has stopped itself, or after Cpu::stop().
   void run_to(Cycle cycle);
   const std::optional<Fault>& fault() const { return state_.fault; }
-  /// Returns whether the firmware sleeps with interrupts off, so that nothing will ever wake it.
+  /// Returns whether the firmware sleeps with interrupts off, and nothing will ever wake it.
   bool is_off() const { return state_.off; }
   bool is_asleep() const { return chip_.is_asleep() && !state_.off; }
 
-  // --- traps: run_to() returns before an instruction
+  // --- traps: run_to() returns before an instruction with a trap
   /// The purposes of a trap.
   enum Trap : unsigned {
     kLoopTrap = 1,
@@ -73,38 +73,39 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     kDetectorTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
-  /// Counts how often lines run: sets kLineTraps where they begin.
+  /// Counts the executions of lines, through kLineTraps at their starts.
   void count(LineCounts& lines);
-  /// Counts rounds from the second on at a kLoopTrap; run_to() continues unless there is another trap.
+  /// Counts rounds from the second on at each kLoopTrap. run_to() continues there unless the place has
+  /// another trap.
   void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
-  /// Makes torn reads and writes faults.
+  /// Reports torn reads and writes as faults.
   void look_for_tearing(const DebugInfo& debug);
   const std::optional<RaceAnalysis>& race_analysis() const { return race_analysis_; }
-  /// Calls `detector`, which outlives the chip's use, before the instruction at `pc` runs.
+  /// Calls `detector` before the instruction at `pc` runs. The detector must outlive the chip's use.
   void show(Detector& detector, std::uint32_t pc);
-  /// Calls it when a handler begins and when one returns.
+  /// Calls `detector` when a handler starts or returns.
   void show_handlers(Detector& detector);
   void clear_trap(Trap trap, std::uint32_t pc);
-  /// Returns the traps, as a sum, for which run_to() returned.
+  /// Returns the traps for which run_to() returned, as a sum, and clears them.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
-  /// Makes run_to() return after every instruction, and after every jump of time while the chip sleeps.
+  /// Makes run_to() return after each instruction, and after each time skip during sleep.
   void step_singly(bool singly);
   void set_status(std::uint8_t value) { chip_.cpu().set_sreg(value); }
   void set_pc(std::uint32_t pc);
 
   // --- the stack
   std::uint16_t lowest_sp() const { return state_.lowest_sp; }
-  /// Sets where variables and heap end: the sketch's stack must not go below.
+  /// Sets the end of variables and heap, below which the sketch's stack must not go.
   void set_stack_limit(std::uint16_t limit);
-  /// Return whether the stack in use is one that the sketch has loaded, such as a task's; and the variable
-  /// that holds it. Null = it lies in the heap.
+  /// Return whether the sketch has loaded the current stack, as for a task, and the variable that contains
+  /// this stack; null = in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
-  /// Returns false between the writes of its two halves.
+  /// Returns false between the writes of the stack pointer's two halves.
   bool is_stack_pointer_whole() const { return state_.pointer_written == 0; }
-  /// Returns the addresses of the calls, returns and interrupted instructions that ran last, the last first.
+  /// Returns the addresses of the most recent calls, returns and interrupted instructions, the latest first.
   std::vector<std::uint32_t> last_jumps() const;
 
   // --- statistics, in cycles
@@ -112,32 +113,32 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
   Cycle handler_cycles() const { return cpu().handler_cycles(); }
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
-  /// Returns where the firmware was when the handler that runs now, or ran last, interrupted it.
+  /// Returns the address at which the current or last handler interrupted the firmware.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
-  /// Return the number of that handler's interrupt, as in avr-libc (`TIMER0_OVF_vect_num`), and the address
-  /// of its vector.
+  /// Return the interrupt number of that handler, as in avr-libc (`TIMER0_OVF_vect_num`), and the address of
+  /// its vector.
   int vector() const { return cpu().state.vector; }
   std::uint32_t vector_address() const { return 2 * cpu().entry_of(cpu().state.vector); }
 
   // --- snapshots
   struct TrapPlace {
     std::uint32_t pc = 0;
-    unsigned traps = 0;  ///< a sum
+    unsigned traps = 0;  ///< sum of Trap
   };
-  /// All state that changes while the chip runs, except the chip's own.
+  /// All state that changes while the chip runs, except the state inside Chip.
   struct State {
-    std::vector<TrapPlace> traps;  ///< by their places
+    std::vector<TrapPlace> traps;  ///< sorted by place
     unsigned trapped = 0;
     std::optional<Fault> fault;
     bool off = false;
     std::uint16_t lowest_sp = 0;
     std::uint16_t stack_limit = 0;
     bool own_stack = false;                ///< the sketch has loaded another stack, such as a task's
-    const Symbol* own_variable = nullptr;  ///< the variable that holds it; null = it lies in the heap
+    const Symbol* own_variable = nullptr;  ///< the variable that contains this stack; null = in the heap
     std::uint16_t own_limit = 0;
-    std::uint16_t pointer_before = 0;                 ///< the stack pointer before its first half was written
-    std::map<std::uint16_t, int> handlers_of_stacks;  ///< open handlers of the tasks that were left
-    Cycle pointer_written = 0;                        ///< when its first half was
+    std::uint16_t pointer_before = 0;                 ///< stack pointer before its first half was written
+    std::map<std::uint16_t, int> handlers_of_stacks;  ///< by stack pointer: open handlers of suspended tasks
+    Cycle pointer_written = 0;  ///< cycle at which the first half was written; 0 = whole
     int watchdog_resets = 0;
     Cycle last_bite = 0;
   };
@@ -146,17 +147,18 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     SnapshotRegistry::Snapshot chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
-  /// Restores, except breakpoints, which are the debugger's, and the traps of detectors: they stay.
+  /// Restores saved state. Breakpoints, which belong to the debugger, and the traps of detectors stay as they
+  /// are.
   void restore(const Saved& saved);
 
-  /// Returns when the watchdog has reset it last; 0 = never.
+  /// Returns the cycle of the last watchdog reset; 0 = never.
   Cycle last_bite() const { return state_.last_bite; }
-  /// Notes that the chip has reset itself, as its surroundings report.
+  /// Notes that the chip has reset itself. The chip's environment calls this.
   void was_reset();
   std::vector<std::uint8_t> ram() const;
-  /// Makes this start a brown-out reset, before it has run. MCUSR reports that instead of power-on, and RAM
+  /// Turns the power-on into a brown-out reset, before the chip has run. MCUSR reports a brown-out, and RAM
   /// has its old content, which no reset changes (DS40002061B, Resetting the AVR). A boot loader preserves
-  /// both (optiboot from its version 7 on).
+  /// both (optiboot from version 7 on).
   void was_browned_out(const std::vector<std::uint8_t>& ram);
 
  private:
@@ -180,17 +182,17 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   bool was_loaded() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
   unsigned traps_at(std::uint32_t pc) const;
-  /// Returns the first place of a trap that is not before `pc`.
+  /// Returns the first place with a trap at or after `pc`.
   std::vector<TrapPlace>::iterator trap_from(std::uint32_t pc);
 
   const Firmware& firmware_;
   const ChipSpec& spec_;
   const std::uint32_t clock_hz_;
-  const bool has_boot_loader_;  ///< it occupies a part of the flash
+  const bool has_boot_loader_;  ///< a boot loader occupies a part of the flash
   LoopTimer<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<RaceAnalysis> race_analysis_;
-  std::multimap<std::uint32_t, Detector*> shown_;  ///< by place
+  std::multimap<std::uint32_t, Detector*> shown_;  ///< detectors by place
   std::vector<Detector*> told_of_handlers_;
   bool singly_ = false;
   State state_;

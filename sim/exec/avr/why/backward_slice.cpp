@@ -62,7 +62,7 @@ void BackwardSlice::find_frames() {
   if (!frames_.empty() || !log_) return;
   struct Open {
     Index index;
-    std::uint16_t sp;  ///< before it
+    std::uint16_t sp;  ///< stack pointer before the call
   };
   std::vector<Open> open;
   const auto& entries = log_->entries();
@@ -109,7 +109,7 @@ void BackwardSlice::set_out(SimTime t) {
   find_frames();
   from_ = static_cast<Index>(frames_.size()) - 1;
   Index first = 0;
-  while (first < from_) {  // the last one that had begun by then
+  while (first < from_) {  // finds the last entry that started by `t`
     const Index middle = first + (from_ - first + 1) / 2;
     if (time_of(middle) <= t)
       first = middle;
@@ -147,7 +147,8 @@ void BackwardSlice::ask_place(SimTime t) {
     note(lines[i], static_cast<int>(i), CauseStep::Kind::computes, time_of(from_));
   const Want want{0, lines.empty() ? nullptr : lines[0]};
   want_branch(from_, want);
-  // Waiting code loops: nothing decides that it is there, except the last branch that it does not pass.
+  // Waiting code loops. Only the last branch, which the loop does not get past, decides that the code is
+  // there.
   Index index = from_;
   const auto pc = [&] { return log_->entries()[static_cast<std::size_t>(index)].pc; };
   while (sketch_.at(pc()).lines.empty() && frames_[static_cast<std::size_t>(index)] != kNone &&
@@ -160,7 +161,7 @@ void BackwardSlice::ask_place(SimTime t) {
 
 void BackwardSlice::follow(bool adjoins) {
   if (!log_) return;
-  if (frames_.empty()) {  // begun after that
+  if (frames_.empty()) {  // a new log, started after the question
     find_frames();
     from_ = static_cast<Index>(frames_.size()) - 1;
     pending_.clear();
@@ -207,7 +208,8 @@ std::optional<BackwardSlice::Want> BackwardSlice::take_wanted(Index index) {
 }
 
 void BackwardSlice::visit(Index index) {
-  if (const auto inside = pending_.find(index); inside != pending_.end()) {  // nothing in it has decided
+  // No branch within this call has decided that the pending instructions ran. An earlier branch must have.
+  if (const auto inside = pending_.find(index); inside != pending_.end()) {
     const std::vector<Pending> waiting = std::move(inside->second);
     pending_.erase(inside);
     for (const Pending& one : waiting) want_branch(index, one.want);
@@ -221,7 +223,7 @@ void BackwardSlice::take(Index index, Want want, CauseStep::Kind kind) {
   const Entry& e = log_->entries()[static_cast<std::size_t>(index)];
   const std::vector<Line> lines = lines_of(index);
   if (lines.empty() && frames_[static_cast<std::size_t>(index)] == kNone && e.touch == Touch::store)
-    return note_variable(kAvrData + e.address, want);  // the start-up code: its initial value
+    return note_variable(kAvrData + e.address, want);  // the start-up code wrote the initial value
   if (!lines.empty()) {
     if (want.line && lines[0] != want.line) ++want.far;
     want.line = lines[0];

@@ -1,12 +1,12 @@
-// Implements exec::CauseFinder for an AVR: a backward slice of the instructions that ran.
+// Implements exec::CauseFinder for an AVR, by a backward slice of the executed instructions.
 //
-//   wanted             registers, flags and bytes whose value at this moment matters
-//   an instruction     that has computed a wanted value belongs to the slice; its operands are wanted now
-//   a branch           that decided that an instruction of the slice ran belongs to it, too
-//   external inputs    (pins, converter, clock, received bytes) end the slice
+//   wanted values     registers, flags and bytes whose value matters at this point
+//   instructions      belong to the slice if they computed a wanted value; their operands become wanted
+//   branches          belong to the slice if they decided that an instruction of the slice ran
+//   external inputs   (pins, converter, clock, received bytes) end the slice
 //
-// Each instruction maps to its line of the sketch, or to the line that has called it, and to that line's
-// callers. The distance from the question is counted in lines.
+// Each instruction maps to its line of the sketch, or to the calling line, and to that line's callers. The
+// distance from the question is counted in lines.
 #pragma once
 
 #include <array>
@@ -28,11 +28,11 @@ namespace robosim::exec::avr {
 
 class BackwardSlice final : public CauseFinder {
  public:
-  /// All three outlive this.
+  /// All arguments must outlive this object.
   BackwardSlice(const Firmware& firmware, const DebugInfo& debug, ClockedBoard& board)
       : firmware_(firmware), sketch_(debug), board_(board) {}
 
-  /// Connects it at power-on and power-off.
+  /// Connects the machine at power-on, and disconnects it at power-off.
   void plug_into(Machine& machine);
   void unplug();
 
@@ -53,22 +53,22 @@ class BackwardSlice final : public CauseFinder {
   std::optional<CauseStep> switched_off(bool on) override;
 
  private:
-  using Index = std::int32_t;  ///< of an entry of the log
+  using Index = std::int32_t;  ///< index of an entry in the log
   static constexpr Index kNone = -1;
   static constexpr Index kLater = std::numeric_limits<Index>::max();
   using Line = SketchLines::Line;  ///< null = not in the sketch
   struct Want {
     int far = 0;
     Line line = nullptr;
-    Index by = kLater;  ///< last entry that reads it; kLater = after the record
+    Index by = kLater;  ///< last entry that reads the value; kLater = after the log
   };
   /// An instruction whose deciding branch is not found yet.
   struct Pending {
-    std::uint32_t pc = 0;  ///< kLast = the last branch of all
+    std::uint32_t pc = 0;  ///< kLast = the last branch decides
     Want want;
   };
   static constexpr std::uint32_t kLast = ~0u;
-  static constexpr int kFarthest = 14;  ///< lines further away are not followed
+  static constexpr int kFarthest = 14;  ///< causes at a larger distance are not followed
 
   void forget();
   void find_frames();
@@ -97,16 +97,16 @@ class BackwardSlice final : public CauseFinder {
   Machine* machine_ = nullptr;
   std::optional<InstructionLog> log_;
   std::optional<Branches> branches_;
-  std::vector<std::uint32_t> calls_before_;  ///< open when the log began, innermost first; in words
-  std::vector<Index> frames_;                ///< by entry: its call, or first of its handler; kNone = older
-  Index from_ = kNone;                       ///< where the next follow() starts
+  std::vector<std::uint32_t> calls_before_;  ///< calls open at the log's start, innermost first; in words
+  std::vector<Index> frames_;  ///< by entry: enclosing call, or entry of its handler; kNone = older
+  Index from_ = kNone;         ///< entry at which the next follow() starts
 
   std::array<std::optional<Want>, 32> registers_;
   std::array<std::optional<Want>, 8> flags_;
   std::map<std::uint16_t, Want> bytes_;
-  std::map<std::uint16_t, std::uint8_t> bits_;       ///< the relevant bits of I/O registers
-  std::map<Index, std::vector<Pending>> pending_;    ///< by the call that they run in
-  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that it has read
+  std::map<std::uint16_t, std::uint8_t> bits_;       ///< relevant bits of I/O registers, by address
+  std::map<Index, std::vector<Pending>> pending_;    ///< by enclosing call
+  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that the line has read
 };
 
 }  // namespace robosim::exec::avr

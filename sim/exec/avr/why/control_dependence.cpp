@@ -2,7 +2,7 @@
 
 #include "sim/exec/avr/why/backward_slice.h"
 
-// Finds what has decided that an instruction ran, or that a value stayed unchanged.
+// Finds the branch that decided that an instruction ran, or that a value stayed unchanged.
 
 namespace robosim::exec::avr {
 namespace {
@@ -13,7 +13,7 @@ using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
 constexpr int kOfBranch = 2;             // distance of a branch from its effect
-constexpr std::size_t kTogether = 4000;  // instructions after a branch; its ways mostly meet within them
+constexpr std::size_t kTogether = 4000;  // instructions within which a branch's paths usually meet
 constexpr std::int32_t kPointerBefore = 100;
 
 bool points_by(Op op, unsigned pair) {
@@ -48,7 +48,8 @@ void BackwardSlice::add_pending(Index index, Want want) {
   waiting.push_back({pc, want});
 }
 
-/// Compiler routines have no lines: their branches belong to the line that has called them.
+/// Returns the distance of a branch from its effect. Compiler routines have no lines: their branches belong
+/// to the calling line.
 int BackwardSlice::far_of_branch(std::uint32_t pc) const {
   return sketch_.at(pc).is_described ? kOfBranch : 0;
 }
@@ -73,8 +74,8 @@ void BackwardSlice::visit_branch(Index index) {
   if (best) take(index, {best->far + far_of_branch(e.pc), best->line}, CauseStep::Kind::decides);
 }
 
-/// Visits a branch that left a wanted value unchanged: its other way would have written it before the meeting
-/// point.
+/// Visits a branch that left a wanted value unchanged. Its other path would have written the value before the
+/// point at which both paths meet.
 void BackwardSlice::visit_skipped_writes(Index index) {
   const auto& entries = log_->entries();
   const auto at = static_cast<std::size_t>(index);
@@ -105,7 +106,7 @@ void BackwardSlice::visit_skipped_writes(Index index) {
   if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
 }
 
-/// Returns the first entry after the branch that both ways would have reached.
+/// Returns the first entry after the branch that both paths would have reached.
 BackwardSlice::Index BackwardSlice::meeting_behind(Index branch, std::uint32_t meets) const {
   const auto& entries = log_->entries();
   const Index frame = frames_[static_cast<std::size_t>(branch)];
@@ -122,13 +123,13 @@ BackwardSlice::Index BackwardSlice::meeting_behind(Index branch, std::uint32_t m
   return kLater;
 }
 
-/// Returns the value of a pair of registers there. It is known if memory was accessed with it before, or with
-/// a copy of it.
+/// Returns the value of a register pair at an entry. The value is known if memory was accessed earlier
+/// through the pair, or through a copy of it.
 std::optional<std::uint16_t> BackwardSlice::pointer_at(Index index, unsigned pair) const {
   const auto& entries = log_->entries();
   const auto& cpu = machine_->chip().chip().cpu();
   const Index frame = frames_[static_cast<std::size_t>(index)];
-  std::array<std::optional<std::uint16_t>, 3> used;  // X, Y and Z: their targets, by later use
+  std::array<std::optional<std::uint16_t>, 3> used;  // targets of X, Y and Z, known from later accesses
   for (Index i = index; i >= 0 && index - i < kPointerBefore; --i) {
     const Entry& e = entries[static_cast<std::size_t>(i)];
     if (frames_[static_cast<std::size_t>(i)] != frame || e.interrupts) continue;

@@ -2,7 +2,7 @@
 
 #include "sim/exec/avr/why/backward_slice.h"
 
-// Finds where the time went, and what has disabled interrupts.
+// Finds the lines that used the processor's time, and the line that disabled interrupts.
 
 namespace robosim::exec::avr {
 SourceLine BackwardSlice::busiest(SimTime from, SimTime to) const {

@@ -14,7 +14,7 @@ using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 using Touch = InstructionLog::Touch;
 
-// 64 MB. Older entries are dropped.
+// Limits the log to 64 MB. Older entries are dropped.
 constexpr std::size_t kMostEntries = std::size_t{1} << 22;
 constexpr reg::Address kPairZ = 30;
 
@@ -92,7 +92,7 @@ void InstructionLog::after() {
     for (Looked& one : looked_) one.index -= half;
     port_.number = -1;
   }
-  if (cpu.open_handlers() > handlers_before_) {  // an interrupt came first; its vector holds a jump
+  if (cpu.open_handlers() > handlers_before_) {  // an interrupt was entered first; its vector contains a jump
     next_.pc = 0;
     next_.touch = Touch::nothing;
     next_.interrupts = true;
@@ -106,7 +106,7 @@ void InstructionLog::after() {
   entries_.push_back(next_);
 }
 
-/// The core's digitalRead() reads a port, and soon selects one bit of it.
+/// Finds the bit that the core's digitalRead() selects soon after reading a port.
 void InstructionLog::find_mask() {
   constexpr std::size_t kSoon = 12;
   if (port_.number < 0) return;

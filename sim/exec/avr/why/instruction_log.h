@@ -1,6 +1,6 @@
-// Records the instructions that have run, one by one, with their accesses to data memory.
+// Records each executed instruction, with its accesses to data memory.
 //
-// The chip runs single steps meanwhile, and skips no waiting loops; the results are the same.
+// Meanwhile the chip runs in single steps and does not skip waiting loops, with the same results.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace robosim::exec::avr {
 
-/// Returns effects on registers and flags, including those of reading flash. The log has the effects on data
-/// memory.
+/// Returns an instruction's effects on registers and flags, including the effects of reading flash. The log
+/// contains the effects on data memory.
 robosim::avr::InstructionEffects effects_of_logged(const robosim::avr::Instruction& instruction,
                                                    const robosim::avr::Cpu& cpu);
 
@@ -21,19 +21,19 @@ class InstructionLog {
  public:
   enum class Touch : std::uint8_t { nothing, load, store, flash };
   struct Entry {
-    std::uint32_t pc = 0;       ///< in words
+    std::uint32_t pc = 0;       ///< word address
     std::uint32_t began = 0;    ///< cycles after began()
-    std::uint16_t address = 0;  ///< in data memory, or in flash, the lowest of `bytes`
-    std::uint16_t sp = 0;       ///< before it
+    std::uint16_t address = 0;  ///< lowest accessed address, in data memory or flash
+    std::uint16_t sp = 0;       ///< stack pointer before the instruction
     std::uint8_t bytes = 0;
     Touch touch = Touch::nothing;
-    bool interrupts : 1 = false;  ///< the jump to a handler; `pc` is 0
-    bool enables : 1 = false;     ///< interrupts may come after it
+    bool interrupts : 1 = false;  ///< entry of a handler; `pc` is 0
+    bool enables : 1 = false;     ///< interrupts are enabled afterwards
     std::uint8_t changed = 0;     ///< changed bits of the byte at `address`
   };
   static_assert(sizeof(Entry) == 16);
 
-  /// Both outlive its use.
+  /// Both arguments must outlive the log's use.
   InstructionLog(WatchedChip& chip, const BoardAdapter& adapter) : chip_(chip), adapter_(adapter) {}
 
   void begin();
@@ -43,7 +43,8 @@ class InstructionLog {
 
   const std::vector<Entry>& entries() const { return entries_; }
   Cycle began() const { return began_; }
-  /// Returns the board's pin that the load `index` has read, by the converter or its port; kNoPin = none.
+  /// Returns the board's pin that the load at `index` has read, through the converter or the pin's port;
+  /// kNoPin = none.
   Pin pin_of(std::size_t index) const;
 
  private:
@@ -57,18 +58,18 @@ class InstructionLog {
   WatchedChip& chip_;
   const BoardAdapter& adapter_;
   std::vector<Entry> entries_;
-  std::vector<Looked> looked_;  ///< in the order of entries
+  std::vector<Looked> looked_;  ///< sorted by entry
   Cycle began_ = 0;
   Entry next_;
   std::uint8_t byte_before_ = 0;
   Cycle cycle_before_ = 0;
   bool asleep_before_ = false;
   int handlers_before_ = 0;
-  /// A read of a whole port, while the relevant pin is unknown yet.
+  /// A read of a whole port, whose relevant pin is not known yet.
   struct Port {
-    int number = -1;        ///< of the chip; -1 = it is known
-    std::size_t index = 0;  ///< of the load
-    std::uint8_t reg = 0;   ///< the register that holds it
+    int number = -1;        ///< the chip's port; -1 = no such read
+    std::size_t index = 0;  ///< entry of the load
+    std::uint8_t reg = 0;   ///< register that contains the port's value
   };
   Port port_;
 };

@@ -1,4 +1,4 @@
-// Maps instructions to the lines of the sketch that they belong to; looks up each once.
+// Maps instructions to their lines in the sketch; looks up each instruction once.
 #pragma once
 
 #include <map>
@@ -12,20 +12,21 @@ namespace robosim::exec::avr {
 
 class SketchLines {
  public:
-  using Line = const SourceLine*;  ///< equal for equal file and line, while this object exists
+  using Line = const SourceLine*;  ///< equal pointers for equal file and line, while this object exists
 
-  /// `debug` outlives this.
+  /// `debug` must outlive this object.
   explicit SketchLines(const DebugInfo& debug) : debug_(debug) {}
 
   struct Place {
-    bool is_described = false;  ///< by debug information; routines of the compiler are not
-    bool is_pause = false;      ///< in delay() or micros(), which decide nothing
-    std::vector<Line> lines;    ///< in the sketch, innermost first
+    bool is_described = false;  ///< has debug information, unlike compiler routines
+    bool is_pause = false;      ///< in delay() or micros(), whose branches decide nothing
+    std::vector<Line> lines;    ///< lines in the sketch, innermost first
   };
-  /// `pc` in words.
+  /// Returns the place of the instruction at word address `pc`.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// Returns the lines that declare the variable or constant at an address of the ELF file, and its member.
+  /// Returns the lines that declare the variable or constant at an ELF address, and its member at that
+  /// address.
   const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:

@@ -3,7 +3,7 @@
 
 #include "sim/exec/avr/why/branches.h"
 
-// Finds what a branch has skipped.
+// Finds the writes that a branch has skipped.
 
 namespace robosim::exec::avr {
 namespace {
@@ -14,7 +14,7 @@ using robosim::avr::Op;
 constexpr std::size_t kMostReached = 400, kMostCalled = 3000;
 constexpr std::uint8_t kPointerX = 26, kPointerY = 28, kPointerZ = 30;
 constexpr std::uint32_t kScratch = 3;            // r0 and r1
-constexpr std::uint32_t kOfCalls = 0xFFu << 18;  // where a function returns its value
+constexpr std::uint32_t kOfCalls = 0xFFu << 18;  // registers of a function's return value
 constexpr std::uint32_t kNowhere = ~0u;
 
 constexpr std::uint32_t pair_of(unsigned reg) { return 3u << reg; }
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> Branches::reached(std::uint32_t from, std::uint32_t e
   return places;
 }
 
-/// Returns whether a way from there leaves the function without passing `pc`; ways back to the branch do not
-/// count.
+/// Returns whether a path from `from` leaves the function without passing `pc`. Paths back to the branch do
+/// not count.
 bool Branches::leaves(std::uint32_t from, std::uint32_t branch, std::uint32_t pc) const {
   const std::vector<std::uint32_t> places = reached(from, branch, pc);
   return std::any_of(places.begin(), places.end(), [&](std::uint32_t at) { return ways_on(at).empty(); });
@@ -46,7 +46,7 @@ std::uint32_t Branches::meeting(std::uint32_t branch, std::uint32_t next, std::u
   const std::set<std::uint32_t> also(others.begin(), others.end());
   for (const std::uint32_t at : reached(next, branch, kNowhere))
     if (also.contains(at) && !leaves(other, branch, at) && !leaves(next, branch, at)) return at;
-  // A loop's body returns to the branch, and then continues as before.
+  // The other path is a loop's body: it returns to the branch, which then leads to `next`.
   return leaves(other, branch, kNowhere) ? SkippedWrites::kInCaller : next;
 }
 
@@ -66,7 +66,7 @@ const Branches::SkippedWrites& Branches::skipped_writes(std::uint32_t branch, st
 void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
   for (const std::uint32_t at : places) {
     const Instruction& i = cpu_.instruction(at);
-    // A function restores the registers that it saves.
+    // Ignores POP, because a function restores the registers that it has saved.
     if (i.op != Op::pop) skipped_writes.registers |= writes_[at] & ~kScratch;
     if (stores_at_address(i.op)) skipped_writes.bytes.push_back(static_cast<std::uint16_t>(i.k));
     const auto called = called_at(at);
@@ -78,10 +78,9 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrite
   add_bytes_by_pointer(places, skipped_writes);
 }
 
-/// Adds pointers that nothing has moved there, or that were copied there from two registers that nothing has
-/// written.
+/// Adds bytes that are written through unmoved pointers, or through pointers copied from unwritten registers.
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
-  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // pointers and their sources; nothing = moved
+  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // sources by pointer; nothing = moved
   for (const std::uint32_t at : places)
     for (const std::uint8_t pair : {kPointerX, kPointerY, kPointerZ}) {
       if ((writes_[at] & pair_of(pair)) == 0) continue;
