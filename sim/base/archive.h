@@ -1,4 +1,5 @@
-// Packs several small files into one: name and size of each on a line, followed by its bytes.
+// Packs several small files into one: a line with the name and size of each file, followed by the file's
+// bytes.
 //
 //   Blink.ino.gcda 132\n<132 bytes>helper.cpp.gcda 88\n<88 bytes>
 #pragma once
@@ -10,7 +11,7 @@
 namespace robosim {
 
 struct ArchivedFile {
-  std::string name;  ///< holds no line feed
+  std::string name;  ///< must not contain a line feed
   std::string content;
 };
 

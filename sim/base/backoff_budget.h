@@ -1,5 +1,5 @@
-// Decides whether examining a loop pays off: its savings against its cost, in cycles of the firmware. A loop
-// that does not pay is ignored for a while, each time twice as long.
+// Decides whether examining a loop pays off, by comparing savings and costs in cycles of the firmware. A loop
+// that does not pay off is ignored for a while, each time for twice as long.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace robosim {
 
 class BackoffBudget {
  public:
-  /// Records that `cycles` were saved (or, if negative, spent). Returns whether it still pays to look.
+  /// Records that `cycles` were saved (or, if negative, spent). Returns whether examining the loop still pays
+  /// off.
   bool pay(std::int64_t cycles, std::uint64_t now) {
     budget_ = std::min(budget_ + cycles, kMost);
     if (budget_ > kLeast) return true;
@@ -19,7 +20,7 @@ class BackoffBudget {
   }
   bool is_banned(std::uint64_t now) const { return now < banned_until_; }
   void begin_anew() { budget_ = 0; }
-  /// Handles a jump back in time to `now`: no ban lasts longer than its full duration from then on.
+  /// Handles a jump back in time to `now`. A ban then ends at most its full duration after `now`.
   void moved_in_time(std::uint64_t now) {
     banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
   }

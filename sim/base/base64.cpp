@@ -21,7 +21,7 @@ constexpr auto kPairs = [] {
   return pairs;
 }();
 
-// The value of a digit at each of a group's four places; kBad if it is invalid.
+// The value of each digit at each of a group's four places; kBad if the character is not a digit.
 constexpr std::uint32_t kBad = 1u << 24;
 constexpr auto kValues = [] {
   std::array<std::array<std::uint32_t, 256>, 4> values{};
@@ -53,7 +53,7 @@ char* Base64::put(char* to, std::string_view bytes) {
   }
   const char* from = bytes.data();
   const char* const end = from + bytes.size() / 3 * 3;
-  // Two groups of one load.
+  // Encodes two groups per 8-byte load.
   for (; static_cast<std::size_t>(bytes.data() + bytes.size() - from) >= sizeof(std::uint64_t); from += 6) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, from, sizeof bits);
@@ -89,7 +89,7 @@ std::string from_base64(std::string_view text) {
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
   std::string bytes(text.size() * 3 / 4, '\0');
   char* to = bytes.data();
-  std::uint32_t bad = 0;  // its bit kBad is set by an invalid character
+  std::uint32_t bad = 0;  // an invalid character sets the bit kBad
   const auto value = [&](std::size_t i, std::size_t place) {
     return kValues[place][static_cast<std::uint8_t>(text[i])];
   };
@@ -102,7 +102,7 @@ std::string from_base64(std::string_view text) {
     *to++ = static_cast<char>(group);
   }
   const std::size_t left = text.size() - i;
-  if (left == 1) bad = kBad;  // six bits are not a byte
+  if (left == 1) bad = kBad;  // one digit has only six bits
   if (left >= 2) {
     const std::uint32_t group = value(i, 0) | value(i + 1, 1) | (left == 3 ? value(i + 2, 2) : 0);
     bad |= group;

@@ -1,4 +1,4 @@
-// Encodes bytes as text: RFC 4648, chapter 4.
+// Encodes bytes as base64 text, and decodes such text (RFC 4648, chapter 4).
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@ std::string base64(std::string_view bytes);
 /// Encodes bytes that arrive in pieces.
 class Base64 {
  public:
-  /// Returns an upper bound of the characters for that number of bytes.
+  /// Returns an upper bound of the number of characters for `bytes` bytes.
   static constexpr std::size_t most(std::size_t bytes) { return (bytes + 2) / 3 * 4 + 4; }
-  /// Writes the characters that are complete so far from `to` on, and returns their end.
+  /// Writes all characters that are complete so far to `to`, and returns their end.
   char* put(char* to, std::string_view bytes);
   char* finish(char* to);
 
@@ -22,7 +22,7 @@ class Base64 {
   char left_[3] = {};  ///< bytes of an incomplete group
   std::size_t left_size_ = 0;
 };
-/// Decodes base64. Throws InputError at any other character.
+/// Decodes base64. Throws InputError for any other character.
 std::string from_base64(std::string_view text);
 
 }  // namespace robosim

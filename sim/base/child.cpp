@@ -21,7 +21,7 @@ namespace {
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// The settings of posix_spawn, and descriptors that must live until it is done.
+/// The settings of posix_spawn(), and the descriptors that must stay open until it returns.
 struct Instructions {
   posix_spawnattr_t spawn;
   posix_spawn_file_actions_t files;
@@ -38,14 +38,15 @@ struct Instructions {
   Instructions(const Instructions&) = delete;
   Instructions& operator=(const Instructions&) = delete;
 
-  /// Gives the child our descriptor as `number` (0, 1, 2).
+  /// Passes the descriptor `fd` to the child as `number` (0, 1, 2).
   void give(int number, int fd) {
     if (fd == ChildStart::kOurs) return;
     if (fd == ChildStart::kNothing) {
       ::posix_spawn_file_actions_addopen(&files, number, "/dev/null", number == 0 ? O_RDONLY : O_WRONLY, 0);
       return;
     }
-    // Moves it away from 0, 1 and 2, which the child will get: we may have been started without them.
+    // Moves `fd` away from 0, 1 and 2, which the child's own descriptors replace. This process may have been
+    // started without standard streams.
     if (fd <= STDERR_FILENO) {
       moved.emplace_back(::fcntl(fd, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
       fd = moved.back().get();

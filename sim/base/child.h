@@ -1,4 +1,4 @@
-// Child processes: how they start, and how they end.
+// Starts child processes, and waits for their end.
 #pragma once
 
 #include <sys/types.h>
@@ -20,44 +20,46 @@ struct Pipe {
   Pipe();
 };
 
-/// How a child process has ended.
+/// The way in which a child process has ended.
 struct Ending {
   int status = 0;  ///< exit status, unless a signal has ended it
   int signal = 0;  ///< 0 = none
 
   bool ok() const { return status == 0 && signal == 0; }
-  /// Returns "ended with status 3", "was ended by signal 11 (Segmentation fault)".
+  /// Returns a text such as "ended with status 3" or "was ended by signal 11 (Segmentation fault)".
   std::string text() const;
 };
 
 struct ChildStart {
-  static constexpr int kOurs = -1, kNothing = -2;  ///< besides a descriptor; kNothing is /dev/null
+  static constexpr int kOurs = -1, kNothing = -2;  ///< values of the streams: inherit; /dev/null
 
-  std::vector<std::string> words;  ///< the program and its arguments; without a / it is looked for on $PATH
-  std::filesystem::path folder;    ///< the folder in which it works; empty = ours
-  std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = ours
+  std::vector<std::string> words;  ///< the program and its arguments; a name without / is searched on $PATH
+  std::filesystem::path folder;    ///< the child's working folder; empty = inherit
+  std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = inherit
   int input = kOurs, output = kOurs, errors = kOurs;
   std::vector<int>
-      default_signals;     ///< these are not ignored, even if we do; where there are any, none is blocked
-  bool own_group = false;  ///< a process group of its own: Ctrl-C in a terminal does not reach it
+      default_signals;     ///< signals with default actions in the child; if not empty, none is blocked
+  bool own_group = false;  ///< creates a process group for the child: Ctrl-C in a terminal does not reach it
 };
 
-/// A child process: a program, or a copy of this process. A program inherits the descriptors that its start
-/// names, and those without FD_CLOEXEC. The destructor kills a running child, and leaves no zombie.
+/// A child process: a program, or a copy of this process. A program inherits the descriptors in its
+/// ChildStart, and all descriptors without FD_CLOEXEC. The destructor kills a running child, and leaves no
+/// zombie.
 class Child {
  public:
   /// Starts a program. Throws std::system_error if it cannot be started.
   explicit Child(const ChildStart& start);
-  /// Starts a copy of this process. The result of `work` is its exit status; it is aborted if `work` throws.
-  /// Throws std::system_error.
+  /// Starts a copy of this process, which runs `work` and returns the result as its exit status. The copy
+  /// aborts if `work` throws. Throws std::system_error.
   explicit Child(const std::function<int()>& work);
   Child(Child&& other) noexcept;
   Child& operator=(Child&& other) noexcept;
   ~Child();
 
-  /// Sends a signal, to all of its group if it has its own. No effect after wait(). Async-signal-safe.
+  /// Sends a signal to the child, or to the child's own process group. Has no effect after wait().
+  /// Async-signal-safe.
   void send(int signal) const;
-  /// Returns whether it has ended. Until wait() its number is not reused.
+  /// Returns whether the child has ended. The process number is not reused until wait().
   bool has_ended() const;
   Ending wait();
   pid_t pid() const { return pid_; }
@@ -68,7 +70,7 @@ class Child {
   Ending ending_;
 };
 
-/// Returns what a program writes to its standard output; empty if it cannot be started.
+/// Returns the standard output of a program; empty if the program cannot be started.
 std::string output_of(const std::vector<std::string>& words);
 
 }  // namespace robosim

@@ -1,5 +1,5 @@
-// Parses TOML to a small tree, in which every value has its place for messages. Only config.cpp includes the
-// TOML library, which takes 450 MB to compile.
+// Parses TOML to a small tree, in which each value stores its place for messages. Only config.cpp includes
+// the TOML library, because its compilation requires 450 MB.
 #pragma once
 
 #include <cstdint>
@@ -22,49 +22,50 @@ struct ConfigValue {
   std::int64_t integer = 0;
   double number = 0.0;  ///< also set for integers
   std::string string;
-  std::vector<ConfigValue> items;  ///< of an array
-  /// Members of a table, in the file's order. A list, since clang 14 rejects a vector of pairs with an
-  /// incomplete type.
+  std::vector<ConfigValue> items;  ///< items of an array
+  /// Members of a table, in the file's order. Stored as a list, because clang 14 rejects a vector of pairs
+  /// with an incomplete type.
   std::list<std::pair<std::string, ConfigValue>> members;
   Place place;
 
-  /// Returns the member of that name, or null.
+  /// Returns the member named `key`, or null.
   const ConfigValue* find(std::string_view key) const;
 };
 
 /// Returns the name of a kind for messages: "a string".
 const char* to_string(ConfigValue::Kind kind);
 
-/// Parses TOML. Throws InputError, also for more than 256 KiB, 1000 keys in a table, 8 parts in a key (a.b.c
-/// has 3) or 16 nested brackets. `first_line` is the line of the file on which `text` begins (front matter).
+/// Parses TOML. Throws InputError for invalid TOML. Also throws for more than 256 KiB, 1000 keys in a table,
+/// 8 parts in a key (a.b.c has 3) or 16 nested brackets. `first_line` is the line of the file at which `text`
+/// starts (front matter).
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
 
 /// Reads one table key by key, and rejects keys that the caller has not read.
 ///
 ///   TableReader reader(table, "[motors]");
 ///   const double gear = reader.quantity("gear", Dimension::ratio, 48.0);
-///   reader.finish();  // throws on unknown keys, naming those that exist
+///   reader.finish();  // throws on unknown keys, and names the known keys
 class TableReader {
  public:
   /// `what` names the table in messages. Throws InputError if `table` is not a table.
   TableReader(const ConfigValue& table, std::string what);
 
-  /// Returns the value, or null; the key counts as known from now on.
+  /// Returns the value of `key`, or null, and marks `key` as known.
   const ConfigValue* find(const char* key);
-  /// Returns the value; throws InputError if it is missing.
+  /// Returns the value of `key`; throws InputError if the key is missing.
   const ConfigValue& require(const char* key);
 
-  // Each gives `fallback` for a missing key and throws InputError for a value of the wrong kind.
+  // These functions return `fallback` for a missing key, and throw InputError for a value of the wrong kind.
   std::string string(const char* key, std::string fallback);
   bool boolean(const char* key, bool fallback);
   std::int64_t integer(const char* key, std::int64_t fallback, std::int64_t least, std::int64_t most);
   /// Reads a quantity in SI units, with inclusive bounds in SI units.
   double quantity(const char* key, Dimension dimension, double fallback, double least, double most);
-  /// Reads one of `allowed`.
+  /// Reads a string that is one of `allowed`.
   std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
 
-  /// Throws InputError for the first unknown key that resembles a known one. Call it when all keys are read,
-  /// and one is missing.
+  /// Throws InputError for the first unknown key that resembles a known key. Call this when all keys are
+  /// read, and a required key is missing.
   void refuse_misspelt() const;
   /// Throws InputError for the first key that was never read.
   void finish() const;
@@ -79,14 +80,15 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-/// Returns the string in `value`; throws InputError naming `key`.
+/// Returns the string in `value`; throws InputError, with the name `key`, for other kinds.
 const std::string& as_string(const ConfigValue& value, const char* key);
-/// Returns the SI value of a quantity string (or a bare number for ratios), inside the inclusive bounds.
+/// Returns the SI value of a quantity string, or of a bare number for ratios. Throws InputError outside the
+/// inclusive bounds.
 double as_quantity(const ConfigValue& value, const char* key, Dimension dimension, double least, double most);
 
-/// The unit in which a quantity is written; a bare number has none.
+/// The unit in which a quantity is written; a bare number has no unit.
 struct WrittenUnit {
-  double si = 1.0;   ///< one of it
+  double si = 1.0;   ///< one unit, in SI units
   std::string name;  ///< "mm"; empty = none
 };
 WrittenUnit unit_of(const ConfigValue& value, Dimension dimension);

@@ -76,7 +76,7 @@ class Writer {
   std::string text;
 
  private:
-  static constexpr int kColumn = 56;  // where comments stand
+  static constexpr int kColumn = 56;  // column of comments
 
   const std::string& file_;
 };

@@ -7,8 +7,8 @@
 
 namespace robosim {
 
-/// Returns text that parse_toml() reads as the same tree: single keys first, then tables, then arrays of
-/// tables. A comment after each line that is not from `file` names its origin: "# uno5.toml:12".
+/// Returns text from which parse_toml() reads an equal tree: single keys first, then tables, then arrays of
+/// tables. Each line that is not from `file` gets a comment with its origin: "# uno5.toml:12".
 std::string to_toml(const ConfigValue& tree, const std::string& file);
 
 }  // namespace robosim

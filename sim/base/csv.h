@@ -1,4 +1,4 @@
-// Tables of text in RFC 4180's format.
+// Formats and parses rows of text in RFC 4180's format (CSV).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace robosim {
 /// Returns a text as one field of a row, quoted only where necessary.
 std::string csv_field(std::string_view text);
 
-/// Splits a row that is one line into its fields; returns nothing if its quotes do not match.
+/// Splits a row of one line into fields; returns nothing if the quotes do not match.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 }  // namespace robosim

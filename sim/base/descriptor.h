@@ -1,4 +1,4 @@
-// File descriptors: files, pipes, sockets, locks.
+// Manages file descriptors of files, pipes, sockets and locks.
 #pragma once
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 
 namespace robosim {
 
-/// Owns a file descriptor, and closes it.
+/// Owns a file descriptor, and closes it on destruction.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -34,18 +34,19 @@ class Descriptor {
   int fd_ = -1;
 };
 
-/// Returns a descriptor of at least `least` for the file that `fd` has open. Throws std::system_error.
+/// Returns a descriptor with a number of at least `least` for the open file of `fd`. Throws
+/// std::system_error.
 inline Descriptor at_least(int least, Descriptor fd) {
   if (fd.get() >= least) return fd;
   Descriptor moved(::fcntl(fd.get(), F_DUPFD_CLOEXEC, least));
-  // EINVAL: no descriptor may be that high.
+  // EINVAL means that `least` exceeds the limit of descriptors.
   if (!moved.is_open())
     throw std::system_error(errno == EINVAL ? EMFILE : errno, std::generic_category(), "no descriptor");
   return moved;
 }
 
-/// Writes all bytes, continuing after signals. Returns 0, or the errno of the failure; some bytes may have
-/// been written then. Safe in a signal handler.
+/// Writes all bytes, and continues after signals. Returns 0, or the errno of a failure, after which some
+/// bytes may have been written. Safe in a signal handler.
 inline int write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd, bytes.data(), bytes.size());

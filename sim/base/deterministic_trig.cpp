@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-// Computes a sine by its Taylor series about 0, for at most an eighth of a turn: the remainder is below
+// Computes a sine by its Taylor series about 0, for at most an eighth of a turn. The remainder is below
 // 1e-19.
 double sine(double x) {
   double term = x, sum = x;
@@ -33,7 +33,7 @@ Vec2 unit_vector(double angle) {
 }
 
 double angle_of(Vec2 v) {
-  // Newton's steps from the middle of the quarter: the cross product is the sine of the remaining angle.
+  // Newton's method from the middle of the quadrant. The cross product is the sine of the remaining angle.
   double angle = v.y >= 0.0 ? (v.x >= 0.0 ? 0.5 : 1.5) * kQuarter : (v.x >= 0.0 ? -0.5 : -1.5) * kQuarter;
   const double size = length(v);
   if (size == 0.0) return 0.0;

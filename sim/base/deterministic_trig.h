@@ -5,8 +5,8 @@
 
 namespace robosim {
 
-/// Returns the unit vector at an angle, rad, counter-clockwise from east. Exact at quarter turns, else within
-/// 2e-16 for angles up to a few turns.
+/// Returns the unit vector at an angle, rad, counter-clockwise from east. Exact at quarter turns, otherwise
+/// within 2e-16 for angles up to a few turns.
 Vec2 unit_vector(double angle);
 
 /// Returns `v` rotated by the angle whose direction is `by`.

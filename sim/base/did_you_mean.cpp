@@ -10,7 +10,7 @@
 namespace robosim {
 namespace {
 
-/// Returns the number of wrong, missing or additional letters; two swapped ones count once, and case is
+/// Returns the number of wrong, missing or additional letters. Two swapped letters count once, and case is
 /// ignored.
 std::size_t distance(const std::string& a, const std::string& b) {
   const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
@@ -45,7 +45,7 @@ std::string all_of(const std::vector<std::string>& names) {
 
 namespace {
 
-/// Completes a form that has a parameter by a word: "laps:3" for "laps:N" and "lap:3".
+/// Replaces the parameter of a form by the parameter of a word: "laps:N" and "lap:3" give "laps:3".
 std::string filled_in(const std::string& form, const std::string& word) {
   const std::size_t colon = form.find(':'), given = word.find(':');
   if (colon == form.npos || given == word.npos) return form;

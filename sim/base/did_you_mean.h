@@ -1,4 +1,4 @@
-// Messages about unknown words: what was probably meant, and what is allowed.
+// Formats messages about unknown words: the probable correction, and the allowed words.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@ namespace robosim {
 /// Lists names: "d, oval and tight".
 std::string all_of(const std::vector<std::string>& names);
 
-/// Returns the candidate that differs least from `word`, if few letters differ, so that it may be a slip. Or
-/// returns one that begins with it. A candidate such as "laps:N" stands for laps with any parameter: "lap:3"
-/// gives "laps:3".
+/// Returns the candidate that differs least from `word`. Few letters must differ, as in a typing error, or
+/// the candidate must start with `word`. A candidate such as "laps:N" stands for laps with any parameter:
+/// "lap:3" gives "laps:3".
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 /// Returns "; did you mean oval?", or nothing if no candidate is close.
@@ -22,8 +22,8 @@ std::string expected_one_of(const std::string& word, const std::vector<std::stri
 
 /// Returns "did you mean oval? There are d, oval and tight".
 std::string guess_and_list(const std::string& name, const std::vector<std::string>& candidates);
-/// Returns "there is no map “ovla”; did you mean oval? There are d, oval and tight". `what`: "map", for
-/// example.
+/// Returns "there is no map “ovla”; did you mean oval? There are d, oval and tight". `what` is a noun such as
+/// "map".
 std::string unknown_name(const std::string& what, const std::string& name,
                          const std::vector<std::string>& candidates);
 

@@ -1,4 +1,4 @@
-// Reports invalid input in one sentence: where, what was found, what is allowed.
+// Reports invalid input in one sentence: the place, the value found, and the values allowed.
 #pragma once
 
 #include <stdexcept>
@@ -14,27 +14,27 @@ struct Place {
   int column = 0;
 };
 
-/// Returns "robot.toml:12:3", as compilers write it, without unknown parts.
+/// Returns a place in the format of compilers, "robot.toml:12:3", without unknown parts.
 std::string to_string(const Place& place);
 
-/// The process's exit statuses, the same for every command.
+/// The exit statuses of all commands.
 enum class ExitStatus : int {
-  ok = 0,            ///< goal reached, or the check holds
+  ok = 0,            ///< goal reached, or check passed
   failed = 1,        ///< lost, stuck, toppled, hung, ended, crashed, over_budget, or a difference found
   bad_input = 2,     ///< usage, bad file, sketch does not compile
-  internal = 3,      ///< an internal error of Robosim
-  timeout = 4,       ///< simulated time is up
-  tool_missing = 5,  ///< a tool is missing; how to install it is printed. Or the machine lacks something else
+  internal = 3,      ///< internal error in Robosim
+  timeout = 4,       ///< simulated time limit reached
+  tool_missing = 5,  ///< missing tool, with an installation hint, or another fault of the machine
   interrupted = 130,
 };
 
-/// Reports invalid input of the user. what() reads "PLACE: MESSAGE".
+/// Reports invalid user input. what() returns "PLACE: MESSAGE".
 class InputError : public std::runtime_error {
  public:
   InputError(Place place, const std::string& message);
   explicit InputError(const std::string& message) : InputError(Place{}, message) {}
   const Place& place() const { return place_; }
-  /// Returns the sentence without its place.
+  /// Returns the message without the place.
   const std::string& message() const { return message_; }
 
  private:
@@ -42,14 +42,14 @@ class InputError : public std::runtime_error {
   std::string message_;
 };
 
-/// Reports a missing program; the message names its Debian package. Also thrown if the machine lacks
-/// something else, such as disk space.
+/// Reports a missing program; the message names its Debian package. Also reports other faults of the machine,
+/// such as missing disk space.
 class ToolMissing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Lists what is allowed, for messages: "one, two or three".
+/// Lists allowed names for messages: "one, two or three".
 template <typename Names>
 std::string one_of(const Names& names) {
   std::string text;

@@ -1,4 +1,4 @@
-// Escapes text for the double quotes of scripts.
+// Escapes text for strings in double quotes in scripts.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace robosim {
 
-/// Returns the text with \n, \r, \t, \" and \\ escaped.
+/// Returns `text` with line feeds, carriage returns, tabs, double quotes and backslashes escaped.
 std::string escaped(std::string_view text);
 
 }  // namespace robosim

@@ -1,4 +1,4 @@
-// Exponential and logarithm with the same bits on every machine, unlike libm's.
+// Computes exponentials and logarithms with the same bits on every machine, unlike libm.
 #pragma once
 
 #include <cmath>

@@ -15,8 +15,8 @@
 #include "sim/base/error.h"
 #include "sim/base/file_scope.h"
 
-// Defined in tests made by toolchain/cmake/robosim_functions.cmake: the prefix of an installed Robosim; "" =
-// none.
+// Returns the prefix of an installed Robosim; "" = none. Defined only in tests built with
+// toolchain/cmake/robosim_functions.cmake.
 extern "C" const char* robosim_installation() __attribute__((weak));
 
 namespace robosim {
@@ -28,7 +28,8 @@ namespace {
   throw InputError({path.string()}, std::string("cannot be ") + verb + ": " + std::strerror(error));
 }
 
-/// Returns the installed Robosim that this program links, if it is not itself installed there; else empty.
+/// Returns the prefix of the installed Robosim that this program links, if the program is not part of it;
+/// otherwise empty.
 fs::path linked_installation() {
   return robosim_installation ? fs::path(robosim_installation()) : fs::path();
 }
@@ -41,7 +42,7 @@ fs::path executable_folder() {
 }  // namespace
 
 Descriptor open_to_read(const fs::path& path) {
-  Descriptor file = open_in_scope(path, O_RDONLY | O_NONBLOCK);  // a pipe would wait for a writer
+  Descriptor file = open_in_scope(path, O_RDONLY | O_NONBLOCK);  // O_NONBLOCK: a pipe would wait for a writer
   check_is_file(file, path);
   return file;
 }
@@ -85,18 +86,18 @@ std::string read_file(const Descriptor& file, const fs::path& path, std::size_t 
 
 namespace {
 
-/// Returns the temporary name, in the same folder, of a file that is being written.
+/// Returns the temporary name of a file that is being written, in the file's folder.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
-/// Replaces a file as rename() does, but does not wait for the disk: on ext4, rename() writes the file first.
+/// Replaces a file like rename(), without waiting for the disk: on ext4, rename() writes the file first.
 bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::path& old) {
 #ifdef RENAME_EXCHANGE
   const auto change_places = [&] {
     return ::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
   };
-  if (!change_places()) return false;  // no such file, or unsupported by the file system
+  if (!change_places()) return false;  // missing file, or no support by the file system
   if (::unlink(fresh.c_str()) == 0) return true;
-  change_places();  // it was a folder
+  change_places();  // undo: `old` was a folder
 #endif
   return false;
 }
@@ -109,7 +110,7 @@ void write_file(const fs::path& path, std::string_view content) {
   const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
   const fs::path target = in_place ? path : beside(path);
   try {
-    // Another user's link of that name would lead elsewhere.
+    // Removes a link of that name by another user, which would lead elsewhere.
     if (!in_place) ::unlink(target.c_str());
     const int fresh = in_place ? O_TRUNC : O_EXCL | O_NOFOLLOW;
     const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | fresh, 0666));
@@ -128,7 +129,7 @@ void place_file(const Descriptor& unnamed, const fs::path& path, int error) {
   try {
     if (error != 0) throw std::system_error(error, std::generic_category());
     const std::string itself = "/proc/self/fd/" + std::to_string(unnamed.get());
-    ::unlink(target.c_str());  // left by an earlier process with the same number
+    ::unlink(target.c_str());  // may be left by an earlier process with the same number
     if (::linkat(AT_FDCWD, itself.c_str(), AT_FDCWD, target.c_str(), AT_SYMLINK_FOLLOW) != 0)
       throw std::system_error(errno, std::generic_category());
     if (!replace(target, path)) fs::rename(target, path);
@@ -153,7 +154,8 @@ std::string sha256_of_file(const fs::path& path) {
   SHA256Init(&context);
   struct stat info {};
   ::fstat(file.get(), &info);
-  // Most files are small, and untouched pages cost nothing.
+  // Limits the buffer to the file's size: most files are small, and clearing the buffer touches all its
+  // pages.
   std::vector<std::uint8_t> chunk(
       std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 1, 256 * 1024));
   for (;;) {
@@ -163,7 +165,7 @@ std::string sha256_of_file(const fs::path& path) {
     if (n == 0) break;
     SHA256Update(&context, chunk.data(), static_cast<std::size_t>(n));
   }
-  ::explicit_bzero(chunk.data(), chunk.size());  // a runner hashes programs that its later runs must not see
+  ::explicit_bzero(chunk.data(), chunk.size());  // a runner hashes programs that its later runs must not read
   char hex[SHA256_DIGEST_STRING_LENGTH];
   SHA256End(&context, hex);
   return hex;

@@ -50,7 +50,7 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-/// Returns the key that a line of TOML sets, or nothing.
+/// Returns the key that a line of TOML sets; empty if the line sets no key.
 std::string_view key_in(std::string_view line) {
   const std::size_t end =
       line.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-");
@@ -117,7 +117,7 @@ std::optional<FileKind> kind_of(std::string_view text) {
 void refuse_other_kind(std::string_view text, FileKind wanted, const std::string& file) {
   const std::optional<FileKind> kind = kind_of(text);
   if (!kind || *kind == wanted) return;
-  if (wanted == FileKind::log && *kind == FileKind::table) return;  // a log of another layout
+  if (wanted == FileKind::log && *kind == FileKind::table) return;  // a log with another layout
   const KindText got = text_of(*kind);
   throw InputError({file}, fmt::format("expected {}, got {}; {}", text_of(wanted).name, got.name, got.hint));
 }

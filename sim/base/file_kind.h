@@ -1,4 +1,4 @@
-// Detects the kind of a user's file by its content, for messages about a file of the wrong kind.
+// Detects the kind of a user's file from its content, for messages about files of the wrong kind.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace robosim {
 
 enum class FileKind { map, robot, checks, fleet, script, sketch, image, recording, log, table };
 
-/// Returns the kind that a file's content plainly shows, if any.
+/// Returns the kind of a file if the content clearly shows it.
 std::optional<FileKind> kind_of(std::string_view text);
 
-/// Throws InputError if `text` plainly is of another kind than `wanted`: "a.map: expected a robot file, got a
-/// map; give it with --map". Call it where reading the file has failed.
+/// Throws InputError if `text` is clearly of another kind than `wanted`: "a.map: expected a robot file, got a
+/// map; give it with --map". Call this after reading the file has failed.
 void refuse_other_kind(std::string_view text, FileKind wanted, const std::string& file);
 
-/// Returns what `read` makes of `text`. If that throws InputError, refuse_other_kind() comes first.
+/// Returns the result of `read`. If `read` throws InputError, first calls refuse_other_kind().
 template <class Read>
 auto read_as(FileKind wanted, std::string_view text, const std::string& file, Read read) {
   try {

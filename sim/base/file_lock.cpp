@@ -43,9 +43,9 @@ FileLock::FileLock(const fs::path& file) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::string name = "robosim writes " + sha256(whole.string());
-  std::memcpy(address.sun_path + 1, name.data(), name.size());  // the 0 before it makes it abstract
+  std::memcpy(address.sun_path + 1, name.data(), name.size());  // a name after a 0 byte is abstract
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
-  // Without any sockets, files are written without a lock.
+  // Ignores other failures: without sockets, files are written without a lock.
   if (::bind(name_.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0 && errno == EADDRINUSE)
     throw InputError(
         {file.string()},

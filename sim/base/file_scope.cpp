@@ -34,7 +34,7 @@ std::deque<std::string> steps_of(const fs::path& path) {
   return steps;
 }
 
-/// Returns the steps from `folder` to `path`; nothing if it does not begin with `folder`.
+/// Returns the steps from `folder` to `path`; nothing if `path` does not start with `folder`.
 std::optional<std::deque<std::string>> steps_below(const fs::path& folder, const fs::path& path) {
   const std::deque<std::string> top = steps_of(folder);
   std::deque<std::string> steps = steps_of(path);
@@ -49,7 +49,7 @@ fs::path joined(const std::deque<std::string>& steps) {
   return path;
 }
 
-/// Returns the target of a link; nothing if it is not a link.
+/// Returns the target of a link; nothing if `name` is not a link.
 std::optional<fs::path> link_at(int folder, const std::string& name) {
   char target[kLongestLink];
   const ssize_t size = ::readlinkat(folder, name.c_str(), target, sizeof target);
@@ -72,7 +72,7 @@ HeldFolder::HeldFolder(const fs::path& path)
 
 Descriptor HeldFolder::open(const fs::path& below, int flags, Links allowed) const {
   if (below.is_absolute()) return fail(EXDEV);
-  std::vector<Descriptor> folders;  // from this one down; `..` returns to the previous one
+  std::vector<Descriptor> folders;  // the path of open folders below this folder; `..` closes the last one
   std::deque<std::string> left = steps_of(below);
   int links = 0;
   const auto here = [&] { return folders.empty() ? handle_.get() : folders.back().get(); };
@@ -136,7 +136,7 @@ class Scope {
     std::size_t depth = below ? depth_of(served_) : 0;
     bool is_served = below.has_value();
     bool is_other = false;
-    for (const fs::path& folder : others_) {  // the innermost one determines the permission
+    for (const fs::path& folder : others_) {  // the innermost folder determines the permission
       if (depth_of(folder) <= depth || !holds(folder, file)) continue;
       depth = depth_of(folder);
       is_served = false;
@@ -152,7 +152,7 @@ class Scope {
                  : Descriptor(::open(path.c_str(), O_PATH | O_CLOEXEC));
   }
 
-  /// Returns whether it is one of Robosim's own maps, robots or sketches.
+  /// Returns whether `path` is one of Robosim's own maps, robots or sketches.
   static bool is_own(const fs::path& path) { return path.is_absolute() && holds(data_folder(), path); }
 
   bool leads_into_served(const fs::path& path) const {
@@ -170,14 +170,16 @@ class Scope {
     return below && std::find(below->begin(), below->end(), "..") == below->end();
   }
 
-  // Opened for each use: a run's process passes the numbers of its descriptors to others.
+  // Opens the served folder for each use, because a run's process passes the numbers of its descriptors to
+  // other processes.
   HeldFolder served() const { return HeldFolder(served_); }
 
   fs::path served_;
   std::vector<fs::path> others_;
 };
 
-/// Returns null without a scope. Read without a lock: a fork must not inherit one that another thread holds.
+/// Returns the scope, or null. Reads are atomic instead of locked, because a fork must not inherit a lock
+/// that another thread holds.
 std::atomic<const Scope*>& scope() {
   static std::atomic<const Scope*> current = [] {
     const char* const text = std::getenv(kFileScope);
@@ -209,7 +211,7 @@ Descriptor open_to_show(const fs::path& path) {
 
 void extend_file_scope(const fs::path& folder) {
   static std::mutex mutex;
-  static std::deque<Scope> extended;  // never removed, as another thread may be reading one
+  static std::deque<Scope> extended;  // never shrinks, because another thread may be reading an element
   const std::lock_guard lock(mutex);
   const Scope* const before = scope();
   if (!before || before->has(folder)) return;
