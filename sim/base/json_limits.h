@@ -1,4 +1,5 @@
-// Limits JSON before a parser allocates anything: a parsed value takes up to thirty times its text.
+// Limits JSON before a parser allocates memory: a parsed value needs up to thirty times the memory of its
+// text.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +7,10 @@
 
 namespace robosim {
 
-inline constexpr int kDeepestJson = 64;                    ///< brackets in one another
-inline constexpr std::size_t kMostJsonValues = 2'000'000;  ///< keys, too, count as values
+inline constexpr int kDeepestJson = 64;                    ///< levels of nested brackets
+inline constexpr std::size_t kMostJsonValues = 2'000'000;  ///< keys also count as values
 
-/// Returns whether a text, if it is JSON, is within both limits.
+/// Returns whether a JSON text is within both limits.
 bool is_within_json_limits(std::string_view text);
 
 }  // namespace robosim

@@ -6,8 +6,9 @@
 
 namespace robosim {
 
-/// Returns a text for use between tags and in attributes in double quotes: &, <, >, " and line ends as
-/// references. Characters that XML 1.0 cannot hold (control characters except the tab) become U+FFFD.
+/// Returns `text` in a form that is valid between tags, and in attributes in double quotes. The characters &,
+/// <, >, " and line ends become references. Characters that XML 1.0 does not allow (control characters except
+/// the tab) become U+FFFD.
 std::string markup_text(std::string_view text);
 
 }  // namespace robosim

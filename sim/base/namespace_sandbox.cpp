@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The initial mount point of the new root, and that of the old one while parts of it are moved.
+// The initial mount point of the new root, and the temporary mount point of the old root.
 constexpr const char* kNew = "/tmp";
 constexpr const char* kOld = "/.old";
 
@@ -53,8 +53,8 @@ unsigned long mount_flags(const fs::path& path) {
   return flags;
 }
 
-/// For the programs that come: one of root's would have all of them in its namespace, and could make what it
-/// sees writable again.
+/// Drops all capabilities of later programs. A program of root would otherwise have all capabilities in its
+/// namespace, and could make the visible files writable again.
 bool drop_capabilities() {
   for (unsigned long one = 0; ::prctl(PR_CAPBSET_READ, one, 0, 0, 0) >= 0; ++one)
     if (::prctl(PR_CAPBSET_DROP, one, 0, 0, 0) != 0) return false;
@@ -67,7 +67,7 @@ NamespaceSandbox::NamespaceSandbox(const std::vector<fs::path>& read, const std:
     : user_map_(fmt::format("{0} {0} 1", ::getuid())), group_map_(fmt::format("{0} {0} 1", ::getgid())) {
   for (const fs::path& path : read) add(path, false);
   for (const fs::path& path : write) add(path, true);
-  // Inner folders come after outer ones.
+  // Sorts inner folders after outer folders.
   std::stable_sort(places_.begin(), places_.end(),
                    [](const Place& a, const Place& b) { return a.path.size() < b.path.size(); });
 }
@@ -93,7 +93,7 @@ void NamespaceSandbox::add(const fs::path& path, bool writable) {
 }
 
 bool NamespaceSandbox::show(const Place& place) const {
-  for (const std::string& folder : place.above) ::mkdir(folder.c_str(), 0755);  // it may exist
+  for (const std::string& folder : place.above) ::mkdir(folder.c_str(), 0755);  // the folder may exist
   if (!place.folder) {
     const int fd = ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0444);
     if (fd >= 0) ::close(fd);
@@ -106,7 +106,7 @@ bool NamespaceSandbox::show(const Place& place) const {
 
 bool NamespaceSandbox::enter() const {
   if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-  write_text("/proc/self/setgroups", "deny", 4);  // older kernels have none
+  write_text("/proc/self/setgroups", "deny", 4);  // the file is missing in older kernels
   if (!write_text("/proc/self/uid_map", user_map_.data(), user_map_.size()) ||
       !write_text("/proc/self/gid_map", group_map_.data(), group_map_.size()) || !pivot())
     return false;

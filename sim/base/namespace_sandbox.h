@@ -1,6 +1,6 @@
-// Implements ProgramSandbox if the kernel has no Landlock (Raspberry Pi OS builds its own without it). Uses a
-// separate file system with only the visible files. It takes a user namespace, which needs no root, but must
-// be allowed by kernel and container.
+// Implements ProgramSandbox if the kernel has no Landlock, as on Raspberry Pi OS. Uses a separate file system
+// that contains only the visible files. The sandbox requires a user namespace, which does not need root.
+// Kernel and container must allow the namespace.
 #pragma once
 
 #include <filesystem>
@@ -11,23 +11,23 @@ namespace robosim {
 
 class NamespaceSandbox {
  public:
-  /// Skips missing paths; everything below a writable path is writable.
+  /// Skips missing paths. Everything below a writable path is writable.
   NamespaceSandbox(const std::vector<std::filesystem::path>& read,
                    const std::vector<std::filesystem::path>& write);
 
-  /// Enters it, in a fork before it becomes a program; the working folder is / then. Async-signal-safe.
-  /// Returns false on failure.
+  /// Enters the sandbox. Call this in a fork, before exec. Afterwards the working folder is /.
+  /// Async-signal-safe. Returns false on failure.
   bool enter() const;
 
-  /// Returns whether this machine allows it. Determined once, by a fork that tries.
+  /// Returns whether this machine allows the sandbox. Tried only once, in a fork.
   static bool possible();
 
  private:
   struct Place {
-    std::string path, real;          ///< in the sandbox; below kOld, without links
-    std::vector<std::string> above;  ///< folders to make for it, outermost first
+    std::string path, real;          ///< path in the sandbox; path below kOld, without links
+    std::vector<std::string> above;  ///< parent folders to create, outermost first
     bool folder = false, writable = false;
-    unsigned long flags = 0;  ///< of its mount, which a namespace may not drop
+    unsigned long flags = 0;  ///< flags of the mount, which a namespace must keep
   };
   void add(const std::filesystem::path& path, bool writable);
   bool show(const Place& place) const;

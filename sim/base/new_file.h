@@ -1,4 +1,4 @@
-// A file that appears only once its content is complete.
+// Writes a file that appears only when its content is complete.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace robosim {
 
-/// Large content goes to the disk as it arrives, into an unnamed file. Unless it is finished, the file
-/// vanishes with this process. Small content stays in memory. So does all content where unnamed files are
+/// Writes large content to an unnamed file on the disk as it arrives. Without finish(), the file disappears
+/// with this process. Small content stays in memory. All content stays in memory if unnamed files are
 /// impossible (a device, a pipe, some file systems).
 class NewFile {
  public:
   explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// Returns memory for up to `most` more bytes; pass their end to added().
+  /// Returns memory for up to `most` more bytes. The caller passes the end of the added bytes to added().
   char* room(std::size_t most) {
     if (waiting_.size() < used_ + most) waiting_.resize(used_ + most + kPiece);
     return waiting_.data() + used_;
@@ -26,7 +26,7 @@ class NewFile {
     if (used_ >= kPiece) write_waiting();
   }
   void add(std::string_view text);
-  /// Moves the file to its place, as write_file() does. Throws InputError, also for earlier failures.
+  /// Moves the file to its place, like write_file(). Throws InputError, also for earlier failures.
   void finish();
 
  private:
@@ -36,7 +36,7 @@ class NewFile {
 
   std::filesystem::path path_;
   std::string waiting_;
-  std::size_t used_ = 0;  ///< of it
+  std::size_t used_ = 0;  ///< used bytes of `waiting_`
   Descriptor unnamed_;
   bool is_tried_ = false;
   int error_ = 0;

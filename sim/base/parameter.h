@@ -1,4 +1,4 @@
-// Parameters that differ from one robot to the next, and from one run to the next.
+// Represents parameters that vary between robots and between runs.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +10,19 @@
 
 namespace robosim {
 
-/// A value, and the distance within which a robot's own value lies.
+/// A value, and the largest deviation of a robot's own value.
 struct Spread {
   double value = 0.0;   ///< SI
-  double spread = 0.0;  ///< SI; every robot's own value lies in value ± spread, uniformly
+  double spread = 0.0;  ///< SI; each robot's own value is uniformly distributed in value ± spread
 };
 
 /// A parameter of a robot file or a map: `"625 rpm"`, or `{ value = "625 rpm", spread = "5 %" }`. A corrected
-/// parameter keeps its former value for `ideal` and older profiles, so that their runs stay the same:
+/// parameter keeps its former value for `ideal` and older profiles, whose runs must not change:
 ///   { value = "15 oz in", "typical@2" = "0.74 kg cm" }
 struct Parameter {
   double value = 0.0;                              ///< SI
   double spread = 0.0;                             ///< SI
-  std::optional<Spread> typical_2 = std::nullopt;  ///< what holds from the profile typical@2 on
+  std::optional<Spread> typical_2 = std::nullopt;  ///< value from the profile typical@2 on
 
   /// Returns the value and spread that apply in a profile.
   Spread in(Profile profile) const {
@@ -35,12 +35,12 @@ struct Parameter {
   double most() const {
     return std::max(value + spread, typical_2 ? typical_2->value + typical_2->spread : value);
   }
-  /// Returns the value for the robot that this noise stream belongs to.
+  /// Returns the value for the robot of this noise stream.
   double drawn(Profile profile, const NoiseStream& stream) const {
     const Spread now = in(profile);
     return now.spread == 0.0 ? now.value : now.value + now.spread * (2.0 * stream.uniform(0) - 1.0);
   }
-  /// Returns the parameter times a factor.
+  /// Returns the parameter multiplied by a factor.
   Parameter scaled(double factor) const {
     Parameter all{value * factor, spread * factor};
     if (typical_2) all.typical_2 = Spread{typical_2->value * factor, typical_2->spread * factor};

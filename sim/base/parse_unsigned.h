@@ -1,4 +1,4 @@
-// Parses whole numbers as people write them.
+// Parses whole numbers in the forms that people write.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace robosim {
 
-/// Returns the number in "12" or "0x0C"; nothing for anything else.
+/// Returns a number such as "12" or "0x0C"; nothing for other text.
 std::optional<std::uint64_t> parse_unsigned(std::string_view text);
 
 }  // namespace robosim

@@ -1,4 +1,4 @@
-// Counts things in sentences: "1 link", "2 links".
+// Formats counts in sentences: "1 link", "2 links".
 #pragma once
 
 #include <cstddef>

@@ -11,9 +11,9 @@
 namespace robosim {
 
 char process_state(pid_t process) {
-  // Not by a stream: it throws if the process ends between the opening and the reading of its file.
+  // Avoids a stream, which throws if the process ends between opening and reading of its file.
   const Descriptor file(::open(fmt::format("/proc/{}/stat", process).c_str(), O_RDONLY | O_CLOEXEC));
-  char facts[512];  // the number, the name in parentheses, the state, and what follows
+  char facts[512];  // the number, the name in parentheses, the state, and further fields
   const ssize_t size = file.is_open() ? ::read(file.get(), facts, sizeof facts) : -1;
   if (size <= 0) return '\0';
   const std::string_view text(facts, static_cast<std::size_t>(size));

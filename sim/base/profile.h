@@ -1,6 +1,6 @@
-// The profile of a run: how realistic it is. `ideal` has no noise and no spread, and never changes. `typical`
-// has both, with sources (docs/explanation/fidelity.md). When its models or parameters change it gets a new
-// version, and older versions stay available.
+// Defines the profile of a run, which sets its realism. `ideal` has no noise and no spread, and never
+// changes. `typical` has both, with sources (docs/explanation/fidelity.md). When models or parameters of
+// `typical` change, it gets a new version; older versions stay available.
 #pragma once
 
 #include <initializer_list>
@@ -23,7 +23,7 @@ inline constexpr std::initializer_list<const char*> kProfileNames = {"ideal", "t
 /// Returns the profile of one of kProfileNames.
 Profile profile_of(std::string_view name);
 
-/// Returns its name, with the version: "typical@2".
+/// Returns the profile's name with its version: "typical@2".
 std::string to_string(Profile profile);
 
 }  // namespace robosim

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint64_t kRead =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-constexpr std::uint64_t kAll = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // of version 1, which all have
+constexpr std::uint64_t kAll = (LANDLOCK_ACCESS_FS_MAKE_SYM << 1) - 1;  // version 1: always supported
 constexpr std::uint64_t kOfFiles =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
 constexpr std::uint64_t kTruncate = 1u << 14;  // version 3
@@ -43,7 +43,7 @@ constexpr const char* kSystem[] = {"/usr",
                                    "/etc/alternatives",
                                    "/dev/urandom"};
 
-/// Returns 0 if there is none.
+/// Returns the version of Landlock; 0 = no Landlock.
 long version() {
   return std::max(0l, ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
 }
@@ -59,7 +59,7 @@ void allow(int rules, const fs::path& path, std::uint64_t what) {
   ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
 }
 
-/// A program that ignores the signal at `most` is killed a little later.
+/// Limits a resource to `most`. A program that ignores the signal at `most` is killed after `more`.
 bool limit(int what, rlim_t most, rlim_t more = 0) {
   rlimit now{};
   ::getrlimit(static_cast<__rlimit_resource_t>(what), &now);
@@ -68,7 +68,8 @@ bool limit(int what, rlim_t most, rlim_t more = 0) {
   return ::setrlimit(static_cast<__rlimit_resource_t>(what), &now) == 0;
 }
 
-/// Returns the folders of $PATH without relative ones: a sketch's folder is the compiler's working folder.
+/// Returns the absolute folders of $PATH. Relative folders are unsafe, because the compiler works in the
+/// sketch's folder.
 std::vector<fs::path> program_folders() {
   const char* path = std::getenv("PATH");
   std::string_view rest = path && *path ? path : "/usr/local/bin:/usr/bin:/bin";
@@ -81,13 +82,14 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Removes the user's environment except the path: a sketch can make a compiler print the rest.
+/// Returns an environment with only the path from the user's environment. A sketch can make a compiler print
+/// its environment.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
   return {
       "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
-      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // where the compiler is ccache: its own folder is not seen
+      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // if the compiler is ccache: its own folder is not visible
 }
 
 std::vector<char*> null_ended(const std::vector<std::string>& texts) {
@@ -143,7 +145,7 @@ std::string ProgramSandbox::missing() {
          ", and namespaces of users are not allowed";
 }
 
-/// Starts a ChildStart within the sandbox, like Child. After the fork, only async-signal-safe calls.
+/// Starts a ChildStart within the sandbox, like Child. Makes only async-signal-safe calls after the fork.
 Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes, int seconds) {
   constexpr int kCannotStart = 127;
   const std::vector<std::string> settings = bare_environment(sandbox.scratch());

@@ -14,7 +14,7 @@
 namespace robosim {
 namespace {
 
-// Numbers of system calls that are equal on every machine.
+// Numbers of system calls that are equal on all architectures.
 constexpr std::uint32_t kPidfdSendSignal = 424, kIoUringSetup = 425, kPidfdGetfd = 438;
 
 constexpr std::uint32_t kNeedless[] = {SYS_socket,
@@ -39,7 +39,7 @@ constexpr std::uint32_t kNeedless[] = {SYS_socket,
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64, kOtherMachine = AUDIT_ARCH_I386;
-/// The calls of 32-bit programs, socketcall() first.
+/// The same calls of 32-bit programs, with socketcall() first.
 constexpr std::uint32_t kNeedlessOfOther[] = {102,           359,        37,  238, 270, 178,
                                               335,           26,         347, 348, 288, 286,
                                               287,           357,        336, 310, 346, kPidfdSendSignal,
@@ -86,7 +86,7 @@ struct Program {
 
   template <std::size_t N>
   constexpr void add_machine(std::uint32_t machine, const std::uint32_t (&calls)[N]) {
-    constexpr std::uint32_t kOfX32 = 0x40000000;  // x86-64's own, with pointers of 32 bits
+    constexpr std::uint32_t kOfX32 = 0x40000000;  // calls of the x32 ABI of x86-64, with 32-bit pointers
     add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch));
     add(BPF_JMP | BPF_JEQ | BPF_K, machine, 0, 2 * N + 4);
     add(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr));
@@ -113,7 +113,8 @@ constexpr Program kProgram = [] {
 void refuse_needless_calls() {
   if (kMachine == 0) return;
   const sock_fprog program{kProgram.size, const_cast<sock_filter*>(kProgram.steps.data())};
-  // Compilers have no secrets of others: no need for the slower branches that a filter brings by default.
+  // Avoids the slower branches that a filter enables by default, because compilers have no secrets of other
+  // programs.
   ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program);
 }
 

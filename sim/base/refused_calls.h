@@ -1,11 +1,11 @@
-// System calls that no program within walls needs. Landlock and namespaces guard files; these would reach the
-// network, other processes, and parts of the kernel that compilers have no use for.
+// Refuses system calls that no program in a sandbox needs. Landlock and namespaces protect files. The refused
+// calls would reach the network, other processes, and parts of the kernel that compilers do not use.
 #pragma once
 
 namespace robosim {
 
-/// Refuses them to this process and to what it starts, for ever (seccomp): they fail with EPERM. Does nothing
-/// where the kernel cannot. It needs PR_SET_NO_NEW_PRIVS. Async-signal-safe.
+/// Refuses the calls permanently (seccomp) to this process and its later children. The calls then fail with
+/// EPERM. Does nothing without support by the kernel. Requires PR_SET_NO_NEW_PRIVS. Async-signal-safe.
 void refuse_needless_calls();
 
 }  // namespace robosim

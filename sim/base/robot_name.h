@@ -1,5 +1,5 @@
-// Names of robots: a stock robot's name or the path of a robot file. An optional @ and a board replace the
-// robot's own board, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/reference/robots.md).
+// Parses names of robots: a stock robot's name, or the path of a robot file. An optional @ and a board
+// replace the robot's own board, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/reference/robots.md).
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 namespace robosim {
 
 struct RobotName {
-  std::string robot;  ///< the name or path alone
-  std::string board;  ///< empty = the board of the robot itself
+  std::string robot;  ///< name or path without the board
+  std::string board;  ///< empty = the robot's own board
 };
 
-/// Parses a name. An @ introduces a board only if no '/' or '.' follows it, so that folder names may contain
-/// one.
+/// Parses a name. An @ introduces a board only if no '/' or '.' follows. Names of folders may therefore
+/// contain @.
 RobotName parse_robot_name(const std::string& text);
-/// Returns the name of the same robot with that board.
+/// Returns the name of the robot in `text` with another board.
 std::string robot_with_board(const std::string& text, const std::string& board);
 
 }  // namespace robosim

@@ -7,10 +7,10 @@
 
 namespace robosim {
 
-/// Returns the text as one shell word, quoted only where necessary.
+/// Returns a text as one shell word, quoted only if necessary.
 std::string shell_word(const std::string& text);
 
-/// Splits a command that was made of shell_word()s; returns nothing if a quote in it is not closed.
+/// Splits a command that was composed of shell_word() results; returns nothing if a quote is not closed.
 std::optional<std::vector<std::string>> shell_words(const std::string& command);
 
 }  // namespace robosim

@@ -1,10 +1,10 @@
-// Snapshots of running state. Its owners register it piece by piece, once. Then all of it can be copied and
-// restored.
+// Takes snapshots of running state. The owners of the state register each piece once. Then the registry can
+// copy and restore all pieces.
 //
 //   ButtonPart::ButtonPart(PartContext& context) { context.snapshots.add(state_); }
 //   const SnapshotRegistry::Snapshot before = snapshots.save();   …   snapshots.restore(before);
 //
-// The pieces keep their addresses, so pointers to them stay valid. A copy is a value.
+// Pieces keep their addresses, and pointers to them stay valid. A copy is a value.
 #pragma once
 
 #include <any>
@@ -20,10 +20,10 @@ class SnapshotRegistry {
  public:
   struct Snapshot {
     std::vector<std::byte> bytes;
-    std::vector<std::any> values;  ///< of pieces that are more than bytes
+    std::vector<std::any> values;  ///< copies of pieces that are not trivially copyable
   };
 
-  /// Registers `state`, which must outlive this.
+  /// Registers `state`, which must outlive this object.
   template <typename State>
   void add(State& state) {
     if constexpr (std::is_trivially_copyable_v<State>) {
@@ -39,7 +39,7 @@ class SnapshotRegistry {
   void add_memory(std::span<std::uint8_t> memory) { add_bytes(memory.data(), memory.size()); }
 
   Snapshot save() const;
-  /// Restores a copy of the same pieces.
+  /// Restores a copy of these pieces.
   void restore(const Snapshot& copy);
 
  private:

@@ -27,7 +27,7 @@ std::string too_large_files() {
          " bytes are allowed here; raise the limit with ulimit -f unlimited";
 }
 
-/// Returns an empty text if there is one.
+/// Returns an error text if /dev/null is missing or unusable; otherwise an empty text.
 std::string no_dev_null() {
   return ::access("/dev/null", R_OK | W_OK) == 0 ? "" : "/dev/null is missing or cannot be opened";
 }
@@ -42,14 +42,14 @@ constexpr const char* kNoMemory = "there is not enough memory";
 constexpr const char* kNoRoom = "there is no room left on the disk";
 constexpr const char* kNoProcesses = "cannot start more processes; raise the limit with ulimit -u";
 
-/// Returns whether the line begins with a word and a colon, as a program's own messages do.
+/// Returns whether the line starts with a word and a colon, like a program's own messages.
 bool names_a_program(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(' ');
   return begin != line.npos && line.find_first_of(" \"'(", begin) == line.find(": ", begin) + 1;
 }
 
-/// Returns whether the line has a place in a source, or quotes one. Compilers before gcc 9 indent what they
-/// quote by a blank alone.
+/// Returns whether the line names a place in a source, or quotes a source. Compilers before gcc 9 mark quoted
+/// lines only by an indent of one blank.
 bool is_of_sketch(std::string_view line) {
   static constexpr std::string_view kSigns[] = {
       ": error: ", ": warning: ", ": note: ", ": Error: ", ": Warning: "};
@@ -57,7 +57,7 @@ bool is_of_sketch(std::string_view line) {
     if (const std::size_t at = line.find(sign);
         at != line.npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9')
       return true;
-  // The header's name is the sketch's, too.
+  // Includes messages about a missing header, whose name comes from the sketch.
   if (const std::size_t at = line.find(": fatal error: "); at != line.npos && at > 0 && line[at - 1] >= '0' &&
                                                            line[at - 1] <= '9' &&
                                                            line.ends_with(": No such file or directory"))

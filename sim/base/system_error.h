@@ -1,4 +1,4 @@
-// Tells faults of the machine from faults of Robosim and invalid input.
+// Distinguishes faults of the machine from faults of Robosim and invalid input.
 #pragma once
 
 #include <exception>
@@ -6,11 +6,11 @@
 
 namespace robosim {
 
-/// Returns a sentence on what the machine lacks, if that is why this was thrown: memory, disk space, open
-/// files, processes. Else returns an empty string.
+/// Returns a sentence about the resource that caused the exception: memory, disk space, open files or
+/// processes. Returns an empty string for other causes.
 std::string system_error_of(const std::exception& thrown);
 
-/// Does so for the output of a compiler, linker or other tool of that name.
+/// Returns such a sentence for the output of the compiler, linker or other tool named `tool`.
 std::string system_error_of(const std::string& tool, const std::string& output);
 
 }  // namespace robosim

@@ -17,7 +17,7 @@ bool turns_direction(char32_t c) {
          (c >= 0x2066 && c <= 0x2069);
 }
 
-/// Detects line separators, and characters that some terminals treat as the beginning of a command.
+/// Returns whether a character separates lines, or starts a command on some terminals.
 bool is_command(char32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029 || c == 0xFEFF;
 }
@@ -44,7 +44,7 @@ std::string visible(std::string_view text, std::string_view kept) {
   return result;
 }
 
-/// Returns the bytes at the end that may be the beginning of a character, or of CR LF.
+/// Returns the number of bytes at the end that may be the start of a character, or of CR LF.
 std::size_t unfinished(std::string_view text) {
   if (text.ends_with('\r')) return 1;
   for (std::size_t size = 1; size < std::min(kLongestCharacter, text.size() + 1); ++size) {

@@ -8,8 +8,8 @@
 
 namespace robosim {
 
-/// Returns (cos a, sin a), by their series about the nearest quarter turn; error below 1e-13, for angles of a
-/// few turns.
+/// Returns (cos a, sin a), computed by series about the nearest quarter turn. The error is below 1e-13 for
+/// angles of a few turns.
 inline Vec2 direction_of(double radians) {
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   const double quarters = std::floor(radians / kQuarter + 0.5);

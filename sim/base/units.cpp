@@ -19,7 +19,7 @@ struct Unit {
 constexpr double kInch = 0.0254;
 constexpr double kOunce = 0.028349523125;
 
-// Each dimension's units in the order of messages.
+// The units of each dimension, in the order used in messages.
 constexpr Unit kUnits[] = {
     {Dimension::length, "mm", 1e-3},
     {Dimension::length, "cm", 1e-2},

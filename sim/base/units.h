@@ -1,4 +1,5 @@
-// Parses quantities as people write them: "150 mm", "7.4 V", "60s". Internally everything is SI.
+// Parses quantities in the forms that people write: "150 mm", "7.4 V", "60s". Internally all values are in SI
+// units.
 #pragma once
 
 #include <optional>
@@ -33,8 +34,8 @@ std::string unit_names(Dimension dimension);
 /// Returns the name of the SI unit, "m"; empty for a ratio.
 std::string si_unit(Dimension dimension);
 
-/// Returns the SI value of `text`; nothing unless it is a finite number followed by a unit of `dimension`
-/// (white space between them is optional). A bare number is accepted for `ratio` only.
+/// Returns the SI value of `text`: a finite number followed by a unit of `dimension` (white space between
+/// them is optional). Returns nothing for other text. A bare number is accepted for `ratio` only.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
 
 /// Parses a duration in exact nanoseconds, for command lines and scripts; rejects negative times.

@@ -11,7 +11,7 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; 
 
 }  // namespace
 
-// Decodes one character by the table "well-formed UTF-8 byte sequences" of the Unicode standard (3.9, D92).
+// Decodes one character with the table "well-formed UTF-8 byte sequences" of the Unicode standard (3.9, D92).
 Utf8Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);

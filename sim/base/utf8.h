@@ -1,4 +1,4 @@
-// Characters in UTF-8 text.
+// Decodes and counts characters in UTF-8 text.
 #pragma once
 
 #include <cstddef>
@@ -7,20 +7,20 @@
 
 namespace robosim {
 
-/// The bytes that some editors put in front of a text to mark it as UTF-8.
+/// The bytes that some editors insert before a text to mark it as UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// The first character of a text.
 struct Utf8Character {
   char32_t code = 0;
-  std::size_t length = 0;  ///< in bytes; 0 = the text does not begin with UTF-8
+  std::size_t length = 0;  ///< in bytes; 0 = the text does not start with UTF-8
 };
 
 /// Returns the first character of a text that is not empty. Only well-formed UTF-8 (Unicode standard) counts
 /// as a character.
 Utf8Character first_character(std::string_view text);
 
-/// Returns whether all of the text is well-formed.
+/// Returns whether the whole text is well-formed.
 bool is_utf8(std::string_view text);
 
 /// Returns the number of characters of UTF-8 text.

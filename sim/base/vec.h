@@ -1,4 +1,4 @@
-// Plane geometry. World frame: x east, y north, metres; headings counter-clockwise from east.
+// Defines plane geometry. World frame: x east, y north, metres; headings counter-clockwise from east.
 #pragma once
 
 #include <cmath>
@@ -22,20 +22,20 @@ constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// A body's position and heading. The heading is a unit vector, since rotating it without trigonometry makes
-/// a tick bit-identical on every machine (libm's sine and cosine are not).
+/// A body's position and heading. The heading is a unit vector. Rotating it without trigonometry makes a tick
+/// bit-identical on every machine, unlike libm's sine and cosine.
 struct Pose {
   Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector
 
-  /// Converts a point from the body's frame (x forward, y left) to the world's.
+  /// Converts a point from the body's frame (x forward, y left) to the world frame.
   constexpr Vec2 to_world(Vec2 body) const { return position + heading * body.x + left_of(heading) * body.y; }
-  /// Converts a point from the world's frame to the body's.
+  /// Converts a point from the world frame to the body's frame.
   constexpr Vec2 to_body(Vec2 world) const {
     const Vec2 d = world - position;
     return {dot(heading, d), cross(heading, d)};
   }
-  /// Returns the heading in radians, -pi..pi. For display and records only: never inside a tick.
+  /// Returns the heading in radians, -pi..pi. Only for display and recordings, never inside a tick.
   double yaw() const { return std::atan2(heading.y, heading.x); }
 };
 
