@@ -23,7 +23,7 @@ struct Fields {
 Instruction two(Op op, Fields f) { return {op, f.d5(), f.r5()}; }
 Instruction constant(Op op, Fields f) { return {op, f.d4(), f.k8()}; }
 
-// 0000 .... .... ....
+// Decodes 0000 .... .... ....
 Instruction decode_0(Fields f) {
   switch (f.w >> 10 & 3) {
     case 1:
@@ -60,7 +60,7 @@ Instruction decode_0(Fields f) {
   }
 }
 
-// 1001 000. and 1001 001.: loads and stores
+// Decodes 1001 000. and 1001 001.: loads and stores.
 Instruction decode_memory(Fields f, std::uint16_t next) {
   const bool store = f.w & 0x200;
   const std::uint8_t d = f.d5();
@@ -96,7 +96,7 @@ Instruction decode_memory(Fields f, std::uint16_t next) {
   }
 }
 
-// 1001 0101 .... 1000 and 1001: instructions without registers
+// Decodes 1001 0101 .... 1000 and 1001: instructions without registers.
 Instruction decode_control(Fields f) {
   switch (f.w) {
     case 0x9409:
@@ -130,7 +130,7 @@ Instruction decode_control(Fields f) {
   return {f.w & 0x80 ? Op::bclr : Op::bset, 0, static_cast<std::uint8_t>(1 << (f.w >> 4 & 7))};
 }
 
-// 1001 010.: one register, and control instructions
+// Decodes 1001 010.: instructions with one register, and control instructions.
 Instruction decode_one(Fields f, std::uint16_t next) {
   const std::uint8_t d = f.d5();
   switch (f.w & 15) {
@@ -164,7 +164,7 @@ Instruction decode_one(Fields f, std::uint16_t next) {
   }
 }
 
-// 1001 .... .... ....
+// Decodes 1001 .... .... ....
 Instruction decode_9(Fields f, std::uint16_t next) {
   const auto pair = static_cast<std::uint8_t>(24 + 2 * (f.w >> 4 & 3));
   const auto six_bits = static_cast<std::uint8_t>((f.w >> 2 & 48) | (f.w & 15));
@@ -194,13 +194,13 @@ Instruction decode_9(Fields f, std::uint16_t next) {
   }
 }
 
-// 10.0 .... .... ....: loads and stores with a displacement
+// Decodes 10.0 .... .... ....: loads and stores with a displacement.
 Instruction decode_displaced(Fields f) {
   const bool store = f.w & 0x200, y = f.w & 8;
   return {store ? (y ? Op::std_y : Op::std_z) : (y ? Op::ldd_y : Op::ldd_z), f.d5(), f.q()};
 }
 
-// 1111 .... .... ....
+// Decodes 1111 .... .... ....
 Instruction decode_15(Fields f) {
   switch (f.w >> 10 & 3) {
     case 0:

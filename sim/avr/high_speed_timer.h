@@ -8,8 +8,9 @@
 //   CS4    divides the clock by 2^(CS4 - 1)
 //   TC4H   the two high bits of each register: written before the low byte, set by reads of TCNT4
 //
-// PWM is reported as a duty cycle; a new duty cycle is reported at once. Flags, counts and the level that
-// PINx reads change only at TOP or BOTTOM. If one output has PWM, the counter is in PWM mode for all outputs.
+// PWM is reported as a duty cycle, which a new OCR4x changes at once. For flags, counts and the level that
+// PINx reads, a new OCR4x takes effect at TOP or BOTTOM. If one output has PWM, the counter is in PWM mode
+// for all outputs.
 //
 // Not modelled: the PLL as clock source, dead times and the inverted outputs, PWM6, the fault unit, enhanced
 // mode, and TLOCK4.

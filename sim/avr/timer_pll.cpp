@@ -9,8 +9,8 @@
 // as PWM for both. The ratio of 64 MHz to the processor's clock is rounded to a power of two: 4, 8 ... A
 // timer that would be faster than the processor counts once per cycle.
 //
-// Not modelled: the synchronisation of writes with the timer's clock, one and a half cycles (figure 12-2),
-// the inverted outputs and their dead times (chapter 14), and ATtiny15 mode.
+// Not modelled: the synchronisation of writes (one and a half cycles, figure 12-2), the inverted outputs and
+// their dead times (chapter 14), and ATtiny15 mode.
 #include <algorithm>
 #include <bit>
 

@@ -4,12 +4,12 @@
 //             synchronous (UMSEL 1): bits of 2 (UBRR + 1) cycles
 //   send      UDR ─► buffer ─► shift register ─► TxD      UDRE: the buffer is empty
 //                                                         TXC: both are empty, after a frame has left
-//   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer holds a frame
+//   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer contains a frame
 //
 // A third received frame waits in the shift register. A fourth frame replaces it, and sets DOR until UDR is
-// read. RXC and UDRE request interrupts as long as they are set. Entering its vector or writing 1 clears TXC.
-// RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; only then does the port
-// drive TxD again. Frames start without delay.
+// read. RXC and UDRE request interrupts as long as they are set. Entering the vector of TXC, or writing 1 to
+// it, clears TXC. RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; only then
+// does the port drive TxD again. Frames start without delay.
 //
 // Not modelled: frames with errors (FE and UPE are 0), the multi-processor mode (MPCM), the clock pin and the
 // USART as SPI (UMSEL 3).

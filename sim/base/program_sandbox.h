@@ -1,4 +1,4 @@
-// Limits compilers' access to the sketch, its libraries, the core, the compilers themselves, and a writable
+// Limits compilers to files of the sketch, its libraries, the core, the compilers themselves, and a writable
 // scratch folder. A source can name any file (#include, .incbin), and a sketch may come from a stranger.
 #pragma once
 

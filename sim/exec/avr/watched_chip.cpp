@@ -350,8 +350,8 @@ bool WatchedChip::was_loaded() const {
   return false;
 }
 
-/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task by RET
-/// instead of RETI, if that task had yielded by itself.
+/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task. If that
+/// task had yielded by itself, the handler returns by RET instead of RETI.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
   if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
   const auto left = state_.handlers_of_stacks.find(to);
