@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 11.12
+// Register addresses and bits (RM0008 11.12).
 constexpr Address kAdcJofr1 = kAdc1 + 0x14, kAdcHtr = kAdc1 + 0x24, kAdcLtr = kAdc1 + 0x28,
                   kAdcJsqr = kAdc1 + 0x38, kAdcJdr1 = kAdc1 + 0x3C;
 constexpr std::uint32_t kAwd = 1u << 0, kJeoc = 1u << 2, kJstrt = 1u << 3;  // ADC_SR
@@ -24,7 +24,7 @@ constexpr double kTemperatureVolts = 1.43, kReferenceVolts = 1.20;
 constexpr unsigned kSamplingHalves[] = {3, 15, 27, 57, 83, 111, 143, 479};
 constexpr unsigned kConversionHalves = 25;
 
-// Tables 65 and 66
+// Trigger signals by EXTSEL and JEXTSEL (tables 65 and 66).
 constexpr Signals kRegularTriggers[] = {signal_of(1, 1), signal_of(1, 2), signal_of(1, 3), signal_of(2, 2),
                                         signal_of(3, 0), signal_of(4, 4), kExti11,         0};
 constexpr Signals kInjectedTriggers[] = {signal_of(1, 0), signal_of(1, 4), signal_of(2, 0), signal_of(2, 1),
@@ -87,7 +87,7 @@ void Adc::start_regular(Cycle at) {
     begin(Group::regular, at);
 }
 
-// A regular conversion that it interrupts restarts after it (11.3.9).
+// Interrupts a regular conversion, which restarts after the injected group (11.3.9).
 void Adc::start_injected(Cycle at) {
   if (state_.converts == Group::injected) return;
   state_.status |= kJstrt;
@@ -148,7 +148,7 @@ void Adc::finish_regular() {
   }
 }
 
-// 11.12.12: a result is signed, since an offset is subtracted from it.
+// Stores signed results, since an offset is subtracted from each (11.12.12).
 void Adc::finish_injected() {
   watch(state_.control1 & kJawdEn);
   const auto place = static_cast<std::size_t>(state_.injected_at);

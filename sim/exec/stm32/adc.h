@@ -1,10 +1,12 @@
-// ADC1 and ADC2 (RM0008 11): a regular and an injected group, converted in sequence.
+// Models ADC1 and ADC2 (RM0008 11). Each converts the channels of a regular and an injected group in
+// sequence.
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
-// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has 16, the
-// temperature sensor, at 25 degrees Celsius, and 17, the reference of 1.20 V (DS5319, tables 50 and 12).
-// Refused, as not modelled: dual modes, and the channels 10 to 15, for which this chip has no pins.
+// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has channel 16, the
+// temperature sensor (always at 25 degrees Celsius), and channel 17, the 1.20 V reference (DS5319, tables 50
+// and 12). Dual modes are not modelled and are refused. So are channels 10 to 15, for which this chip has no
+// pins.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -13,7 +15,7 @@ namespace robosim::exec::stm32 {
 
 class Adc final : public Peripheral {
  public:
-  /// `index`: 0 is ADC1; both share `line`.
+  /// `index` 0 is ADC1, 1 is ADC2. Both share the interrupt `line`.
   Adc(Link& link, const Clocks& clocks, SharedLine& line, int index);
 
   std::uint32_t read(Address address) override;
@@ -22,7 +24,7 @@ class Adc final : public Peripheral {
   Cycle next_event() const override {
     return state_.converts == Group::none ? kNoCycle : std::min(state_.sample_at, state_.done_at);
   }
-  // Reading ADC_DR clears EOC.
+  // Returns 0 for ADC_DR, since reading it clears EOC.
   Cycle same_until(Address address) const override {
     return address == base_ + robosim::stm32::kAdcDr - robosim::stm32::kAdc1 ? 0 : next_event();
   }
@@ -34,7 +36,7 @@ class Adc final : public Peripheral {
 
  private:
   enum class Group { none, regular, injected };
-  /// The state that a reset of the ADC resets.
+  /// State that an ADC reset restores to its defaults.
   struct State {
     std::uint32_t status = 0, control1 = 0, control2 = 0, data = 0, high = 0xFFF, low = 0;
     std::array<std::uint32_t, 2> sample_times{};
@@ -45,7 +47,7 @@ class Adc final : public Peripheral {
     Group converts = Group::none;
     int regular_at = 0, injected_at = 0;  ///< positions in the sequences
     int left = 0;                         ///< number of regular conversions left since the last trigger
-    bool regular_waits = false;           ///< for the end of the injected group
+    bool regular_waits = false;           ///< a regular conversion waits for the end of the injected group
     bool dma_asks = false;
     std::uint32_t sampled = 0;
     Cycle sample_at = kNoCycle, done_at = 0;

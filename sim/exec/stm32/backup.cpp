@@ -9,9 +9,9 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 5.4
+// Bits of the power control registers (RM0008 5.4).
 constexpr std::uint32_t kClearFlags = 3u << 2, kWakeUpPin = 1u << 8;
-// 18.4
+// Registers and bits of the RTC (18.4).
 constexpr Address kCrh = 0x00, kCrl = 0x04, kPrlh = 0x08, kPrll = 0x0C, kDivh = 0x10, kDivl = 0x14,
                   kCnth = 0x18, kCntl = 0x1C, kAlrh = 0x20, kAlrl = 0x24;
 constexpr std::uint32_t kSecondFlag = 1u << 0, kAlarm = 1u << 1, kOverflow = 1u << 2, kRsf = 1u << 3,
@@ -36,7 +36,7 @@ bool Power::write(Address address, std::uint32_t value) {
   return true;
 }
 
-// --- backup registers (6.4): DR1 to DR10 from 4 on, then RTCCR, CR, CSR
+// --- backup registers (6.4): DR1 to DR10 start at offset 4; RTCCR, CR and CSR follow
 
 std::size_t Backup::place(Address address) { return std::min<std::size_t>((address - kBkp) / 4, 13); }
 
@@ -44,10 +44,10 @@ std::uint32_t Backup::read(Address address) { return state_.data[place(address)]
 
 bool Backup::write(Address address, std::uint32_t value) {
   if (power_.allows() && place(address) > 0) state_.data[place(address)] = value & 0xFFFF;
-  return place(address) < 11 || value == 0;  // no tamper pin, no calibration
+  return place(address) < 11 || value == 0;  // tamper pin and calibration are not modelled
 }
 
-// --- the clock
+// --- real-time clock
 
 SimTime Rtc::time_of(std::uint64_t ticks) const {
   const auto periods = static_cast<SimTime>(ticks) * (SimTime{state_.divider} + 1);
@@ -77,7 +77,7 @@ void Rtc::set_clock(std::uint32_t hz) {
 
 Cycle Rtc::next_event() const {
   if (state_.hz == 0) return kNoCycle;
-  // For the alarm, and for each tick if that interrupts.
+  // Finds the next alarm, or the next tick or overflow if its interrupt is enabled.
   const std::uint32_t present = state_.began_with + static_cast<std::uint32_t>(state_.told);
   std::uint64_t next = state_.told + std::uint64_t{state_.alarm - present - 1} + 1;
   if (state_.enabled & kSecondFlag) next = state_.told + 1;
@@ -137,7 +137,7 @@ std::uint32_t Rtc::read(Address address) {
     case kCntl:
       return counter & 0xFFFF;
     default:
-      return 0;  // the others are write-only
+      return 0;  // all other registers are write-only
   }
 }
 

@@ -1,11 +1,12 @@
-// Power control and the backup domain (RM0008 5, 6, 18), which a reset of the chip does not change.
+// Models power control and the backup domain (RM0008 5, 6, 18). A chip reset does not change the backup
+// domain.
 //
-//   Power    PWR_CR, whose DBP unlocks the rest; the supply is always above the detector's threshold
+//   Power    PWR_CR, whose DBP bit unlocks the others; the supply is always above the detector's threshold
 //   Backup   ten registers of 16 bits
 //   Rtc      counts up by 1 each PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
 //
-// All of it loses its content with the power: a Blue Pill's VBAT has no battery. Writes to the RTC take
-// effect at once: RTOFF and RSF are always 1.
+// All content is lost at power-off, since a Blue Pill has no battery at VBAT. Writes to the RTC take effect
+// at once, so RTOFF and RSF are always 1.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -36,7 +37,7 @@ class Backup final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address) override {}
-  /// Resets the domain, by RCC_BDCR's BDRST.
+  /// Resets the registers when firmware sets BDRST in RCC_BDCR.
   void reset_domain() { state_.data = {}; }
 
  private:
@@ -52,7 +53,7 @@ class Backup final : public Peripheral {
 
 class Rtc final : public Peripheral {
  public:
-  /// Calls `alarmed` when the counter reaches the alarm: EXTI's line 17.
+  /// Calls `alarmed`, which drives EXTI line 17, when the counter reaches the alarm value.
   Rtc(Link& link, const Power& power, std::function<void()> alarmed)
       : link_(link), power_(power), alarmed_(std::move(alarmed)) {
     link.snapshots.add(state_);
@@ -60,21 +61,21 @@ class Rtc final : public Peripheral {
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
-  /// Resets only its interrupts: the rest belongs to the backup domain.
+  /// Resets only the interrupt state, since the other registers belong to the backup domain.
   void reset(Address block) override;
   void reset_domain();
   Cycle next_event() const override;
   void update() override;
-  /// Sets its clock in Hz; 0 = stopped.
+  /// Sets the clock frequency in Hz; 0 stops the RTC.
   void set_clock(std::uint32_t hz);
 
  private:
   struct State {
     std::uint32_t hz = 0, enabled = 0, flags = 0, divider = 0x8000, alarm = 0xFFFFFFFF;
     bool configures = false;
-    std::uint32_t began_with = 0;  ///< the counter
+    std::uint32_t began_with = 0;  ///< counter value at `began`
     SimTime began = 0;
-    std::uint64_t told = 0;  ///< ticks counted since
+    std::uint64_t told = 0;  ///< ticks counted since `began`
   };
 
   SimTime now() const { return link_.clock.time_of(link_.clock.now); }

@@ -214,7 +214,7 @@ void Bus::clocks_changed() {
   note_all_events();
 }
 
-// RM0008 7.3.3, 7.3.4.
+// Resets the peripherals that RCC holds in reset (RM0008 7.3.3, 7.3.4).
 void Bus::reset_held() {
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     if (blocks_[i].peripheral && blocks_[i].gate.holds_in_reset())
@@ -261,7 +261,7 @@ bool Bus::store_private(Address address, std::uint32_t value) {
 std::uint32_t Bus::load_word(Address address) {
   std::uint32_t value = 0;
   if (Block* const block = block_at(address)) {
-    // RM0008 7.3.7, 7.3.8: without its clock a peripheral reads 0 and ignores writes.
+    // A peripheral without a clock reads 0 and ignores writes (RM0008 7.3.7, 7.3.8).
     if (!block->gate.has_clock()) return 0;
     value = block->peripheral->read(address);
     note_event(*block->peripheral);
@@ -348,7 +348,7 @@ void Bus::store_part(Address address, std::uint32_t value, unsigned size) {
   if (size == 4) return store_word(address & ~3u, value);
   const std::uint32_t low = value & ((1u << (8 * size)) - 1);
   if (address >= kPeripherals && address < kAhb) {
-    // APB repeats a byte or half over the word (RM0008 3.1).
+    // The APB repeats a byte or halfword across the word (RM0008 3.1).
     return store_word(address & ~3u, size == 1 ? low * 0x01010101u : low * 0x00010001u);
   }
   const unsigned shift = 8 * (address & 3);

@@ -1,7 +1,7 @@
-// The bus: handles the processor's loads and stores, except those of flash and RAM. An address is one
-// register of one peripheral. An access that is not modelled is recorded, by its name.
+// Routes the processor's loads and stores to peripheral registers, except those of flash and RAM. Each
+// address is one register of one peripheral. Unmodelled accesses are recorded with the register's name.
 //
-// It needs no processor: tests run the functions of hal/stm32 against it.
+// The bus needs no processor: tests run the functions of hal/stm32 against it.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ constexpr Address kBitBand = 0x42000000;  ///< one word for each bit of the peri
 /// An access that is not modelled.
 struct Unmodelled {
   Address address = 0;
-  std::uint32_t value = 0;  ///< of a write
+  std::uint32_t value = 0;  ///< the written value
   bool write = false;
   std::string what;  ///< "register 0x40005400 (I2C1)"
 };
@@ -46,27 +46,27 @@ class Bus : DmaBus {
   /// Loads from an address; `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
-  /// Returns whether a store is in progress, and so causes what happens now.
+  /// Returns whether a store is in progress. If so, that store causes any pin change reported now.
   bool is_storing() const { return state_.storing; }
   /// Sets a function that is called before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
-  /// Returns how long load() stays the same; see Peripheral::same_until().
+  /// Returns the cycle until which load() keeps its value; see Peripheral::same_until().
   Cycle same_until(Address address);
 
   /// Returns when a peripheral next acts by itself; kNoCycle if none will.
   Cycle next_event() const { return state_.next_event; }
-  /// Lets all peripherals do what is due at the present time.
+  /// Runs all peripheral events that are due now.
   void update();
   /// Returns whether a store to flash programs it (Flash::programs).
   bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
   const FlashMemory& flash() const { return flash_.memory(); }
   const RamMemory& ram() const { return ram_; }
-  /// Returns the page of flash that has changed since the last call; nothing if none has.
+  /// Returns the flash page that has changed since the last call, if any.
   std::optional<Address> take_changed_page() { return flash_.take_changed(); }
-  /// Takes what the robot has sent by now.
+  /// Delivers the inputs that the robot has sent so far.
   void take_inputs();
 
-  /// Resets everything except the backup domain, for link().reset_cause, and clears that.
+  /// Resets everything except the backup domain. Reports link().reset_cause in RCC_CSR, then clears it.
   void reset();
 
   /// Saves all state that changes during a run, including RAM, except the content of flash.
@@ -75,27 +75,27 @@ class Bus : DmaBus {
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
-  /// Returns whether the watchdog that has no early interrupt runs.
+  /// Returns whether the independent watchdog runs, which resets the chip without an early interrupt.
   bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
   const std::optional<Unmodelled>& unmodelled() const { return state_.unmodelled; }
   /// Returns the address of the last access.
   Address last_address() const { return state_.last_address; }
 
-  /// Returns the name of the block at an address (RM0008 3.3, table 3): "I2C1"; empty if there is none.
+  /// Returns the name of the block at an address (RM0008 3.3, table 3): "I2C1"; empty if no block is there.
   static const char* name_at(Address address);
 
  private:
   static constexpr Address kBlockBytes = 0x400, kEnd = 0x40024000;
-  /// The address range of a peripheral; one may have several.
+  /// An address range of a peripheral, which may have several.
   struct Block {
     Peripheral* peripheral = nullptr;
     Gate gate;
   };
 
   struct State {
-    std::vector<Cycle> events;    ///< their next_event(), as far as known
-    Cycle next_event = kNoCycle;  ///< the earliest of those
+    std::vector<Cycle> events;    ///< next_event() of each peripheral, as last noted
+    Cycle next_event = kNoCycle;  ///< the earliest of `events`
     std::optional<Unmodelled> unmodelled;
     Address last_address = 0;
     bool serves_dma = false, storing = false;
@@ -148,7 +148,7 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;       ///< each once; the first one that claims a pin has it
+  std::vector<Peripheral*> peripherals_;       ///< each once; the first to claim a pin gets it
   std::function<void(Address)> before_store_;  ///< may be empty
   State state_;
 };

@@ -1,5 +1,5 @@
-// The chip's time, by its own clock: processor cycles, whose duration changes when firmware switches the
-// clock.
+// Converts between processor cycles and the chip's time. The cycle duration changes when firmware switches
+// the clock.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,11 @@ class Clock {
   explicit Clock(SimTime began) : base_time_(began) {}
 
   Cycle now = 0;           ///< cycles since power-on
-  SimTime limit = kNever;  ///< end of the tick: an instruction may begin before it and end after it
+  SimTime limit = kNever;  ///< end of the tick; an instruction that begins before it may end after it
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// Makes a cycle last 1/hz from now on. Rounds down to a nanosecond; until the next switch nothing drifts.
+  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond, without drift until
+  /// the next switch.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);
@@ -47,7 +48,7 @@ class Clock {
  private:
   SimTime base_time_;
   Cycle base_cycle_ = 0;
-  SimTime hz_ = 8'000'000;  ///< the internal oscillator, as after a reset
+  SimTime hz_ = 8'000'000;  ///< the internal oscillator, which runs after a reset
 };
 
 }  // namespace robosim::exec::stm32

@@ -12,7 +12,7 @@ constexpr std::uint32_t kHsi = 8'000'000, kHse = 8'000'000;
 constexpr SimTime kHseStarts = 2 * kMillisecond, kPllLocks = 200 * kMicrosecond,
                   kLseStarts = 2500 * kMillisecond;  // DS5319, table 23
 
-// RCC_BDCR
+// Bits of RCC_BDCR.
 constexpr std::uint32_t kLseOn = 1u << 0, kLseReady = 1u << 1, kRtcEn = 1u << 15, kDomainReset = 1u << 16;
 
 }  // namespace
@@ -22,7 +22,7 @@ void Clocks::reset(Address) {
   link_.clock.set_hz(hz());
 }
 
-// Each reset pulls the pin NRST low, too (RM0008 7.1.1).
+// Also sets the pin reset flag, since each reset pulls NRST low (RM0008 7.1.1).
 void Clocks::note(Reset cause) {
   state_.reset_flags |= kPinReset;
   if (cause == Reset::software) state_.reset_flags |= kSoftwareReset;
@@ -39,7 +39,6 @@ std::uint32_t Clocks::pll_hz() const {
   return input * (multiplier >= 14 ? 16 : multiplier + 2);
 }
 
-// HSE's 8 MHz are divided by 128.
 std::uint32_t Clocks::rtc_hz() const {
   if (!(state_.backup & kRtcEn)) return 0;
   switch (state_.backup >> 8 & 3) {
@@ -56,7 +55,7 @@ std::uint32_t Clocks::rtc_hz() const {
 
 std::uint32_t Clocks::hz() const {
   const std::uint32_t source = state_.configuration & kSwMask;
-  // HPRE: 2 to 512, but not 32
+  // HPRE divides by 1, or by 2 to 512 except 32.
   const std::uint32_t bits = state_.configuration >> 4 & 15;
   const std::uint32_t ahb = bits < 8 ? 1 : bits < 12 ? 2u << (bits - 8) : 64u << (bits - 12);
   return (source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi) / ahb;
@@ -128,7 +127,7 @@ bool Clocks::write(Address address, std::uint32_t value) {
       return switch_clock();
     case kRccCir:
       state_.interrupts = 0;
-      return (value & 0x1F00) == 0;  // none of its interrupts is modelled
+      return (value & 0x1F00) == 0;  // clock interrupts are not modelled
     case kRccApb2Rstr:
       state_.apb2_reset = value;
       return true;
@@ -150,7 +149,7 @@ bool Clocks::write(Address address, std::uint32_t value) {
       state_.backup = value & kDomainReset ? kDomainReset : value & ~kLseReady;
       return true;
     case kRccCsr:
-      state_.status = value & kLsiOn;  // ready at once
+      state_.status = value & kLsiOn;  // the LSI is ready at once
       if (value & kRemoveFlags) state_.reset_flags = 0;
       return true;
     default:

@@ -1,20 +1,20 @@
-// RCC: the source of the clock, and which peripherals are clocked (RM0008 7).
+// Models RCC, which selects the clock source and enables the peripherals' clocks (RM0008 7).
 //
-// Modelled are HSI (8 MHz), HSE, the PLL, and all prescalers. HSE is an 8 MHz crystal, as on a Blue Pill,
-// ready after 2 ms (DS5319 table 22). The PLL locks within 200 us (table 27).
+// HSI (8 MHz), HSE, the PLL and all prescalers are modelled. HSE is an 8 MHz crystal, as on a Blue Pill, and
+// is ready after 2 ms (DS5319 table 22). The PLL locks within 200 us (table 27).
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-/// From this address on peripherals are on the AHB, below on the APBs (RM0008 3.3).
+/// First address of the AHB. Peripherals below it are on the APBs (RM0008 3.3).
 constexpr robosim::stm32::Address kAhb = 0x40018000;
 
 /// State of a peripheral: whether it has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in reset
 /// (7.3.3, 7.3.4).
 struct Gate {
-  const std::uint32_t* enabled = nullptr;  ///< null = it always has one
+  const std::uint32_t* enabled = nullptr;  ///< null = always clocked
   const std::uint32_t* reset = nullptr;
   std::uint32_t bit = 0;
 
@@ -38,27 +38,27 @@ class Clocks final : public Peripheral {
 
   /// Returns the gate of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
-  /// Returns the divisor of the processor's frequency for the bus of a peripheral's address.
+  /// Returns the processor's frequency divided by that of the bus at a peripheral's address.
   std::uint32_t bus_divider(Address address) const {
     return robosim::stm32::behind_apb2(address) ? divider(state_.configuration >> 11)
                                                 : divider(state_.configuration >> 8);
   }
   std::uint32_t apb1_divider() const { return divider(state_.configuration >> 8); }
-  /// Returns the divisor for the timers of that bus: half of the bus's, if that is divided (7.2, figure 8).
+  /// Returns the divisor for the timers on a bus: half the bus divisor, at least 1 (7.2, figure 8).
   std::uint32_t timer_divider(Address address) const { return std::max(bus_divider(address) / 2, 1u); }
-  /// Returns the divisor of the processor's frequency for the ADC.
+  /// Returns the processor's frequency divided by that of the ADC.
   std::uint32_t adc_divider() const {
     return divider(state_.configuration >> 11) * 2 * ((state_.configuration >> 14 & 3) + 1);
   }
   /// Returns the RTC's frequency; 0 if it has no clock (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return state_.backup & 1u << 16; }
-  /// Returns the processor's frequency. Flash's wait states are set elsewhere; too few for the frequency make
-  /// a real chip fail.
+  /// Returns the processor's frequency. FLASH_ACR sets the wait states; a real chip fails with too few of
+  /// them.
   std::uint32_t hz() const;
 
  private:
-  /// The registers that a reset resets.
+  /// Registers that a chip reset restores to their defaults.
   struct Registers {
     std::uint32_t control = robosim::stm32::kHsiOn | 0x80;
     std::uint32_t configuration = 0, interrupts = 0, status = 0;
@@ -66,12 +66,12 @@ class Clocks final : public Peripheral {
     SimTime hse_ready = 0, pll_ready = 0;
   };
   struct State : Registers {
-    std::uint32_t backup = 0;  ///< RCC_BDCR: no reset of the chip resets it
+    std::uint32_t backup = 0;  ///< RCC_BDCR, which survives chip resets
     SimTime lse_ready = 0;
     std::uint32_t reset_flags = robosim::stm32::kPinReset | robosim::stm32::kPowerOnReset;
   };
 
-  /// Returns the divisor of PPRE1 or PPRE2.
+  /// Returns the divisor that PPRE1 or PPRE2 selects.
   static std::uint32_t divider(std::uint32_t bits) { return (bits & 7) < 4 ? 1 : 2u << ((bits & 7) - 4); }
   bool pll_ready() const;
   std::uint32_t pll_hz() const;

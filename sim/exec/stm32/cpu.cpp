@@ -24,7 +24,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
-  // Functions that only read memory, to see what a handler has stored there.
+  // Marks functions that only poll values stored by interrupt handlers.
   for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
@@ -33,7 +33,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   watch_stack();
 }
 
-// PM0056 2.1.3, 2.3.4
+// Sets the registers to their reset values (PM0056 2.1.3, 2.3.4).
 void Cpu::reset() {
   if (!state_.handlers.empty()) state_.handler_cycles += clock_.now - state_.handler_began;
   state_.handlers.clear();
@@ -143,7 +143,7 @@ std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
 void Cpu::records(bool recording) { writable_ = recording ? 0 : kRamBytes - 3; }
 
 void Cpu::forget(Address page) {
-  // Instructions before and after it have constants there.
+  // Instructions within this distance of the page may have cached constants from it.
   constexpr std::uint32_t kReach = 0x1004;
   const std::uint32_t begin = page - kFlash, end = begin + kPageBytes;
   for (std::uint32_t at = begin > kReach ? begin - kReach : 0; at < std::min(end + kReach, kFlashBytes);
@@ -199,7 +199,7 @@ void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
   stop_ = 0;
 }
 
-// Runs before the instruction there would: the jump has not been recorded.
+// Records the jump to `pc` and fails, since no instruction can run there.
 void Cpu::jumped_nowhere(std::uint32_t pc) {
   note_jump();
   fail(Fault::Kind::bad_jump, pc);
@@ -261,7 +261,7 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
 }
 
 void Cpu::forget_jumps(std::uint32_t count) {
-  // Each replaces one that is older than all that are stored then.
+  // Clears the slots of the later jumps, since the older jumps that they replaced are lost.
   const std::uint32_t more =
       std::min<std::uint32_t>(state_.jump_count - count, static_cast<std::uint32_t>(state_.jumps.size()));
   for (std::uint32_t i = 0; i < more; ++i) state_.jumps[(count + i) % state_.jumps.size()] = 0;

@@ -1,9 +1,9 @@
-// The Cortex-M3: instructions, time, exceptions, sleep and faults.
+// Models the Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
-// Instructions are decoded once (thumb.h, step.h) and executed by one loop (cpu_run.cpp). libunicorn runs the
-// few others, and those that fault, one at a time. Cycles are counted before each instruction (cycles.h). So
-// an interrupt comes at its instruction, and a tick ends at its cycle. It is at most one instruction (and
-// what follows an IT) late. Exceptions are entered and left as in PM0056 2.3.7.
+// Most instructions are decoded once (thumb.h, step.h) and executed by one loop (cpu_run.cpp). libunicorn
+// runs the few others, and any that fault, one at a time. Cycles are counted before each instruction
+// (cycles.h). Interrupts and tick ends are therefore at most one instruction (or IT block) late. Exceptions
+// are entered and left as in PM0056 2.3.7.
 #pragma once
 
 #include <array>
@@ -47,15 +47,15 @@ struct Fault {
     unmodelled
   };
   Kind kind = Kind::bad_jump;
-  std::uint32_t pc = 0;       ///< of the instruction; for a jump, its target
-  std::uint32_t address = 0;  ///< of a read or write; the opcode; the exception without a handler
+  std::uint32_t pc = 0;       ///< address of the instruction; for a jump, its target
+  std::uint32_t address = 0;  ///< address read or written, opcode, or number of the unhandled exception
 };
 
 class Cpu {
  public:
   enum Register { kSp = 13, kLr = 14, kPc = 15 };
 
-  /// `engine` is the chip's, and used by no other Cpu during this one's life.
+  /// `engine` belongs to the chip. No other Cpu may use it while this Cpu exists.
   Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& loop);
   ~Cpu();
   Cpu(const Cpu&) = delete;
@@ -65,10 +65,10 @@ class Cpu {
   void reset();
   /// Takes the exception that is due, if any.
   void take_exception();
-  /// Runs until `cycle`, or until something may have changed that matters outside.
+  /// Runs until `cycle`, or until an event that may need handling outside the processor.
   void run_to(Cycle cycle);
   bool is_asleep() const { return state_.asleep; }
-  /// Sleeps until `cycle`, or until an interrupt that is pending already.
+  /// Wakes up if an interrupt or event is pending; otherwise sleeps until `cycle`.
   void sleep_to(Cycle cycle);
 
   const std::optional<Fault>& fault() const { return state_.fault; }
@@ -77,13 +77,13 @@ class Cpu {
   std::uint32_t reg(int number) const { return state_.r[static_cast<std::size_t>(number)]; }
   std::uint32_t status() const;
   std::uint32_t pc() const { return state_.pc; }
-  /// Returns a word of RAM; 0 outside of it.
+  /// Returns a word of RAM; 0 outside RAM.
   std::uint32_t word(Address address) const;
   void set_word(Address address, std::uint32_t value);
 
   bool in_handler() const { return !state_.handlers.empty(); }
   std::size_t open_handlers() const { return state_.handlers.size(); }
-  /// Returns where the firmware was when the outermost running handler interrupted it.
+  /// Returns the address at which the outermost running handler interrupted the firmware.
   std::uint32_t interrupted_pc() const { return state_.interrupted_pc; }
   std::uint32_t lowest_sp() const { return state_.lowest_sp; }
   void set_stack_limit(Address limit) {
@@ -91,10 +91,11 @@ class Cpu {
     watch_stack();
   }
   Address stack_limit() const { return state_.stack_limit; }
-  /// Returns the addresses of the instructions that jumped last, the last first; in a handler only its own.
+  /// Returns the addresses of the most recent jump instructions, latest first. In a handler, returns only
+  /// that handler's jumps.
   std::vector<std::uint32_t> last_jumps() const;
 
-  /// Lets libunicorn execute everything that it can from now on: a reference for tests.
+  /// Makes libunicorn execute every instruction that it can, as a reference for tests.
   void use_referee();
 
   /// Returns the object that skips waiting loops.
@@ -102,25 +103,25 @@ class Cpu {
   const Idle& idle() const { return idle_; }
 
   // --- for debuggers
-  /// Makes run_to() return before the instruction at `pc`, which the next call runs. Within an IT block it
+  /// Makes run_to() return before the instruction at `pc`; the next call runs it. In an IT block, run_to()
   /// returns after the block.
   void set_breakpoint(std::uint32_t pc, bool set);
-  /// Runs the next instruction even if there is a breakpoint.
+  /// Runs the next instruction even if it has a breakpoint.
   void pass_breakpoint() { passing_ = state_.next; }
-  /// Returns once whether run_to() has returned for a breakpoint.
+  /// Returns whether run_to() has returned at a breakpoint since the last call.
   bool take_breakpoint() { return std::exchange(at_breakpoint_, false); }
   /// Returns the address of the next instruction.
   std::uint32_t next_pc() const { return state_.next; }
-  /// Returns false for a pc without code.
+  /// Sets a register. Returns false if the new pc has no code.
   bool write_register(int number, std::uint32_t value);
-  /// Returns RAM or flash; null elsewhere.
+  /// Returns a pointer to memory at `address`; null if no memory is there.
   const std::uint8_t* memory(Address address, unsigned bytes) const;
   void set_byte(Address address, std::uint8_t value);
 
   struct Saved;
   Saved save() const;
   void restore(const Saved& saved);
-  /// Notes that the page of flash that begins at `page` has changed.
+  /// Discards the decoded instructions of the changed flash page at `page`.
   void forget(Address page);
 
   // --- statistics
@@ -130,13 +131,13 @@ class Cpu {
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
-  /// Returns when the handler that is open, or that ran last, began.
+  /// Returns the start of the current handler, or else of the most recent one.
   Cycle handler_began() const { return state_.handler_began; }
   /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }
   const LoopTimer<SimTime>& rounds() const { return state_.rounds; }
 
-  /// Counts how often lines run, where they begin.
+  /// Counts in `lines` how often each source line begins to run.
   void count(LineCounts& lines);
   /// Calls `watcher` whenever the instruction at `pc` is about to run.
   void watch(std::uint32_t pc, std::function<void()> watcher);
@@ -152,20 +153,20 @@ class Cpu {
   friend class Idle;
   friend class Engine;
   struct Hooks;
-  /// The actions before the instruction at `pc` runs.
+  /// Actions to perform before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
          breaks = false, head = false;
-    Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< of the instruction
-    /// Returns whether there is any action before the instruction runs.
+    Step::Kind kind = Step::Kind::fetch, within = Step::Kind::fetch;  ///< kinds of the instruction's Step
+    /// Returns whether reached() must be called before the instruction.
     bool is_told() const { return starts || loop || call || sets || watched || counted; }
     bool is_set() const { return is_told() || breaks || head; }
   };
   struct Handler {
     Exception exception;
     std::uint32_t interrupted;
-    std::uint32_t jumps;  ///< number of jumps before it
+    std::uint32_t jumps;  ///< jump count when the handler began
   };
   struct EarlySet {
     std::uint32_t pc = 0;
@@ -173,27 +174,27 @@ class Cpu {
     std::uint32_t value = 0;
   };
 
-  /// All state that changes during a run, except the monitor of LDREX and STREX, which libunicorn has.
+  /// All state that changes during a run, except the monitor of LDREX and STREX, which libunicorn stores.
   struct State {
     std::array<std::uint32_t, 17> r{};  ///< the last is always 0; r[15] is the value that instructions read
     Flags flags;
     bool saturated = false;
     std::uint32_t it = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
     std::uint32_t primask = 0, faultmask = 0, basepri = 0;
-    std::uint32_t other_sp = 0;  ///< the inactive one of MSP and PSP
+    std::uint32_t other_sp = 0;  ///< the inactive stack pointer: MSP or PSP
     bool on_process_stack = false;
-    std::uint32_t pc = 0;    ///< of the instruction that runs
-    std::uint32_t next = 0;  ///< the one after it
+    std::uint32_t pc = 0;    ///< address of the running instruction
+    std::uint32_t next = 0;  ///< address of the next instruction
     bool returning = false, asleep = false;
-    bool waits_for_event = false;  ///< sleeps by WFE
-    int predicated = 0;            ///< instructions left of an IT block
+    bool waits_for_event = false;  ///< sleeps because of WFE, not WFI
+    int predicated = 0;            ///< instructions left in the IT block
     std::vector<Handler> handlers;
     std::uint32_t interrupted_pc = 0;
     std::optional<Fault> fault;
     std::array<std::uint32_t, 32> jumps{};
     std::uint32_t jump_count = 0;
     std::uint32_t lowest_sp = 0, stack_limit = 0;
-    std::uint32_t stack_watch = 0;  ///< below it check_stack() must be called
+    std::uint32_t stack_watch = 0;  ///< check_stack() must be called when SP falls below this
     std::optional<EarlySet> early;
     Cycle last_io = 0;
     std::uint32_t last_io_pc = 0;
@@ -203,13 +204,13 @@ class Cpu {
 
   /// Runs the interpreter's loop until stop_.
   void run();
-  /// Runs the instruction at state_.pc by libunicorn.
+  /// Runs the instruction at state_.pc with libunicorn.
   void emulate();
   /// Returns whether libunicorn may continue with the instruction at `pc`.
   bool begins(std::uint32_t pc);
-  /// Returns the Step at `pc`; null where no code can be.
+  /// Returns the Step at `pc`; null if the address cannot contain code.
   const Step* step_at(std::uint32_t pc);
-  /// Makes a Step that has not been made yet; null where no code can be.
+  /// Decodes the Step at the address of `at`; null if the address cannot contain code.
   const Step* fetched(const Step& at);
   bool make(std::uint32_t pc, Step& step) const;
 
@@ -219,7 +220,7 @@ class Cpu {
   bool load_target(Address address, std::uint32_t& target) const;
   bool load_two(const Step& step);
   bool store_two(const Step& step);
-  /// `registers`: a set of those in the Step, one bit each.
+  /// `registers` has one bit for each register to load.
   bool load_many(const Step& step, std::uint32_t registers);
   bool store_many(const Step& step);
   void multiply_long(const Step& step);
@@ -236,23 +237,23 @@ class Cpu {
   void check_stack();
   void watch_stack();
   void note_jump() { state_.jumps[state_.jump_count++ % state_.jumps.size()] = state_.pc; }
-  /// Drops the jumps after the first `count`.
+  /// Forgets all recorded jumps after the first `count`.
   void forget_jumps(std::uint32_t count);
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
   void enter(Exception exception);
   void leave();
   std::uint32_t opcode(std::uint32_t pc) const;
-  /// Returns 0 where no code can be.
+  /// Returns the halfword at `address`; 0 if no memory is there.
   std::uint16_t half(Address address) const;
   Mark* mark_at(std::uint32_t pc);
   void mark(std::uint32_t pc, bool Mark::*flag, bool set = true);
-  /// Returns the target of the branch at `pc` if it leads back; else 0.
+  /// Returns the target of the branch at `pc` if it branches backwards; otherwise 0.
   std::uint32_t leads_back_to(std::uint32_t pc);
   /// Starts or stops reporting each store to RAM to idle_.
   void records(bool recording);
   std::uint8_t* ram(Address address, unsigned bytes) const;
-  /// Returns whether the bus handles a load or store.
+  /// Returns whether the bus handles accesses to `address`.
   static bool has_registers(Address address);
   void set_reg(int number, std::uint32_t value) { state_.r[static_cast<std::size_t>(number)] = value; }
 
@@ -264,29 +265,29 @@ class Cpu {
   uc_struct* const uc_;
   std::uint8_t* const flash_;
   std::uint8_t* const ram_;
-  std::vector<Step> code_;  ///< one per halfword of flash, and two empty ones
-  /// Code outside of flash: an instruction, and what follows it. The last ones made are stored.
+  std::vector<Step> code_;  ///< one per halfword of flash, plus two empty ones
+  /// The instructions outside flash that were decoded last, each with the Steps after it.
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
   std::vector<Mark> marks_;                     ///< sorted by address
-  std::array<std::uint16_t, 8> known_marks_{};  ///< indices of those that were looked up last
+  std::array<std::uint16_t, 8> known_marks_{};  ///< indices of the marks that were looked up last
   LineCounts* lines_ = nullptr;
   Idle idle_{*this};
   std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write directly
   State state_;
 
-  std::uint32_t after_ = 0;        ///< the target of the instruction that runs
+  std::uint32_t after_ = 0;        ///< address at which execution continues after the running instruction
   bool first_ = false;             ///< libunicorn has not begun its instruction
-  std::uint32_t block_bytes_ = 0;  ///< of the IT block that it runs; 0 = none
+  std::uint32_t block_bytes_ = 0;  ///< size of the IT block that libunicorn runs; 0 = none
   bool ends_ = false, falls_asleep_ = false;
   Cycle stop_ = 0;
   std::function<void()> watcher_;
-  std::uint32_t passing_ = 1;  ///< where a breakpoint is passed; else not an instruction's address
+  std::uint32_t passing_ = 1;  ///< address whose breakpoint is passed once; 1 = none
   bool halting_ = false, at_breakpoint_ = false;
   bool referee_ = false;
 };
 
-/// Does not include the debugger's settings.
+/// The state of a Cpu without the debugger's settings.
 struct Cpu::Saved {
   State own;
   std::shared_ptr<const uc_context> monitor;

@@ -1,4 +1,4 @@
-// Exceptions of the Cortex-M3: how the processor enters and leaves their handlers (PM0056 2.3.7).
+// Enters and leaves the exception handlers of the Cortex-M3 (PM0056 2.3.7).
 #include <cstring>
 
 #include "sim/exec/stm32/cpu.h"
@@ -20,7 +20,7 @@ void Cpu::take_exception() {
     enter(exception);
 }
 
-// r0 to r3, r12, lr, pc, xpsr, on a stack aligned to 8.
+// Pushes r0 to r3, r12, lr, pc and xpsr on a stack aligned to 8 bytes, and starts the handler.
 void Cpu::enter(Exception exception) {
   const std::uint32_t sp = reg(kSp);
   std::uint32_t psr = status() & ~kAligned;
@@ -76,7 +76,7 @@ void Cpu::leave() {
   clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;
   if (!state_.handlers.empty()) return;
   state_.handler_cycles += clock_.now - state_.handler_began;
-  state_.asleep = nvic_.sleeps_on_exit();  // as by WFI: PM0056 2.5.1
+  state_.asleep = nvic_.sleeps_on_exit();  // sleeps as after WFI (PM0056 2.5.1)
   state_.waits_for_event = false;
 }
 

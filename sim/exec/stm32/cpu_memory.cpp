@@ -1,5 +1,5 @@
-// Loads and stores that the interpreter's loop does not handle (ARMv7-M ARM, A7.7), and rare data processing.
-// A function that returns false has changed nothing.
+// Handles loads and stores outside the interpreter's loop (ARMv7-M ARM, A7.7), and rare data processing. A
+// function that returns false has changed nothing.
 #include <bit>
 #include <cstring>
 

@@ -1,5 +1,6 @@
-// The interpreter's loop: the effects of instructions (ARMv7-M ARM, A7.7), each of which ends with a jump to
-// the next one's code. An instruction that cannot run here has changed nothing, and is passed to libunicorn.
+// Implements the interpreter's loop: the effects of instructions (ARMv7-M ARM, A7.7). The code of each
+// instruction ends with a jump to the code of the next instruction. An instruction that cannot run here
+// changes nothing and is passed to libunicorn.
 #include "sim/exec/stm32/cpu_steps.h"
 
 namespace robosim::exec::stm32 {
@@ -12,7 +13,7 @@ void Cpu::run() {
       ROBOSIM_STM32_STEPS(LABEL)
 #undef LABEL
   };
-  // Registers hold what every instruction needs: a store to `r` could be a store to any member.
+  // Local variables hold the values that every instruction needs, since a store to `r` may alias any member.
   std::uint32_t* const r = state_.r.data();
   std::uint8_t *const ram = ram_, *const flash = flash_;
   Step* const code = code_.data();
@@ -229,7 +230,7 @@ void Cpu::run() {
   STEP(tbh, 2) TABLE(2);
 
   STEP(it_one, 1) {
-    // A block of one. What runs next, in it or after it, runs without a check of the cycles left.
+    // Handles an IT block of one instruction. The next instruction runs without a check of the cycles left.
     if (held != 0 || halting_) goto block;
     const bool passes = flags.passes(i->value >> 4);
     ADVANCE;
@@ -289,7 +290,7 @@ L_reads_pc:
   GO_TO_STEP(i->shift);
 
 jump:
-  // Jumps anywhere, also to the next instruction, which is not a jump.
+  // Jumps to any address. Continuing with the next instruction does not count as a jump.
   if (target != i->next()) {
     there = target - kFlash < kFlashBytes ? code + (target - kFlash) / 2 : step_at(target);
     if (!there) [[unlikely]] {
@@ -354,7 +355,7 @@ leave:
     const std::uint32_t it = state_.it;
     const std::uint32_t rest = it & 7 ? (it & 0xE0) | (it << 1 & 0x1F) : 0;
     if (it != 0 && !flags.passes(it >> 4)) {
-      // It takes no time, but the pipeline is refilled after it.
+      // A skipped instruction takes no time. The pipeline is refilled once after such instructions.
       state_.it = rest;
       left_out = true;
       i = BEHIND;

@@ -1,4 +1,4 @@
-// The processor's special registers (PM0056 2.1.3), and the transfer of its state to libunicorn and back.
+// Accesses the processor's special registers (PM0056 2.1.3), and exchanges its state with libunicorn.
 #include <algorithm>
 #include <utility>
 
@@ -15,13 +15,13 @@ namespace {
 constexpr std::uint32_t kNeverAddress = 0xFFFFFF00;
 constexpr std::uint32_t kThumb = 1u << 24, kSaturated = 1u << 27;
 constexpr std::uint32_t kFlags = 0xF8000000;
-constexpr std::uint32_t kSpSel = 1u << 1;  // CONTROL: the process stack
+constexpr std::uint32_t kSpSel = 1u << 1;  // CONTROL: selects the process stack
 constexpr unsigned kRegisters = 16;        // r0 to r14, xPSR
 constexpr int kIds[kRegisters] = {UC_ARM_REG_R0,  UC_ARM_REG_R1, UC_ARM_REG_R2,  UC_ARM_REG_R3,
                                   UC_ARM_REG_R4,  UC_ARM_REG_R5, UC_ARM_REG_R6,  UC_ARM_REG_R7,
                                   UC_ARM_REG_R8,  UC_ARM_REG_R9, UC_ARM_REG_R10, UC_ARM_REG_R11,
                                   UC_ARM_REG_R12, UC_ARM_REG_SP, UC_ARM_REG_LR,  UC_ARM_REG_XPSR};
-// Registers of MRS and MSR (ARMv7-M ARM, B5.2.2).
+// Special registers by their numbers in MRS and MSR (ARMv7-M ARM, B5.2.2).
 enum Special : std::uint32_t {
   kXpsr = 3,
   kMsp = 8,
@@ -79,7 +79,7 @@ void Cpu::masks_changed() {
 }
 
 bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
-  // The parts of EPSR read as 0.
+  // The EPSR bits read as 0.
   constexpr std::uint32_t kIpsrPart = 1, kWithoutApsr = 4, kExceptionMask = 0x1FF;
   if (number < kMsp) {
     value = status() & ((number & kIpsrPart ? kExceptionMask : 0) | (number & kWithoutApsr ? 0 : kFlags));
@@ -154,11 +154,11 @@ void Cpu::emulate() {
     fail(Fault::Kind::division, state_.pc);
   after_ = state_.next;
   idle_.interrupted();
-  // Its condition holds, and no instruction that reaches this depends on the rest of its IT block.
+  // Clears ITSTATE: the condition was true, and no emulated instruction depends on the rest of its IT block.
   const std::uint32_t it = std::exchange(state_.it, 0);
   std::uint32_t psr = status();
   for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &state_.r[i] : &psr);
-  // Code in RAM may have been written since.
+  // Discards translated RAM code, which may have been overwritten since.
   if (state_.pc >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
   first_ = true;
   block_bytes_ = 0;

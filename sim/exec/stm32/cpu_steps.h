@@ -1,11 +1,12 @@
-// The parts of the interpreter's loop (cpu_run.cpp): macros over its local variables. A jump to a label needs
-// the label in the same function. No other file includes this.
+// Defines the parts of the interpreter's loop (cpu_run.cpp) as macros over its local variables. Functions
+// cannot replace them, since a computed goto needs its labels in the same function. No other file includes
+// this file.
 //
-//   i, last        the Step that runs, and the previous one
-//   left, end      cycles to `end`, where run_to() should stop; their difference is the present cycle
+//   i, last        the running Step, and the previous Step
+//   left, end      cycles left until `end`, where run_to() should stop; end - left is the present cycle
 //   r, flags       the registers
-//   held           0, or the amount by which `left` and `end` are reduced: then nothing is left, and before
-//                  each instruction the loop passes `leave`, for an IT block and what follows it
+//   held           0, or the number of cycles subtracted from `left` and `end`. Then `left` is negative, and
+//                  the loop passes `leave` before each instruction, in an IT block and just after it
 #pragma once
 
 #include <cstring>
@@ -25,7 +26,7 @@
 #define NEXT \
   ADVANCE;   \
   DISPATCH
-// From here on the instruction's cycles are counted.
+// Begins the code of an instruction and counts its cycles.
 #define STEP(name, count) L_##name : left -= (count);
 
 #define DO(name, count, what) \
@@ -35,7 +36,7 @@
   STEP(name, count) if (!(done)) goto emulated; \
   NEXT
 
-// Makes a Step that has not been made yet.
+// Decodes a Step on first use.
 #define MAKE                  \
   {                           \
     there = fetched(*i);      \
@@ -44,7 +45,8 @@
   }
 
 #define NOW (end - static_cast<Cycle>(left))
-// Stores what the rest of the processor may read during an instruction; RESUME_TIME loads what it may change.
+// Stores the state that the rest of the processor may read during an instruction. RESUME_TIME loads the state
+// that the rest may change.
 #define PUT          \
   clock_.now = NOW;  \
   state_.pc = i->pc; \
@@ -61,7 +63,7 @@
 #define SETS_CARRY \
   if (i->shift != Thumb::kCarryStays) flags.carry = i->shift
 
-// Two kinds, without and with flags.
+// Defines two variants, without and with flags.
 #define LOGIC(name, expression)   \
   STEP(name, 1) D = (expression); \
   NEXT;                           \
@@ -80,7 +82,7 @@
     NEXT;                                \
   }
 
-// Variants with a shifted second operand; no flags.
+// Defines variants with a shifted second operand, which set no flags.
 #define OF_SHIFTED(name, expression)  \
   STEP(name##_lsl, 1)                 \
   OF_VALUE(expression, M << i->value) \
@@ -95,7 +97,7 @@
     NEXT;                             \
   }
 
-// Does not pass the flags that are in registers: their address must not be taken.
+// Passes a copy of the flags, because `flags` would leave its registers if its address were taken.
 #define COMPUTE(op, b, carry, sets)                                       \
   {                                                                       \
     state_.flags = flags;                                                 \
@@ -136,7 +138,7 @@
 #define WRITES(name, bytes, address, source) STEP(name, 2) WRITE(bytes, address, source) NEXT
 #define SIGNED(bits) sign_extended(value, bits)
 #define INDEXED (N + (M << i->shift) + i->value)
-// Variants that change the base: `use` may read `value` and `moved`.
+// Defines variants that change the base register. `result` may use `value` and `moved`.
 #define READ_BACK(bytes, result)                     \
   {                                                  \
     const std::uint32_t moved = N + i->value;        \
@@ -196,7 +198,7 @@
   }
 
 #define NOTE_JUMP(pc) state_.jumps[state_.jump_count++ % state_.jumps.size()] = (pc)
-// Jumps to a Step of flash that is not the next one.
+// Jumps to a Step in flash other than the next one.
 #define JUMP_TO_STEP        \
   {                         \
     left -= kRefill_cycles; \
@@ -230,7 +232,7 @@
     std::memcpy(&entry, from, (bytes));                              \
     JUMP(i->next() + 2 * entry);                                     \
   }
-// If its wake-up is pending already, and is not taken, it does not sleep at all.
+// Skips the sleep if an interrupt that would wake the processor is pending but masked.
 #define WAIT_FOR_INTERRUPT                                                                             \
   {                                                                                                    \
     if (left > 0 && nvic_.wakes() && !nvic_.next(state_.primask | state_.faultmask, state_.basepri)) { \

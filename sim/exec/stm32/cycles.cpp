@@ -7,7 +7,7 @@ std::uint8_t count_bits(unsigned bits) { return static_cast<std::uint8_t>(__buil
 
 std::uint8_t cycles(unsigned n) { return static_cast<std::uint8_t>(n); }
 
-// IT: the lowest set bit of the mask determines the end of the block (ARMv7-M ARM, A7.7.37).
+// Returns the length of an IT block. The lowest set bit of the mask marks its end (ARMv7-M ARM, A7.7.37).
 std::uint8_t length_of_it(unsigned mask) { return static_cast<std::uint8_t>(4 - __builtin_ctz(mask)); }
 
 Instruction decode_short(unsigned op) {
@@ -59,12 +59,12 @@ Instruction decode_multiply_or_divide(unsigned first, unsigned second) {
     i.divides = true;
     i.divisor = static_cast<std::uint8_t>(second & 0xF);
   } else {
-    i.cycles = kind >= 4 ? 6 : 4;  // accumulating, or not
+    i.cycles = kind >= 4 ? 6 : 4;  // 6 if accumulating
   }
   return i;
 }
 
-// Load or store of a single word, half or byte (ARMv7-M ARM, A5.3.7 to A5.3.10).
+// Decodes the load or store of one word, halfword or byte (ARMv7-M ARM, A5.3.7 to A5.3.10).
 Instruction decode_single(unsigned first, unsigned second) {
   Instruction i;
   i.cycles = 2;

@@ -1,4 +1,4 @@
-// The duration of each instruction, and the effects for which the emulator must check.
+// Defines the duration of each instruction, and the effects that the emulator must check.
 //
 // Source: Cortex-M3 Technical Reference Manual r1p1 (ARM DDI 0337E), 18.2 "Processor instruction timings":
 //
@@ -9,8 +9,8 @@
 //   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1
 //
 // The manual gives ranges for P (1 to 3), long multiplications and divisions (2 to 12, by the operands). Here
-// P is 2 and the others are as listed. Consecutive loads overlap on the chip; here they do not. Wait states
-// of flash are not counted: the prefetch buffer hides most of them.
+// P is 2 and the other durations are as listed. Consecutive loads overlap on the chip; here they do not.
+// Flash wait states are not counted: the prefetch buffer hides most of them.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,10 @@ struct Instruction {
   bool sleeps = false;       ///< WFI, WFE
   bool divides = false;
   std::uint8_t divisor = 0;     ///< the register with the divisor of a division
-  std::uint8_t predicates = 0;  ///< IT: the number of its instructions
+  std::uint8_t predicates = 0;  ///< for IT: the number of instructions in its block
 };
 
-/// Decodes the halfwords at an address and after it.
+/// Decodes the instruction in two consecutive halfwords.
 Instruction decode(std::uint16_t first, std::uint16_t second);
 
 }  // namespace robosim::exec::stm32

@@ -1,10 +1,10 @@
-// The debug port of the emulated STM32F103, for gdb-multiarch. gdb::DebugPort describes how it halts, steps
-// and watches.
+// Implements the debug port of the emulated STM32F103, for gdb-multiarch. gdb::DebugPort describes halting,
+// stepping and watchpoints.
 //
 //   registers   0-12 r0 to r12, 13 sp, 14 lr, 15 pc, 16 xpsr, 4 bytes each
 //   addresses   the chip's, without peripherals, since reading some of them has side effects
 //
-// Breakpoints take almost no time. An IT with all its instructions is one step.
+// Breakpoints take almost no time. An IT instruction and its block are one step.
 #pragma once
 
 #include "sim/exec/gdb/debug_port.h"
@@ -17,7 +17,7 @@ class DebugPort final : public gdb::DebugPort {
   DebugPort(gdb::Server& server, const Firmware& firmware, const ClockedBoard& board)
       : gdb::DebugPort(server), firmware_(firmware), board_(board) {}
 
-  /// Connects it at power-on.
+  /// Connects the debug port to `machine` at power-on.
   void plug_into(Machine& machine);
   void unplug() { machine_ = nullptr; }
 

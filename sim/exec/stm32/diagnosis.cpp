@@ -118,7 +118,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
   Crash crash;
   crash.reason = reason(fault);
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
-  // For a jump to an invalid address: the call or return that led there.
+  // Uses the call or return that led to the invalid address.
   if (is_jump(fault))
     for (const std::uint32_t pc : cpu_.last_jumps())
       if (crash.where.file.empty()) crash.where = debug_.place(pc);

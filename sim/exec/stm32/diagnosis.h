@@ -12,10 +12,10 @@ class Diagnosis {
       : firmware_(firmware), debug_(debug), machine_(machine), cpu_(machine.cpu()) {}
 
   Crash crash(const Fault& fault) const;
-  /// Returns the activity, except its last_call.
+  /// Returns the firmware's activity, except last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Returns the first of these calls that is the user's.
+  /// Returns the source line of the first call that is in user code.
   SourceLine place_of(const std::vector<std::uint32_t>& calls) const;
 
  private:

@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 13.4; a channel's four flags are at 4 * (its number - 1).
+// Registers and bits (RM0008 13.4). The four flags of channel n start at bit 4 * (n - 1).
 constexpr Address kDmaIsr = kDma1 + 0x00, kDmaIfcr = kDma1 + 0x04, kDmaChannels = kDma1 + 0x08;
 constexpr Address kChannelBytes = 20;
 constexpr std::uint32_t kGlobal = 1u << 0, kComplete = 1u << 1, kHalf = 1u << 2, kError = 1u << 3;
@@ -25,7 +25,7 @@ void Dma::flag(int index, std::uint32_t flags) {
   refresh(index);
 }
 
-// The interrupts' bits in CCR have the places of the flags in ISR.
+// The interrupt enable bits in CCR have the same positions as the flags in ISR.
 void Dma::refresh(int index) {
   const Channel& channel = state_.channels[static_cast<std::size_t>(index)];
   const std::uint32_t flags = state_.status >> (4 * index) & (kComplete | kHalf | kError);
@@ -52,7 +52,7 @@ void Dma::move(int index) {
   const std::uint32_t control = channel.control;
   const unsigned of_peripheral = bytes_of(control >> 8), of_memory = bytes_of(control >> 10);
   const bool out = control & kToPeripheral;
-  // A narrower target gets the lower part; a wider one gets zeros (table 77).
+  // A narrower target receives the lower part; a wider target is padded with zeros (table 77).
   std::uint32_t value = 0;
   const bool moved = out ? bus_.dma_load(channel.next_memory, of_memory, value) &&
                                bus_.dma_store(channel.next_peripheral, of_peripheral, value)

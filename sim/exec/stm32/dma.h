@@ -1,15 +1,15 @@
-// DMA1 (RM0008 13): seven channels that move items between memory and peripherals.
+// Models DMA1 (RM0008 13): seven channels that move items between memory and peripherals.
 //
-// A peripheral's request is served at once, and takes no processor time. From memory to memory an item takes
-// 5 cycles (AN2548, 3.3), and arrives at the half and at the end of the transfer. Of several requests the one
-// with the highest priority is served first.
+// A peripheral's request is served at once and takes no processor time. A memory-to-memory transfer takes 5
+// cycles for each item (AN2548, 3.3). Its items arrive in two steps: at half and at the end of the transfer.
+// If several requests are pending, the one with the highest priority is served first.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
 
 namespace robosim::exec::stm32 {
 
-/// The source and target of DMA; `bytes` is 1, 2 or 4.
+/// The interface for DMA accesses; `bytes` is 1, 2 or 4.
 class DmaBus {
  public:
   /// Returns false if the address is invalid.
@@ -34,14 +34,15 @@ class Dma final : public Peripheral {
 
   /// Returns the channels that are ready to move an item on a peripheral's request.
   unsigned waiting() const { return state_.waiting; }
-  /// Moves an item by one of `channels`, which are waiting; returns its number, 1 to 7.
+  /// Moves one item through the channel with the highest priority in `channels`, which must all be waiting.
+  /// Returns the channel's number, 1 to 7.
   int serve(unsigned channels);
 
  private:
   struct Channel {
     std::uint32_t control = 0, count = 0, peripheral = 0, memory = 0;
-    std::uint32_t left = 0, next_peripheral = 0, next_memory = 0;  ///< of the running transfer
-    Cycle stage_at = kNoCycle;                                     ///< from memory to memory
+    std::uint32_t left = 0, next_peripheral = 0, next_memory = 0;  ///< state of the running transfer
+    Cycle stage_at = kNoCycle;  ///< next step of a memory-to-memory transfer
   };
 
   struct State {

@@ -1,8 +1,8 @@
-// Finds the line of the sketch that has driven a pin, asked while the chip reports the change.
+// Finds the sketch line that has driven a pin, while the chip reports the change.
 //
 //   cause                                  line
-//   an instruction writes to a register    its own, or that of the jump that led out of the sketch
-//   a timer takes over a new duty cycle    the one that wrote TIMx_CCRy before the timer's update
+//   an instruction writes to a register    the instruction's, or that of the jump that led out of the sketch
+//   a timer applies a new duty cycle       the line that last wrote TIMx_CCRy before the timer's update
 //   a timer or handler of the core         none
 #pragma once
 
@@ -15,12 +15,12 @@ namespace robosim::exec::stm32 {
 
 class DrivenLines {
  public:
-  /// Both outlive this, which outlives the chip's use.
+  /// `machine` and `debug` must outlive this object, which must exist as long as the chip runs.
   DrivenLines(Machine& machine, const DebugInfo& debug);
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// Returns the line. `pwm`: PWM drives the pin from now on. Empty if no line is known.
+  /// Returns the line, or an empty one if it is unknown. `pwm`: PWM drives the pin from now on.
   const SourceLine& line_of(const PinSpec& pin, bool pwm) const;
 
  private:
@@ -29,7 +29,8 @@ class DrivenLines {
 
   const Machine& machine_;
   const DebugInfo& debug_;
-  std::map<Address, const SourceLine*> compared_by_;  ///< by address of TIMx_CCRy; null = not yet
+  /// The last line that wrote each TIMx_CCRy, by the register's address; null = none yet.
+  std::map<Address, const SourceLine*> compared_by_;
 };
 
 }  // namespace robosim::exec::stm32

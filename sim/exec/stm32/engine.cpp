@@ -26,7 +26,7 @@ struct Cpu::Hooks {
     Cpu& c = self(engine);
     const auto pc = static_cast<std::uint32_t>(address);
     if (std::exchange(c.first_, false) || (pc - c.state_.pc < c.block_bytes_ && !c.state_.fault)) return;
-    // ARM code, which the chip cannot run: the fault is at the instruction after the branch.
+    // The chip cannot run ARM code. The fault is reported at the instruction after the branch.
     std::uint32_t cpsr = 0;
     uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
     constexpr std::uint32_t kThumbState = 1u << 5;
@@ -102,12 +102,12 @@ struct Cpu::Hooks {
 };
 
 Engine::Engine(const FlashMemory& flash) {
-  // Not UC_MODE_MCLASS: with it the model is ignored, and instructions that the M3 lacks are executed.
+  // UC_MODE_MCLASS must not be set: it ignores the CPU model and executes instructions that the M3 lacks.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   try {
     check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
     check(uc_mem_map_ptr(uc_, kFlash, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
-    // The boot memory is mapped at 0, too (RM0008 3.4).
+    // Maps flash, as the boot memory, also at 0 (RM0008 3.4).
     check(uc_mem_map_ptr(uc_, 0, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
     map_registers<kPeripherals>(Cpu::kPeripheralBytes);
     map_registers<kBitBand>(Cpu::kBitBandBytes);

@@ -1,6 +1,6 @@
-// libunicorn's emulator of one chip. Its generated code needs a large writable and executable memory, which a
-// confined process cannot allocate (sim/exec/host/confinement.h). So it is made once, before the run begins,
-// and is used for all of the chip's power cycles.
+// Wraps libunicorn's emulator of one chip. Its generated code needs large writable and executable memory,
+// which a confined process cannot allocate (sim/exec/host/confinement.h). Therefore the emulator is created
+// before the run begins, and is used for all power cycles of the chip.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,20 @@ class Cpu;
 
 class Engine {
  public:
-  /// Makes the emulator of a chip with this flash, which outlives it. Throws std::runtime_error.
+  /// Creates the emulator of a chip. `flash` must outlive it. Throws std::runtime_error.
   explicit Engine(const FlashMemory& flash);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Resets it, and makes it the emulator of `cpu` until end(). `ram`: as in RamMemory.
+  /// Resets the emulator and attaches it to `cpu` until end(). `ram` is the data of a RamMemory.
   void begin(Cpu& cpu, std::uint8_t* ram);
   void end();
 
   uc_struct* uc() const { return uc_; }
 
-  /// Its state between instructions: the monitor of LDREX and STREX. A Cpu sets everything else each time.
+  /// Emulator state between instructions: the monitor of LDREX and STREX. A Cpu sets all other state before
+  /// each instruction.
   using Context = std::shared_ptr<const uc_context>;
   Context save() const;
   void restore(const Context& saved);
@@ -45,7 +46,7 @@ class Engine {
 
   uc_struct* uc_ = nullptr;
   Context as_new_;
-  mutable Context context_;  ///< the present one; null = not read since an instruction ran
+  mutable Context context_;  ///< the present state; null = not read since an instruction ran
   Cpu* cpu_ = nullptr;       ///< null = the chip has no power
 };
 

@@ -1,4 +1,4 @@
-// A finished ELF file for an STM32F103: the content of the chip's flash, and the addresses of its names.
+// Reads an ELF file for an STM32F103: the content of the chip's flash and the symbols.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace robosim::exec::stm32 {
 
 struct Firmware {
   std::string file;
-  std::vector<std::uint8_t> flash;          ///< all of it, gaps are 0xFF
-  std::uint32_t flash_bytes = 0;            ///< in use, from its beginning on
-  std::uint32_t ram_bytes = 0;              ///< variables
-  robosim::stm32::Address globals_end = 0;  ///< after the last variable: the start of the heap
+  std::vector<std::uint8_t> flash;          ///< content of the whole flash; gaps are 0xFF
+  std::uint32_t flash_bytes = 0;            ///< number of bytes used from the start of flash
+  std::uint32_t ram_bytes = 0;              ///< size of all variables
+  robosim::stm32::Address globals_end = 0;  ///< end of the last variable: the start of the heap
   std::uint32_t code_end = 0;
   Symbols symbols;
 
@@ -30,8 +30,8 @@ struct Firmware {
     return address >= robosim::stm32::kFlash && address < code_end;
   }
 
-  /// Reads a program. Throws InputError if the file is missing, not an ARM executable, larger than the
-  /// board's flash, or not linked for an STM32F103.
+  /// Reads a program. Throws InputError if the file is missing, larger than the board's flash, or not an
+  /// executable that was linked for an STM32F103.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 };
 

@@ -1,5 +1,5 @@
-// The flags of the xPSR in parts. An instruction stores the operands of its flags, and a flag is computed
-// only when it is read (ARMv7-M ARM, A2.2.1, A7.3).
+// Computes the flags of the xPSR lazily. An instruction stores the values that determine its flags, and each
+// flag is computed only when it is read (ARMv7-M ARM, A2.2.1, A7.3).
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// For each condition by its number: one bit for each value of N, Z, C, V with which it passes.
+/// For each condition number, a set of the values of N, Z, C and V that satisfy the condition.
 inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
   std::array<std::uint16_t, 16> all{};
   for (unsigned flags = 0; flags < 16; ++flags) {
@@ -21,7 +21,7 @@ inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
 }();
 
 struct Flags {
-  std::int64_t sign = 1;       ///< N is set if it is negative, Z if its lower 32 bits are 0
+  std::int64_t sign = 1;       ///< N is set if `sign` is negative, Z if its lower 32 bits are 0
   std::uint32_t carry = 0;     ///< 0 or 1
   std::uint32_t overflow = 0;  ///< V in bit 31
 
@@ -40,7 +40,7 @@ struct Flags {
   bool less() const {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(sign >> 32) ^ overflow) < 0;
   }
-  /// Returns whether a condition holds, by its number (A7.3).
+  /// Returns whether the condition with this number is true (A7.3).
   bool passes(unsigned condition) const { return kPasses[condition] >> (pack() >> 28) & 1; }
 
   std::uint32_t logic(std::uint32_t result) {

@@ -1,6 +1,6 @@
-// The flash interface (RM0008 3.3.3; PM0075), by which a program may change any halfword or page of flash,
-// including its own code. The processor stops while flash is busy. So does the chip, which would fetch from
-// it: 52.5 us for a halfword, 30 ms for a page (DS5319, table 28: 20 to 40 ms).
+// Models the flash interface (RM0008 3.3.3; PM0075), with which a program can change any halfword or page of
+// flash, even its own code. As on the chip, the processor stops while flash is busy, since it fetches from
+// flash. Flash is busy 52.5 us for a halfword and 30 ms for a page (DS5319, table 28: 20 to 40 ms).
 #pragma once
 
 #include <optional>
@@ -23,12 +23,12 @@ class Flash final : public Peripheral {
   static bool owns_memory(Address address) {
     return address - robosim::stm32::kFlash < robosim::stm32::kFlashBytes;
   }
-  /// Reads flash at `address`; 0xFF after its end.
+  /// Reads flash at `address`; bytes after its end read as 0xFF.
   std::uint32_t read_memory(Address address, unsigned size) const;
-  /// Returns whether a store to flash programs it: only halfwords do, while FLASH_CR allows it.
+  /// Returns whether a store programs flash. Only halfword stores do, while FLASH_CR allows programming.
   bool programs(Address address, unsigned size) const;
   void program(Address address, std::uint32_t value);
-  /// Returns the page that has changed since the last call; nothing if none has.
+  /// Returns the page that has changed since the last call, if any.
   std::optional<Address> take_changed() { return std::exchange(changed_, std::nullopt); }
   const FlashMemory& memory() const { return memory_; }
 

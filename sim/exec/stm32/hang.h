@@ -1,4 +1,4 @@
-// Detects silent firmware that will be silent for ever.
+// Detects silent firmware that will stay silent.
 #pragma once
 
 #include "sim/exec/stm32/firmware.h"
@@ -6,10 +6,10 @@
 
 namespace robosim::exec::stm32 {
 
-/// For firmware with Robosim's core: returns true if only interrupts of the core's own clock, waits and
-/// Serial are enabled. They change nothing that a sketch could see without a call. Also returns true if
-/// interrupts are masked, and none has come for a second though one is pending. That the firmware loops is
-/// not proved: it may be computing. Returns false for other firmware.
+/// Returns true for firmware with Robosim's core if only the core's interrupts for its clock, waits and
+/// Serial are enabled. Without a call, a sketch cannot observe their effects. Also returns true if interrupts
+/// are masked, one is pending, and no handler has begun for a second. The result does not prove a loop: the
+/// firmware may be computing. Returns false for other firmware.
 bool hangs(const Machine& machine, const Firmware& firmware);
 
 }  // namespace robosim::exec::stm32

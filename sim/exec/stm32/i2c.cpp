@@ -10,7 +10,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 26.6
+// Registers and bits (RM0008 26.6).
 constexpr Address kI2cCr1 = 0x00, kI2cCr2 = 0x04, kI2cOar1 = 0x08, kI2cOar2 = 0x0C, kI2cDr = 0x10,
                   kI2cSr1 = 0x14, kI2cSr2 = 0x18, kI2cCcr = 0x1C, kI2cTrise = 0x20;
 constexpr std::uint32_t kPe = 1u << 0, kSmBus = 1u << 1, kStart = 1u << 8, kStop = 1u << 9,
@@ -26,7 +26,7 @@ I2c::I2c(Link& link, const Clocks& clocks, int number)
   link.snapshots.add(state_);
 }
 
-// Both lines are open-drain, and released.
+// Reports both open-drain lines as released.
 bool I2c::drives(ChipPin pin, PinDrive& drive) const {
   const I2cPins pins = i2c_pins(number_, link_.map);
   if (!(state_.control & kPe) || (pin != pins.clock && pin != pins.data)) return false;
@@ -52,7 +52,7 @@ void I2c::refresh_lines() {
                       state_.status & kErrors && state_.control2 & kIterrEn);
 }
 
-// Does what CR1 requests, when nothing else is on the bus.
+// Starts the action that CR1 requests, unless another action is in progress.
 void I2c::go_on() {
   if (state_.done_at != kNoCycle || !(state_.control & kPe)) return;
   if (state_.control & kStop && masters())

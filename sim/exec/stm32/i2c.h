@@ -1,6 +1,6 @@
-// I2C1 and I2C2 as masters (RM0008 26), with pull-ups but no device on the bus: no address is acknowledged
-// (AF). A bit takes 2, 3 or 25 * CCR cycles of APB1. As slaves they are never addressed. Refused, as not
-// modelled: SMBus. DMA has nothing to move.
+// Models I2C1 and I2C2 as masters (RM0008 26). The bus has pull-ups and no devices, so no address is
+// acknowledged (AF). A bit takes 2, 3 or 25 * CCR cycles of APB1. No master addresses I2C1 or I2C2 as a
+// slave, and DMA has nothing to move. SMBus is not modelled and is refused.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -9,7 +9,7 @@ namespace robosim::exec::stm32 {
 
 class I2c final : public Peripheral {
  public:
-  /// `number`: 1 or 2.
+  /// `number` is 1 or 2.
   I2c(Link& link, const Clocks& clocks, int number);
 
   std::uint32_t read(Address address) override;
@@ -21,7 +21,7 @@ class I2c final : public Peripheral {
 
  private:
   enum class Phase { idle, start, waits_for_address, address, refused, stop };
-  /// The state that a reset of an I2C resets.
+  /// State that an I2C reset restores to its defaults.
   struct State {
     std::uint32_t control = 0, control2 = 0, own = 0, own2 = 0, data = 0, status = 0, clock = 0, rise = 2;
     Phase phase = Phase::idle;

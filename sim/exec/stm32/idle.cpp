@@ -13,9 +13,9 @@ namespace {
 constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostStored = 200;
 constexpr int kMostTries = 5, kMostRounds = 1;
-// Heads of other loops that a pass may run through; with more, one of those is the waiting loop.
+// Maximum number of other loop heads in a pass. With more, one of them is the waiting loop.
 constexpr int kMostOthers = 4;
-// Costs, in cycles that could have been executed meanwhile.
+// Costs of the search, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 5, kCostOfRecord = 40, kCostOfLook = 10;
 constexpr Cycle kWorthwhile = 60;
 
@@ -51,7 +51,7 @@ void Idle::explore() {
   bool found = false;
   const std::vector<std::uint32_t> jumps = cpu_.last_jumps();
   for (std::size_t i = 0; i < jumps.size(); ++i) {
-    // A loop has passed at least twice.
+    // Considers only jumps that occur at least twice.
     if (std::find(jumps.begin(), jumps.begin() + static_cast<std::ptrdiff_t>(i), jumps[i]) ==
         jumps.begin() + static_cast<std::ptrdiff_t>(i))
       continue;
@@ -176,8 +176,8 @@ void Idle::moved_in_time() {
 void Idle::skip(Cycle passes, Cycle cycles) {
   Clock& clock = cpu_.clock_;
   if (rounds_ > 0) {
-    // Their durations differ by the nanosecond to which the clock rounds, periodically after at most this
-    // number.
+    // Durations of rounds differ by the clock's rounding to a nanosecond. The pattern repeats after at most
+    // this number of rounds.
     constexpr Cycle kDifferent = 40;
     const Cycle first = round_at_ + cycles;
     const Cycle one_by_one = std::min(passes, kDifferent);

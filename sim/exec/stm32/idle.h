@@ -1,15 +1,15 @@
-// Skips loops that wait: repeated calls of millis(), flags and buttons that are polled. Firmware, pins and
-// time are afterwards as if every pass had run; only the simulating processor saves work.
+// Skips waiting loops, which repeatedly call millis() or poll flags and buttons. Afterwards, firmware, pins
+// and time are as if every pass had run. Only the simulating processor saves work.
 //
-//   explores   from time to time, looks which of the last jumps lead back; their targets are loop heads
-//   records    one pass from a head: what it stores, and how long the values that it reads from peripherals
-//              stay valid
-//   skips      if registers and RAM are as at the beginning of the pass: as many passes as end before the
-//              next event, and before a value that they read may change. One of them is run again, for
-//              everything that a pass leaves behind
+//   explores   checks from time to time which of the last jumps lead back; their targets are loop heads
+//   records    notes what one pass from a head stores, and how long the values that it reads from
+//              peripherals stay valid
+//   skips      if registers and RAM are as at the beginning of the pass: skips the passes that end before
+//              the next event, and before a value read by the pass may change. One of these passes is run,
+//              to reproduce everything that a pass leaves behind
 //
-// This is exact, since a pass that begins with equal registers, RAM and peripherals does the same again.
-// Heads are marked (Cpu), so other loops cost nothing. A head that does not pay off loses its mark.
+// Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Heads
+// are marked (Cpu), so other loops cost nothing. A head loses its mark if skipping does not pay off.
 #pragma once
 
 #include <array>
@@ -27,31 +27,31 @@ class Idle {
  public:
   explicit Idle(Cpu& cpu);
 
-  /// With false, every instruction runs.
+  /// Enables or disables skipping. When it is disabled, every instruction runs.
   void allow(bool allowed);
-  /// Returns the number of cycles for which no instruction has run.
+  /// Returns the number of skipped cycles.
   Cycle skipped() const { return skipped_; }
 
-  /// Looks for loops. Called from time to time, while no instruction runs.
+  /// Searches the last jumps for loops. Must be called while no instruction runs.
   void explore();
-  /// Called when the processor is at a head, before the instruction there.
+  /// Handles the arrival at a loop head, before the instruction there runs.
   void at_head(std::uint32_t pc);
 
   // --- while a pass is recorded
   bool is_recording() const { return recorded_ != nullptr; }
-  /// Notes that RAM there is about to change.
+  /// Notes that `bytes` of RAM at `address` are about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
-  /// Notes a read from a peripheral whose value is valid until that cycle, exclusive; the present cycle =
+  /// Notes a read from a peripheral whose value is valid before the cycle `until`. The present cycle means
   /// unknown.
   void looks(Cycle until);
   /// Notes that a round of loop() begins.
   void round_began();
   /// Notes an effect that cannot be skipped.
   void interrupted();
-  /// Notes that something has come in between.
+  /// Notes that instructions run again after an interruption.
   void runs_anew();
 
-  /// Notes that the processor is at another time.
+  /// Notes a jump to another time, after a snapshot was restored.
   void moved_in_time();
 
  private:
@@ -61,7 +61,7 @@ class Idle {
     std::uint32_t pc = 0;
     bool marked = false;
     BackoffBudget credit;
-    Cycle cycles = 0;  ///< of the last recorded pass
+    Cycle cycles = 0;  ///< duration of the last recorded pass
   };
   /// All state that a pass may change, except RAM and statistics.
   struct State {
@@ -78,20 +78,20 @@ class Idle {
   void pay(Head& head, std::int64_t cycles);
   State state() const;
   void begin(Head& head);
-  /// Returns whether the pass has led to where it began.
+  /// Ends the recording. Returns whether the pass has restored the state in which it began.
   bool ends();
   void skip(Cycle passes, Cycle cycles);
 
   Cpu& cpu_;
   bool allowed_ = true;
-  std::vector<Head> heads_;  ///< their addresses are stable
+  std::vector<Head> heads_;  ///< element addresses are stable
   Cycle explore_at_ = 0, explore_every_ = 0;
   int tries_ = 0;  ///< passes recorded without success since instructions began to run
   Cycle skipped_ = 0;
 
-  Head* recorded_ = nullptr;  ///< the one whose pass is recorded
+  Head* recorded_ = nullptr;  ///< head whose pass is being recorded
   State state_;
-  std::vector<Word> stored_;         ///< with the earlier values
+  std::vector<Word> stored_;         ///< words that the pass stored, with their earlier values
   std::vector<std::uint32_t> seen_;  ///< by word of RAM: the last pass that stored there
   std::uint32_t number_ = 0;
   Cycle began_ = 0, until_ = 0, round_at_ = 0;

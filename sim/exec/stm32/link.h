@@ -20,10 +20,10 @@ struct ChipPin {
 /// The causes of resets during a run (RM0008 7.1.1).
 enum class Reset { none, software, independent_watchdog, window_watchdog };
 
-/// The signals from a peripheral to others: a set of bits.
+/// A set of signals between peripherals, one bit each.
 using Signals = std::uint32_t;
-/// Returns the signals of a timer, 1 to 4: 0 = its trigger output TRGO, 1 to 4 = its channels' compare
-/// events.
+/// Returns the signal of an output of timer 1 to 4. Output 0 is the trigger output TRGO; 1 to 4 are the
+/// compare events of the channels.
 constexpr Signals signal_of(int timer, int output) { return 1u << (5 * (timer - 1) + output); }
 constexpr Signals kExti11 = 1u << 20, kExti15 = 1u << 21;
 
@@ -33,26 +33,26 @@ struct Link {
   ClockedBoard& board;
   Clock clock;
   Nvic nvic{};
-  Reset reset_cause = Reset::none;  ///< of the reset that is due
+  Reset reset_cause = Reset::none;  ///< cause of the reset that is due
   Signals listened_to = 0;          ///< signals with a listener
   std::function<void(Signals)> signal{};
   std::uint32_t map = 0;  ///< AFIO_MAPR
   /// Called when the set of pins that peripherals watch has changed.
   std::function<void()> watch_changed{};
   std::function<bool(ChipPin)> pin_level{};
-  /// Called when the peripheral that has a pin drives it differently from now on.
+  /// Called when the peripheral that owns a pin begins to drive it differently.
   std::function<void(ChipPin)> pin_changed{};
   /// The chip's state that changes during a run, except its processor's.
   SnapshotRegistry snapshots{};
 };
 
-/// An interrupt line of two peripherals: it is high while either holds it high.
+/// An interrupt line shared by two peripherals, which is high while either sets it high.
 class SharedLine {
  public:
   SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) {
     link.snapshots.add(state_);
   }
-  /// `source`: 0 or 1.
+  /// `source` is 0 or 1.
   void set(int source, bool high) {
     state_.high[source] = high;
     nvic_.set_line(irq_, state_.high[0] || state_.high[1]);

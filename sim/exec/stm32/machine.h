@@ -1,4 +1,4 @@
-// The chip with everything around it that firmware can access.
+// Models the chip with everything that firmware can access.
 #pragma once
 
 #include "sim/exec/core/executor.h"
@@ -12,19 +12,19 @@ class DebugPort;
 
 class Machine {
  public:
-  /// `loop`: the rounds of loop(). All times in the chip are by its own clock.
+  /// `loop` marks the rounds of loop(). All times in the chip are measured by its own clock.
   Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, FlashMemory& memory,
           Engine& engine, SimTime t);
 
   void run_until(SimTime t);
-  /// Makes millis() begin with `start` when main() begins.
+  /// Makes millis() begin at `start` when main() begins.
   void set_clock(SimTime start);
-  /// Reports each byte that the firmware prints to `bytes`, which outlives this.
+  /// Reports to `bytes` each byte that the firmware prints. `bytes` must outlive this object.
   void trace_bytes(TxProvenance& bytes);
   /// Sets a function that is called before each store to a register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
-  /// Returns the open calls, innermost first: words on the stack that are the address after a BL or BLX.
+  /// Returns the open calls, innermost first, found as words on the stack that point after a BL or BLX.
   std::vector<std::uint32_t> open_calls() const;
   /// Returns whether the firmware sleeps for ever.
   bool is_off() const { return state_.off; }
@@ -33,7 +33,7 @@ class Machine {
     bool off = false;
     WatchdogResets watchdog_resets;
   };
-  /// All state that changes while the chip runs, except its board's and the content of flash.
+  /// All state that changes while the chip runs, except the state of its board and the content of flash.
   struct Saved {
     State own;
     SnapshotRegistry::Snapshot bus;
@@ -42,7 +42,7 @@ class Machine {
   Saved save() const { return {state_, bus_.save(), cpu_.save()}; }
   void restore(const Saved& saved);
 
-  /// Sets the debug port, called before and after instructions run; may be null.
+  /// Sets the debug port, which is called before and after instructions run; may be null.
   void set_debug_port(DebugPort* port);
 
   Cpu& cpu() { return cpu_; }
@@ -61,7 +61,7 @@ class Machine {
   Bus bus_;
   Cpu cpu_;
   const std::uint32_t stack_top_;
-  Address heap_pointer_ = 0;  ///< the variable with the heap's end; 0 = unknown
+  Address heap_pointer_ = 0;  ///< address of the variable that stores the heap's end; 0 = unknown
   DebugPort* debug_port_ = nullptr;
   State state_;
 };

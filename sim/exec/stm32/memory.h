@@ -25,39 +25,39 @@ class AlignedBytes {
   std::unique_ptr<std::uint8_t[], void (*)(void*)> bytes_;
 };
 
-/// The content of flash; outlives the power.
+/// The content of flash, which survives power-off.
 class FlashMemory : public AlignedBytes {
  public:
-  /// Fills the rest after `program` with 0xFF.
+  /// Copies `program` and fills the rest of flash with 0xFF.
   explicit FlashMemory(const std::vector<std::uint8_t>& program = {});
 
-  // --- `offset` is from the flash's beginning
+  // --- offsets count from the start of flash
   void program(Address offset, std::uint16_t half);
-  /// Erases the page there.
+  /// Erases the page that contains `offset`.
   void erase(Address offset);
 
   using Page = std::array<std::uint8_t, robosim::stm32::kPageBytes>;
   /// The pages that firmware has changed, by their offsets. Copies share pages.
   using State = std::map<Address, std::shared_ptr<const Page>>;
   State save() const;
-  /// Returns the offsets of the pages whose content has changed.
+  /// Restores `saved` and returns the offsets of the pages that changed.
   std::vector<Address> restore(const State& saved);
 
  private:
   const std::vector<std::uint8_t> program_;
-  mutable State state_;                ///< except
-  mutable std::set<Address> unsaved_;  ///< these pages, which have changed since then
+  mutable State state_;                ///< as last saved; outdated for the pages in `unsaved_`
+  mutable std::set<Address> unsaved_;  ///< offsets of pages that have changed since the last save()
 };
 
 /// Returns the manufacturer's data (RM0008 30, PM0075 2.5): flash size, unique number (equal for all chips
-/// here), and factory option bytes. Null elsewhere.
+/// here), and factory option bytes. Returns null for other addresses.
 const std::uint8_t* chip_facts(Address address, unsigned bytes);
 
 /// The content of RAM.
 class RamMemory : public AlignedBytes {
  public:
   RamMemory() : AlignedBytes(robosim::stm32::kRamBytes, 0) {}
-  /// Returns null outside of it.
+  /// Returns a pointer into RAM; null outside RAM.
   std::uint8_t* at(Address address, unsigned bytes) const {
     using namespace robosim::stm32;
     return address - kRam <= kRamBytes - bytes ? data() + (address - kRam) : nullptr;

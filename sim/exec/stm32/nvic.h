@@ -1,8 +1,8 @@
 // Selects the exception that the processor takes next: NVIC and SCB (PM0056 4.3, 4.4; exceptions 2.3).
 //
-// A lower number is a higher priority. Of the 8 bits the chip has the upper four, all of them for preemption.
-// An exception preempts running code if its priority is strictly higher. Of several the highest wins, then
-// the lowest number.
+// A lower number is a higher priority. The chip has the upper four of the 8 priority bits, all for
+// preemption. An exception preempts running code if its priority is strictly higher. If several are pending,
+// the highest priority wins, then the lowest exception number.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ class Nvic {
 
   void pend(Exception exception);
   void unpend(Exception exception) { pending_ &= ~bit(exception); }
-  /// Sets a peripheral's interrupt line. While it is high, its interrupt repeats.
+  /// Sets a peripheral's interrupt line. While the line is high, the interrupt repeats.
   void set_line(robosim::stm32::Irq irq, bool high);
 
   /// Returns whether firmware has requested a reset since the last call.
@@ -45,7 +45,7 @@ class Nvic {
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
   /// Returns the exception that preempts running code, regardless of PRIMASK and BASEPRI; 0 = none.
   Exception wakes() const { return candidate(0); }
-  /// Returns the one that is taken now; 0 = none.
+  /// Returns the exception to take now; 0 = none.
   Exception next(bool primask, std::uint32_t basepri) const { return primask ? 0 : candidate(basepri); }
 
   void enter(Exception exception);

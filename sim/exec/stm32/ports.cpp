@@ -106,7 +106,7 @@ bool Ports::read_input(ChipPin pin) {
 }
 
 Cycle Ports::input_same_until(ChipPin pin) const {
-  constexpr Cycle kRounding = 4;  // between the board's time and cycles
+  constexpr Cycle kRounding = 4;  // tolerance for rounding between board time and cycles
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return kNoCycle;
   if (makes_pwm(pin)) return pulse_(pin).until;
@@ -292,7 +292,7 @@ void Ports::alarmed() {
   if (state_.rising & kLine) came(kLine);
 }
 
-// RM0008 10.2.5, figure 21
+// Sets pending bits, events and signals for the lines (RM0008 10.2.5, figure 21).
 void Ports::came(std::uint32_t lines) {
   state_.pending |= lines;
   if (lines & state_.events) link_.nvic.set_event();

@@ -1,10 +1,9 @@
-// Ports A, B and C with AFIO and EXTI: how each pin is driven, what it reads, which edges interrupt (RM0008
-// 9, 10).
+// Models ports A, B and C with AFIO and EXTI: pin drives, pin levels and edge interrupts (RM0008 9, 10).
 //
-// A read of GPIOx_IDR samples all inputs of the port from the robot. One through the bit-band region (PM0056
-// 2.2.5) samples one pin only. Open-drain outputs that are high count as inputs. EXTI and timers receive
-// edges of the chip's own outputs like those of the robot. PWM is reported as a duty cycle, never as edges; a
-// program that reads the pin gets its level.
+// A read of GPIOx_IDR samples all inputs of the port from the robot. A read through the bit-band region
+// (PM0056 2.2.5) samples only one pin. Open-drain outputs that are high count as inputs. EXTI and timers
+// receive edges from the chip's own outputs as well as from the robot. PWM is reported as a duty cycle, never
+// as edges; reading such a pin returns its present level.
 #pragma once
 
 #include <array>
@@ -16,12 +15,12 @@ namespace robosim::exec::stm32 {
 
 class Ports final : public Peripheral {
  public:
-  /// `alternate` returns how the peripheral that has the pin drives it. `pulse`: the present PWM of the pin.
-  /// `watched`: whether a peripheral needs its edges.
+  /// `alternate` returns how the peripheral that owns the pin drives it. `pulse` returns the pin's present
+  /// PWM. `watched` returns whether a peripheral needs the pin's edges.
   Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
         std::function<bool(ChipPin)> watched);
 
-  /// Returns whether the register is a port's, not AFIO's or EXTI's.
+  /// Returns whether the register belongs to a port, not to AFIO or EXTI.
   static bool owns_port(Address address) {
     using namespace robosim::stm32;
     return address >= kGpioA && address < kGpioA + kPorts * kPortBytes;
@@ -35,20 +34,20 @@ class Ports final : public Peripheral {
   bool read_input(ChipPin pin);
   Cycle input_same_until(ChipPin pin) const;
 
-  /// Returns the present level; samples the robot.
+  /// Samples the robot and returns the present level.
   bool level(ChipPin pin) const;
-  /// Handles the RTC's alarm: line 17.
+  /// Handles the RTC alarm, which is line 17.
   void alarmed();
   /// Handles a change in the set of pins with listeners for edges.
   void watch();
 
-  /// Handles a change of the peripheral's drive.
+  /// Reports to the board how the pin is driven now.
   void refresh(ChipPin pin);
   void deliver(const BoardInput& edge);
 
   Pin last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
-  /// Convert a register's address to the port's number and the offset.
+  /// Returns the number of the port that has the register.
   static int port_of(Address address) {
     return static_cast<int>((address - robosim::stm32::kGpioA) / robosim::stm32::kPortBytes);
   }
@@ -77,7 +76,7 @@ class Ports final : public Peripheral {
   bool makes_pwm(ChipPin pin) const {
     return state_.ports[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1;
   }
-  /// Returns its number; kNoPin if nothing can be read there.
+  /// Notes a read of the pin. Returns the board's pin; kNoPin if nothing can be read there.
   Pin note_read(ChipPin pin);
   void refresh_port(int port);
   bool write_port(int port, Address offset, std::uint32_t value);

@@ -35,7 +35,7 @@ ChipPin complementary_pin(int channel, std::uint32_t map) {
   return bits == 1 ? kPartial[channel] : kUsual[channel];
 }
 
-// Tables 48 to 50
+// Returns the TX pin of a USART by tables 48 to 50.
 ChipPin usart_pin(int number, std::uint32_t map, ChipPin usual) {
   if (number == 1) return map & 1u << 2 ? ChipPin{kB, 6} : usual;
   const bool elsewhere = number == 2 ? map & 1u << 3 : map & 3u << 4;

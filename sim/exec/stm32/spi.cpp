@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 25.5
+// Registers and bits (RM0008 25.5).
 constexpr Address kSpiCr1 = 0x00, kSpiCr2 = 0x04, kSpiSr = 0x08, kSpiDr = 0x0C, kSpiCrcpr = 0x10;
 constexpr std::uint32_t kCpol = 1u << 1, kMstr = 1u << 2, kSpe = 1u << 6, kSsi = 1u << 8, kSsm = 1u << 9,
                         kRxOnly = 1u << 10, kDff = 1u << 11, kCrcEn = 1u << 13, kBidiOe = 1u << 14,
@@ -47,7 +47,7 @@ void Spi::refresh_line() {
   link_.nvic.set_line(number_ == 1 ? kIrqSpi1 : kIrqSpi2, high);
 }
 
-// Table 78
+// Returns the requested channels of table 78.
 unsigned Spi::dma_requests() const {
   unsigned requests = 0;
   if (state_.control2 & kRxDmaEn && state_.status & kSpiRxne) requests |= dma_channel(number_ == 1 ? 2 : 4);
@@ -99,7 +99,7 @@ std::uint32_t Spi::read(Address address) {
       return state_.control2;
     case kSpiSr: {
       const std::uint32_t value = state_.status;
-      // Reading the data before this register clears OVR.
+      // Clears OVR if the data register was read before.
       if (!(state_.status & kSpiRxne)) state_.status &= ~kOvr;
       return value;
     }
@@ -124,7 +124,7 @@ bool Spi::write(Address address, std::uint32_t value) {
       const bool selected =
           value & kSsm ? !(value & kSsi)
                        : !(state_.control2 & kSsoe) && !link_.pin_level(spi_pins(number_, link_.map).select);
-      if (masters() && selected) {  // 25.3.10: another master
+      if (masters() && selected) {  // another master selects this one (25.3.10)
         state_.status |= kModf;
         state_.control &= ~(kSpe | kMstr);
       }
@@ -155,7 +155,7 @@ bool Spi::write(Address address, std::uint32_t value) {
       state_.crc = value & 0xFFFF;
       break;
     default:
-      modelled = (value & 0x0C00) == 0;  // SPI_I2SCFGR: no I2S
+      modelled = (value & 0x0C00) == 0;  // SPI_I2SCFGR: I2S is not modelled
   }
   refresh_line();
   return modelled;

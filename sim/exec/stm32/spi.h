@@ -1,7 +1,7 @@
-// SPI1 and SPI2 as masters (RM0008 25), with nothing connected. Each bit of a received frame is the level of
-// MISO's pin at the frame's end. A frame takes 8 or 16 * 2^(BR + 1) cycles of its bus. SCK and MOSI are
-// reported as idle. Refused, as not modelled: I2S, the hardware CRC, and masters that only receive. A slave
-// waits for ever.
+// Models SPI1 and SPI2 as masters (RM0008 25), with nothing connected. Each bit of a received frame is the
+// level of the MISO pin at the frame's end. A frame takes 8 or 16 * 2^(BR + 1) cycles of its bus. SCK and
+// MOSI are reported as idle. I2S, the hardware CRC, and masters that only receive are not modelled and are
+// refused. A slave waits forever.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -10,7 +10,7 @@ namespace robosim::exec::stm32 {
 
 class Spi final : public Peripheral {
  public:
-  /// `number`: 1 or 2.
+  /// `number` is 1 or 2.
   Spi(Link& link, const Clocks& clocks, int number);
 
   std::uint32_t read(Address address) override;
@@ -22,7 +22,7 @@ class Spi final : public Peripheral {
   unsigned dma_requests() const override;
 
  private:
-  /// The state that a reset of an SPI resets.
+  /// State that an SPI reset restores to its defaults.
   struct State {
     std::uint32_t control = 0, control2 = 0, status = 2, crc = 7;
     std::uint32_t waiting = 0, received = 0;

@@ -5,10 +5,10 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// Returns `kind`, or one of those that follow it.
+/// Returns `kind`, or the next kind if `flag` is set.
 constexpr Kind after(Kind kind, bool flag) { return static_cast<Kind>(static_cast<int>(kind) + flag); }
 
-/// Returns mov_i, or its neighbours: mov_r, movs_i, movs_r.
+/// Returns one of four consecutive kinds, such as mov_i, mov_r, movs_i and movs_r.
 constexpr Kind of_four(Kind first, bool by_register, bool sets) {
   return static_cast<Kind>(static_cast<int>(first) + by_register + 2 * sets);
 }
@@ -230,7 +230,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
   const auto number = static_cast<unsigned>(t.op);
   if (t.op >= Op::mov && t.op <= Op::cmn) {
     step.shift = t.carry;
-    // TEQ and ORN do not deserve their own kinds: their operation is stored next to the carry.
+    // TEQ and ORN are too rare for their own kinds. Their operation is stored next to the carry.
     if (t.op == Op::orn || t.op == Op::teq) step.shift = static_cast<std::uint8_t>(t.carry | number << 2);
   } else if (step.kind == Kind::shifted || step.kind == Kind::shifteds || step.within == Kind::shifteds) {
     const unsigned plain = number - static_cast<unsigned>(Op::mov_shifted) + static_cast<unsigned>(Op::mov);
@@ -244,7 +244,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
     step.n = instruction.predicates;
     if (step.n == 1) step.kind = step.within = Kind::it_one;
   }
-  // Only these can have the program counter as an operand; `shift` has their operation.
+  // Marks a Step that reads the program counter, and stores its kind in `shift`.
   if (step.n == Thumb::kPc || step.m == Thumb::kPc) {
     if (step.kind == Kind::tbb || step.kind == Kind::tbh) return step;
     step.shift = static_cast<std::uint8_t>(step.kind);

@@ -1,6 +1,5 @@
-// An instruction in the form that the interpreter's loop needs (cpu_run.cpp): the piece of that to jump to,
-// and its operands. It is made from a Thumb (thumb.h) when it first runs. Each 16 bits of flash have room for
-// one.
+// Represents an instruction for the interpreter's loop (cpu_run.cpp): the code to jump to, and the operands.
+// A Step is made from a Thumb (thumb.h) when the instruction first runs. Each 16 bits of flash have one Step.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +9,7 @@
 
 namespace robosim::exec::stm32 {
 
-// A name that ends with s sets flags. With _i or _r the second operand is `value` or r[m] alone, otherwise it
+// Kinds that end with s set flags. With _i or _r, the second operand is `value` or r[m] alone; otherwise it
 // is r[m] + value.
 // clang-format off
 #define ROBOSIM_STM32_STEPS(X)                                                                           \
@@ -37,23 +36,24 @@ struct alignas(16) Step {
 #undef ROBOSIM_STM32_NAME
   };
 
-  Kind kind = Kind::fetch;           ///< `fetch`: it has not been made yet
+  Kind kind = Kind::fetch;           ///< `fetch`: not decoded yet
   Kind within = Kind::fetch;         ///< the kind within an IT block, where fewer instructions set flags
   std::uint8_t d = 0, n = 0, m = 0;  ///< as in Thumb
-  std::uint8_t shift = 0;            ///< as there; if flags are set, the carry
-  std::uint8_t ahead = 16;           ///< bytes from here to the next one
+  std::uint8_t shift = 0;            ///< as in Thumb; for some kinds, the carry or an operation
+  std::uint8_t ahead = 16;           ///< bytes from this Step to the next one
   std::uint8_t cycles = 1;
   std::uint32_t value = 0;
-  std::uint32_t pc = 0;  ///< where it is
+  std::uint32_t pc = 0;  ///< address of the instruction
 
   std::uint32_t next() const { return pc + ahead / 8u; }
 };
 
 static_assert(sizeof(Step) == 16);
 
-/// Does not set its `pc`. A branch has the kind `branch`: its target is its value, its `shift` an Op.
+/// Converts an instruction to a Step, except its `pc`. A branch gets the kind `branch`, its target as `value`
+/// and its Op as `shift`.
 Step step_of(const Thumb& thumb, const Instruction& instruction);
-/// Returns the kind of a `branch` whose value is an index among all Steps, and differs from the next one's.
+/// Returns the kind for a `branch` that jumps to a Step in flash other than the next one.
 Step::Kind direct_kind(const Step& branch);
 
 }  // namespace robosim::exec::stm32

@@ -49,7 +49,7 @@ class Stm32Executor::Running final : public RunningChip {
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine& before) const override {
-    // Uses the jump that led out of the sketch, as a function's last call leaves no trace on the stack.
+    // Uses the jump that led out of the sketch, since a tail call leaves no trace on the stack.
     SourceLine line = diagnosis().place_of(machine_.cpu().last_jumps());
     if (line.file.empty()) line = before;
     return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;

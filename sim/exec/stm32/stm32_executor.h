@@ -1,8 +1,9 @@
-// The executor for STM32 boards: an emulated STM32F103 (libunicorn, see stm32/unicorn.h about its licence).
+// Executes firmware for STM32 boards on an emulated STM32F103 (libunicorn; see stm32/unicorn.h about its
+// licence).
 //
 //   ELF ──► Cpu (libunicorn) ──► Bus: Clocks, Ports, Adc, Timers, Usart, Flash ──► FirmwarePort
 //
-// Time: processor cycles, by a table (stm32/cycles.h).
+// Time is counted in processor cycles, by a table (stm32/cycles.h).
 #pragma once
 
 #include <filesystem>
@@ -21,7 +22,7 @@ class Stm32Executor final : public ChipExecutor {
   Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// From the next power-on on, runs waiting loops, too, and skips nothing (stm32::Idle).
+  /// Runs waiting loops instead of skipping them (stm32::Idle), from the next power-on.
   void run_waiting_loops();
   /// Returns the chip; null while the power is off.
   const stm32::Machine* machine() const;

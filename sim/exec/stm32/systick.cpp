@@ -6,14 +6,14 @@ using namespace robosim::stm32;
 
 std::uint32_t SysTick::value() const {
   if (!runs()) return state_.held;
-  const Cycle left = state_.zero_at - link_.clock.now;  // update() has been called: never negative
+  const Cycle left = state_.zero_at - link_.clock.now;  // never negative, since update() has been called
   const Cycle steps = by_eight() ? (left + 7) / 8 : left;
   return static_cast<std::uint32_t>(steps > state_.load ? 0 : steps);
 }
 
 void SysTick::set_value(std::uint32_t value) {
   state_.held = value;
-  // From 0 it loads LOAD at the next step.
+  // From 0, the counter reloads LOAD at the next step.
   const Cycle steps = value == 0 ? Cycle{state_.load} + 1 : value;
   state_.zero_at = link_.clock.now + steps * (by_eight() ? 8 : 1);
 }

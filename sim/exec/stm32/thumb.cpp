@@ -23,7 +23,7 @@ Thumb with_register(Op op, std::uint8_t d, std::uint8_t n, std::uint8_t m, std::
   return t;
 }
 
-// A5.2.1: shift by an immediate value, add, subtract, move, compare.
+// Decodes A5.2.1: shift by an immediate value, add, subtract, move, compare.
 Thumb decode_arithmetic(unsigned op) {
   constexpr std::uint8_t kFlags = Thumb::kSetsOutside;
   const std::uint8_t d = bits(op, 0, 3), n = bits(op, 3, 3), low = bits(op, 8, 3);
@@ -101,7 +101,7 @@ Thumb decode_registers(unsigned op) {
   }
 }
 
-// A5.2.3: also registers above 7, and branches to registers.
+// Decodes A5.2.3: operations on any register, and branches to registers.
 Thumb decode_high(unsigned op) {
   const std::uint8_t d = static_cast<std::uint8_t>((op & 7) | (op >> 4 & 8)), m = bits(op, 3, 4);
   switch (op >> 8 & 3) {

@@ -1,7 +1,7 @@
-// A decoded instruction of the Cortex-M3 (ARMv7-M ARM, A5 to A7): its operation and registers.
+// Represents a decoded instruction of the Cortex-M3 (ARMv7-M ARM, A5 to A7): its operation and registers.
 //
-// Most operations take their second operand as `r[m] + value`: register 16 is always 0, so one form is for
-// immediate values and registers alike.
+// Most operations compute their second operand as `r[m] + value`. Register 16 is always 0, so one form serves
+// immediate values and registers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace robosim::exec::stm32 {
 
 enum class Op : std::uint8_t {
-  other,  ///< executed by libunicorn, not by us
+  other,  ///< executed by libunicorn, not by the interpreter
   // r[d] = r[n] op (r[m] + value)
   mov,
   mvn,
@@ -27,7 +27,7 @@ enum class Op : std::uint8_t {
   teq,
   cmp,
   cmn,
-  // As above, with r[m] shifted by value, kind `shift`; in the same order.
+  // r[d] = r[n] op (r[m] shifted by value), in the order above; `shift` is the kind of shift
   mov_shifted,
   mvn_shifted,
   and_shifted,
@@ -68,10 +68,10 @@ enum class Op : std::uint8_t {
   revsh,  ///< r[d] = reversed r[m]
   sbfx,
   ubfx,
-  bfi,  ///< r[d], r[n]; from bit `shift`, of `value` bits
+  bfi,  ///< r[d], r[n]; a field of `value` bits from bit `shift`
   ssat,
-  usat,  ///< r[d], r[n] << shift; to `value` bits
-  // r[d] at r[n] + (r[m] << shift) + value
+  usat,  ///< r[d], r[n] << shift; saturated to `value` bits
+  // r[d] is loaded from or stored to r[n] + (r[m] << shift) + value
   ldr,
   ldrb,
   ldrh,
@@ -80,7 +80,7 @@ enum class Op : std::uint8_t {
   str,
   strb,
   strh,
-  // r[d] at r[n] or r[n] + value, which r[n] becomes; `shift`: 1 = the access, too, uses the value
+  // r[d] at r[n], or at r[n] + value if `shift` is 1; r[n] becomes r[n] + value
   ldr_back,
   ldrb_back,
   ldrh_back,
@@ -92,7 +92,7 @@ enum class Op : std::uint8_t {
   ldrd,
   strd,  ///< r[d], r[m] at r[n] + value; `shift`: 1 = pre-indexed, 2 = r[n] is updated
   ldm,
-  stm,  ///< the registers of `value`; `shift`: 1 = downwards, 2 = r[n] changes
+  stm,  ///< the set of registers is `value`; `shift`: 1 = downwards, 2 = r[n] is updated
   b,
   bcond,
   bl,
@@ -119,24 +119,24 @@ enum Shift : std::uint8_t { kLsl, kLsr, kAsr, kRor, kRrx };
 struct Thumb {
   static constexpr std::uint8_t kSp = 13, kLr = 14, kPc = 15;
   static constexpr std::uint8_t kZero = 16;        ///< the register that is always 0
-  static constexpr std::uint8_t kSetsOutside = 1;  ///< outside of an IT block
+  static constexpr std::uint8_t kSetsOutside = 1;  ///< sets flags only outside an IT block
   static constexpr std::uint8_t kSets = 3;
   static constexpr std::uint8_t kCarryStays = 2;
 
   Op op = Op::other;
   std::uint8_t d = 0, n = kZero, m = kZero;
-  std::uint8_t sets = 0;  ///< flags: bit 0 = outside, bit 1 = inside of an IT block
+  std::uint8_t sets = 0;  ///< sets flags: bit 0 = outside an IT block, bit 1 = inside
   std::uint8_t shift = 0;
-  std::uint8_t carry = kCarryStays;  ///< result of an immediate value
+  std::uint8_t carry = kCarryStays;  ///< carry of an expanded immediate value
   std::uint32_t value = 0;           ///< for a branch: its target
 };
 
 /// Returns the operation of a hint (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.
 Op hint(std::uint32_t number);
 
-/// Decodes the halfwords at `pc` and after it.
+/// Decodes the instruction at `pc` from its halfword and the next one.
 Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
-/// Decodes instructions of 32 bits.
+/// Decodes a 32-bit instruction.
 Thumb decode_thumb_long(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
 
 }  // namespace robosim::exec::stm32

@@ -1,5 +1,5 @@
-// Decodes the instructions of 32 bits (ARMv7-M ARM, A5.3). libunicorn gets exclusive accesses, saturation of
-// right-shifted values, and uses of the stack pointer or the program counter in an unusual place.
+// Decodes 32-bit instructions (ARMv7-M ARM, A5.3). libunicorn executes exclusive accesses, saturation of
+// right-shifted values, and unusual uses of the stack pointer or the program counter.
 #include <bit>
 
 #include "sim/exec/stm32/thumb.h"
@@ -20,7 +20,7 @@ struct Halves {
 
 bool special(std::uint8_t number) { return number == Thumb::kSp || number == Thumb::kPc; }
 
-// A5.3.11, A5.3.1: AND to RSB, by their number.
+// Decodes A5.3.11 and A5.3.1: AND to RSB, by their number.
 Thumb data_processing(const Halves& h, bool shifted) {
   constexpr Op kKinds[] = {Op::and_, Op::bic,   Op::orr, Op::orn, Op::eor,   Op::other, Op::other, Op::other,
                            Op::add,  Op::other, Op::adc, Op::sbc, Op::other, Op::sub,   Op::rsb,   Op::other};
@@ -55,7 +55,7 @@ Thumb data_processing(const Halves& h, bool shifted) {
   return t;
 }
 
-// A5.3.2: a byte, repeated or rotated.
+// Decodes A5.3.2: an immediate byte, repeated or rotated.
 Thumb modified_immediate(const Halves& h) {
   Thumb t = data_processing(h, false);
   const std::uint32_t byte = h.second & 0xFF;

@@ -1,4 +1,4 @@
-// Operations on values by instructions (ARMv7-M ARM, A2.2, A7.7).
+// Computes values for instructions (ARMv7-M ARM, A2.2, A7.7).
 #pragma once
 
 #include <bit>

@@ -20,7 +20,7 @@ enum SlaveMode : std::uint32_t {
 };
 enum TriggerInput : std::uint32_t { kAnyEdgeOf1 = 4, kInput1 = 5, kInput2 = 6, kExternal = 7 };
 constexpr std::uint32_t kExternalClock = 1u << 14;
-// TIM_DIER, TIM_SR, TIM_EGR: channel x has bit x of the first five
+// TIM_DIER, TIM_SR, TIM_EGR: bit x belongs to channel x, 1 to 4.
 constexpr std::uint32_t kComEvent = 1u << 5, kTriggerEvent = 1u << 6, kBreakEvent = 1u << 7, kUde = 1u << 8,
                         kTde = 1u << 14;
 constexpr std::uint32_t channel_event(int channel) { return 2u << channel; }

@@ -1,5 +1,5 @@
-// The timers' channels at pins, and the signals that start or clock them (RM0008 14.3.5 to 14.3.14, 14.3.16,
-// 15.3.12, 15.3.14).
+// Models the timers' channels at pins, and the signals that start or clock timers (RM0008 14.3.5 to 14.3.14,
+// 14.3.16, 15.3.12, 15.3.14).
 #include <algorithm>
 
 #include "sim/exec/stm32/remap.h"
@@ -12,9 +12,9 @@ using namespace robosim::stm32;
 
 namespace {
 
-// Table 86: the timer whose TRGO is an internal trigger; 0 = one that the chip does not have.
+// For each internal trigger, the timer with its TRGO (table 86); 0 = a timer that the chip does not have.
 constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
-// Table 78; 0 = none
+// DMA channel of each timer channel (table 78); 0 = none.
 constexpr int kChannelDma[4][4] = {{2, 0, 6, 4}, {5, 7, 1, 7}, {6, 0, 2, 3}, {1, 4, 5, 0}};
 
 }  // namespace
@@ -60,7 +60,7 @@ void Timer::compared(int channel) {
   link_.signal(signals);
 }
 
-// Returns the part of a period at which a PWM output is active (14.3.10).
+// Returns the share of a period in which a PWM output is active (14.3.10).
 double Timer::share_of(int channel) const {
   const auto value = static_cast<double>(state_.compare[static_cast<std::size_t>(channel)]);
   const double top = static_cast<double>(state_.top);
@@ -76,7 +76,7 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
-// With its twin enabled, a complementary output is the inverse; alone it is like the twin (table 83).
+// If the main output is enabled, its complementary output is the inverse; otherwise it is equal (table 83).
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;
@@ -115,7 +115,8 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
   return false;
 }
 
-// 14.3.10: OCxREF of PWM mode 1, and the next count that changes it. Whole periods may have passed unnoticed.
+// Returns OCxREF of PWM mode 1, and the next count that changes it (14.3.10). Whole periods may have passed
+// since the last update.
 Pulse Timer::pulse_of(int channel) const {
   const std::int64_t value = state_.compare[static_cast<std::size_t>(channel)], top = state_.top,
                      whole = period();
@@ -161,7 +162,7 @@ bool Timer::watches(ChipPin pin) const {
     if (slave_mode >= kResets &&
         ((input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2)))
       return true;
-    // CCxS: 1 = its own input, 2 = its neighbour's
+    // CCxS: 1 = the channel's own input, 2 = its neighbour's
     if ((mode(input) & 3) == 1 && is_on(input)) return true;
     if ((mode(input ^ 1) & 3) == 2 && is_on(input ^ 1)) return true;
   }
@@ -187,8 +188,8 @@ void Timer::edge_of_input(int input, bool level, Cycle at) {
   if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3) {
     if (input > 1) return;
     const bool counts = slave_mode == kEncoder3 || (slave_mode == kEncoder1) == (input == 1);
-    // Table 85: the other signal's level determines the direction. Mode 1 counts edges of TI2, mode 2 those
-    // of TI1.
+    // The other signal's level determines the direction (table 85). Mode 1 counts edges of TI2, mode 2 counts
+    // edges of TI1.
     const bool other = link_.pin_level(pin_of(input ^ 1)) != inverted(input ^ 1);
     const bool own = level != inverted(input);
     if (counts && enabled()) step((own == other) == (input == 1), at);

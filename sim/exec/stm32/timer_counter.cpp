@@ -1,4 +1,4 @@
-// The timers' counter (RM0008 14.3.2, 15.3.2).
+// Models the timers' counter (RM0008 14.3.2, 15.3.2).
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-// Uses the internal clock; an encoder's edges or a trigger may count instead.
+// Returns whether the internal clock drives the counter, not an encoder's edges or a trigger.
 bool Timer::is_clocked() const {
   const std::uint32_t slave_mode = state_.slave & 7;
   return enabled() && (slave_mode == 0 || (slave_mode >= kResets && slave_mode <= kStarts));
@@ -34,7 +34,7 @@ void Timer::start_from(std::uint32_t count, Cycle at) {
   std::int64_t here = counts_down() && !centered() ? top - value : value;
   if (centered() && state_.steps_down && value > 0 && value < top) here = 2 * top - value;
   state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
-  // Possibly before power-on: only differences matter.
+  // The origin may lie before power-on, since only differences matter.
   state_.origin = at - static_cast<Cycle>(here) * state_.step;
   state_.done = here;
 }
@@ -43,7 +43,7 @@ std::array<std::int64_t, 2> Timer::places_of(int channel) const {
   const std::int64_t top = state_.top, value = state_.compare[static_cast<std::size_t>(channel)];
   if (captures(channel) || value > top) return {-1, -1};
   if (!centered()) return {counts_down() ? top - value : value, -1};
-  // CMS: flags while counting down, up, or both.
+  // CMS selects flags while counting down, up, or both.
   const std::uint32_t aligned = state_.control >> 5 & 3;
   return {aligned & 2 ? value : -1, aligned & 1 && value > 0 ? 2 * top - value : -1};
 }
@@ -81,7 +81,7 @@ Cycle Timer::next_event() const {
   return next == std::int64_t{1} << 40 ? kNoCycle : state_.origin + static_cast<Cycle>(next) * state_.step;
 }
 
-// Skips whole periods without a listener: only their flags remain.
+// Skips whole periods in which nothing listens, and sets their flags.
 void Timer::fall_behind(std::int64_t place) {
   const std::int64_t periods = place / period() - 1;
   if (periods <= 0 || needs_update_event()) return;
@@ -123,7 +123,7 @@ void Timer::update() {
   refresh_lines();
 }
 
-// RM0008 14.3.3: an update each RCR + 1 overflows.
+// Updates every RCR + 1 overflows (RM0008 14.3.3).
 void Timer::overflow(Cycle at) {
   if (state_.repetitions_left > 0) {
     --state_.repetitions_left;
@@ -164,7 +164,7 @@ void Timer::update_event(bool flag) {
   if ((state_.control2 >> kMmsShift & 7) == 2 || rises_at_update()) link_.signal(signal_of(number(), 0));
 }
 
-// Counts an edge of another clock.
+// Counts an edge of an encoder or a trigger.
 void Timer::step(bool up, Cycle at) {
   const bool before = std::exchange(state_.steps_down, !up);
   const bool over = up ? state_.held >= state_.top : state_.held == 0;

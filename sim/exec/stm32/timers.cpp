@@ -19,7 +19,7 @@ Timer::Timer(Link& link, const Clocks& clocks, int index)
       usual_pins_[pin.output] = {pin.port, pin.bit};
 }
 
-// RM0008 table 63: TIM1 has four interrupts, the others have one.
+// TIM1 has four interrupts; the other timers have one each (RM0008 table 63).
 void Timer::refresh_lines() {
   constexpr std::uint32_t kChannelEvents = 0x1E, kTriggers = kComEvent | kTriggerEvent;
   const std::uint32_t asks = state_.status & state_.interrupts;
@@ -189,7 +189,7 @@ bool Timer::write_register(Address offset, std::uint32_t value) {
     case kTimBdtr:
       state_.dead_time = value;
       refresh_pins();
-      return advanced() && (value & 1u << 12) == 0;  // no break input
+      return advanced() && (value & 1u << 12) == 0;  // the break input is not modelled
     default:
       return value == 0;  // TIM_DCR, TIM_DMAR
   }

@@ -1,15 +1,15 @@
-// TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and triggering one another.
+// Models TIM1 to TIM4 (RM0008 14, 15): counting, comparing, capturing, and triggering one another.
 //
 //   up, down         a period = (PSC + 1) * (ARR + 1) cycles    duty = min(CCR / (ARR + 1), 1), PWM mode 1
 //   centre-aligned              (PSC + 1) * 2 * ARR                    CCR / ARR
 //
-// timers.cpp has the registers, timer_counter.cpp the counter, timer_channels.cpp the channels and signals.
-// PWM is a duty cycle, and a level when its own program reads the pin; other outputs are edges. An edge is
-// captured with the count at its time, without filter or synchroniser. Dead time does not change a duty
-// cycle. A preloaded CCR, ARR or PSC takes effect at the next update.
+// timers.cpp implements the registers, timer_counter.cpp the counter, timer_channels.cpp the channels and
+// signals. PWM is reported as a duty cycle; a program that reads such a pin gets its level. Other outputs are
+// reported as edges. An input edge captures the count at its time, without filter or synchroniser. Dead time
+// does not change a duty cycle. A preloaded CCR, ARR or PSC takes effect at the next update.
 //
-// Refused, as not modelled: external trigger inputs (ETR), gating by another timer, DMA bursts, and the break
-// input.
+// These are not modelled and are refused: external trigger inputs (ETR), gating by another timer, DMA bursts,
+// and the break input.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace robosim::exec::stm32 {
 
 class Timer final : public Peripheral {
  public:
-  /// `index`: among the chip's.
+  /// `index` is the timer's position in kStm32f103c8.timers.
   Timer(Link& link, const Clocks& clocks, int index);
 
   std::uint32_t read(Address address) override;
@@ -38,7 +38,7 @@ class Timer final : public Peripheral {
   void heard(Signals signals) override;
 
  private:
-  /// The state that a reset of a timer resets.
+  /// State that a timer reset restores to its defaults.
   struct State {
     std::uint32_t control = 0, control2 = 0, slave = 0, interrupts = 0, status = 0, outputs = 0,
                   dead_time = 0;
@@ -50,13 +50,13 @@ class Timer final : public Peripheral {
     std::uint32_t prescaler = 0, top = 0xFFFF, repetitions_left = 0;
     std::array<std::uint32_t, 4> compare{};
     std::array<bool, 4> active{};             ///< OCxREF of the modes that are not PWM
-    std::array<std::uint32_t, 4> captures{};  ///< edges that its prescaler has passed
+    std::array<std::uint32_t, 4> captures{};  ///< edges counted by the capture prescaler
     unsigned dma_pending = 0;
 
-    std::uint32_t held = 0;  ///< the count while it has no clock
-    Cycle origin = 0;        ///< otherwise: when the period began
-    Cycle step = 1;          ///< cycles of a count
-    std::int64_t done = -1;  ///< the place in the period up to which all events are handled
+    std::uint32_t held = 0;  ///< the count while the counter has no clock
+    Cycle origin = 0;        ///< start of the period while the counter has a clock
+    Cycle step = 1;          ///< cycles for each count
+    std::int64_t done = -1;  ///< the position in the period up to which all events are handled
     bool steps_down = false;
   };
 
@@ -70,7 +70,7 @@ class Timer final : public Peripheral {
   bool write_compare(std::size_t channel, std::uint32_t value);
   bool modes_are_modelled() const;
   bool slave_is_modelled() const;
-  /// Makes written modes and outputs take effect: at once, or at a commutation (14.3.15).
+  /// Applies written modes and outputs, at once or at a commutation (14.3.15).
   void commutate();
   void refresh_lines();
   void refresh_pins();
@@ -84,7 +84,7 @@ class Timer final : public Peripheral {
   std::uint32_t count_at(std::int64_t place) const;
   std::uint32_t count(Cycle at) const;
   void start_from(std::uint32_t count, Cycle at);
-  /// Returns the places of a period where the channel compares equal; -1 = none.
+  /// Returns the positions in a period at which the channel compares equal; -1 = none.
   std::array<std::int64_t, 2> places_of(int channel) const;
   bool needs_update_event() const;
   bool needs_compare_event(int channel) const;

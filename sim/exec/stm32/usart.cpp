@@ -10,7 +10,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE; there are none
+constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE; errors do not occur
 
 ChipPin pin_named(std::string_view name) {
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
@@ -31,7 +31,7 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {
   if (!sends() || pin != pin_now()) return false;
-  drive.level = true;  // an idle line; its bytes are reported as bytes
+  drive.level = true;  // the line is reported as idle, and bytes as bytes
   return true;
 }
 
@@ -63,7 +63,7 @@ void Usart::send(std::uint8_t byte) {
   if (!sends()) return;
   state_.status &= ~kTc;
   if (state_.shifting) {
-    state_.waiting = byte;  // replaces a waiting one
+    state_.waiting = byte;  // replaces a byte that waits already
     state_.status &= ~kTxe;
     return;
   }
@@ -94,7 +94,7 @@ void Usart::update() {
   }
 }
 
-// RM0008 table 78
+// Returns the requested channels of RM0008, table 78.
 unsigned Usart::dma_requests() const {
   constexpr int kSends[] = {4, 7, 2}, kReceives[] = {5, 6, 3};
   const int index = spec_.number - 1;
@@ -112,7 +112,7 @@ void Usart::receive(std::uint8_t byte) {
     state_.received = byte;
     state_.status |= kRxne;
   }
-  // A whole frame and one bit without another frame.
+  // The line is idle after a whole frame and one bit without another frame.
   state_.idle_at = link_.clock.now + byte_cycles() / 10 * 11;
   refresh_line();
 }

@@ -1,10 +1,10 @@
-// USART1 to USART3 (RM0008 27): a byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus.
+// Models USART1 to USART3 (RM0008 27). A byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus.
 //
 //   sending     a shift register and one waiting byte
-//   receiving   one byte waits, a further one is lost (ORE)
+//   receiving   one byte waits; a further byte is lost (ORE)
 //
-// Framing and parity errors do not occur. Only the board's serial port is connected: the others' output is
-// dropped after its time, and they receive nothing.
+// Framing and parity errors do not occur. Only the board's serial port is connected. The other USARTs drop
+// each byte after its duration, and receive nothing.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -13,18 +13,18 @@ namespace robosim::exec::stm32 {
 
 class Usart final : public Peripheral {
  public:
-  /// `index`: among the chip's.
+  /// `index` is the USART's position in stm32f103c8::kUarts.
   Usart(Link& link, const Clocks& clocks, int index);
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
-  /// Drives its TX pin while it sends.
+  /// Drives the TX pin while the transmitter is enabled.
   bool drives(ChipPin pin, PinDrive& drive) const override;
   Cycle next_event() const override {
     return std::min(state_.shifting ? state_.sent_at : kNoCycle, state_.idle_at);
   }
-  // Reading USART_DR clears flags.
+  // Returns 0 for USART_DR, since reading it clears flags.
   Cycle same_until(Address address) const override {
     return address == base() + robosim::stm32::kUsartDr - robosim::stm32::kUsart1 ? 0 : next_event();
   }
@@ -33,7 +33,7 @@ class Usart final : public Peripheral {
   void receive(std::uint8_t byte);
 
  private:
-  /// The state that a reset of a USART resets.
+  /// State that a USART reset restores to its defaults.
   struct State {
     std::uint32_t status = robosim::stm32::kTxe | robosim::stm32::kTc;
     std::uint32_t control = 0, control2 = 0, control3 = 0, divider = 0;
@@ -55,8 +55,8 @@ class Usart final : public Peripheral {
   Link& link_;
   const Clocks& clocks_;
   const UartSpec& spec_;
-  const ChipPin pin_;     ///< for sending, after a reset
-  const bool connected_;  ///< to the board's serial port
+  const ChipPin pin_;     ///< TX pin after a reset
+  const bool connected_;  ///< connected to the board's serial port
   State state_;
 };
 

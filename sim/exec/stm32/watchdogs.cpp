@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// RM0008 19.4, 20.6
+// Registers and bits (RM0008 19.4, 20.6).
 constexpr Address kIwdgKr = kIwdg + 0x00, kIwdgPr = kIwdg + 0x04, kIwdgRlr = kIwdg + 0x08;
 constexpr std::uint32_t kUnlock = 0x5555, kReload = 0xAAAA, kStart = 0xCCCC;
 constexpr SimTime kLsiPeriod = kSecond / 40'000;
@@ -104,7 +104,7 @@ bool WindowWatchdog::write(Address address, std::uint32_t value) {
       return true;
     }
     case kWwdgCfr:
-      // EWI can only be set by software (20.6.2).
+      // Software can set EWI but not clear it (20.6.2).
       state_.written = count();
       state_.written_at = link_.clock.now;
       state_.configuration = (value & 0x3FF) | (state_.configuration & kEarlyWakeup);

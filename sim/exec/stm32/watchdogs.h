@@ -1,11 +1,11 @@
-// The two watchdogs: the independent one (RM0008 19) and the window watchdog (20).
+// Models the two watchdogs: the independent watchdog (RM0008 19) and the window watchdog (20).
 //
-//   IWDG   resets 4 * 2^PR * (RLR + 1) / 40 kHz after the last reload; runs in sleep, too
-//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets at 0x3F, or on a write while it is
-//          above the window
+//   IWDG   resets the chip 4 * 2^PR * (RLR + 1) / 40 kHz after the last reload; also runs in sleep
+//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets the chip at 0x3F, or on a write while
+//          the counter is above the window
 //
-// New values of IWDG_PR and IWDG_RLR take effect at once: IWDG_SR reads 0. LSI has exactly 40 kHz (DS5319,
-// table 25: 30 to 60). Writing WWDG_CR begins a whole count.
+// New values of IWDG_PR and IWDG_RLR take effect at once, so IWDG_SR reads 0. LSI runs at exactly 40 kHz
+// (DS5319, table 25: 30 to 60 kHz). A write to WWDG_CR begins a whole count.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -58,7 +58,7 @@ class WindowWatchdog final : public Peripheral {
 
   Cycle step() const;
   std::uint32_t count() const;
-  /// Returns when it will have counted down to `value`; kNoCycle if it is below.
+  /// Returns when the counter will reach `value`; kNoCycle if it is already below.
   Cycle reaches(std::uint32_t value) const;
 
   Link& link_;
