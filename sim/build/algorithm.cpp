@@ -10,7 +10,7 @@ namespace robosim::build {
 namespace fs = std::filesystem;
 
 Algorithm::Algorithm(const fs::path& source) : folder_(Cache(cache_folder())) {
-  static_cast<void>(read_file(source));  // reports a missing file in our words
+  static_cast<void>(read_file(source));  // reports a missing file in Robosim's own words
   const Compiler compiler = find_compiler(find_target("host"));
   const fs::path headers = data_folder() / "sim" / "cells" / "include";
   const CommandResult compiled =

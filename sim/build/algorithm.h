@@ -1,4 +1,4 @@
-// Compiles a user's own navigation algorithm, one C++ file, for the robot on cells
+// Compiles a user's own navigation algorithm, one C++ file, for the robot on a grid of cells
 // (docs/reference/algorithms.md).
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace robosim::build {
 
-/// A shared object that is deleted together with this.
+/// A shared object that is deleted together with this object.
 class Algorithm {
  public:
-  /// Compiles `source`. Throws InputError (no such file), CompileError with the compiler's messages, or
-  /// ToolMissing.
+  /// Compiles `source`. Throws InputError if the file is missing, CompileError with the compiler's messages,
+  /// or ToolMissing.
   explicit Algorithm(const std::filesystem::path& source);
   std::filesystem::path shared_object() const { return folder_.path() / "algorithm.so"; }
 

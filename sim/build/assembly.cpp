@@ -15,15 +15,15 @@ std::string_view trim(std::string_view text) {
   return text.substr(from, text.find_last_not_of(kSpace) - from + 1);
 }
 
-// Returns true for a line without an instruction: empty, a directive, or a comment (also the marks of inline
-// assembler).
+// Returns true for a line without an instruction: an empty line, a directive, or a comment (even the marks
+// around an asm()).
 bool says_nothing(std::string_view line) {
   return line.empty() || line[0] == '.' || line[0] == '#' || line[0] == '@' || line.substr(0, 2) == "//";
 }
 
 struct Jump {
   std::string_view call;    ///< the call that replaces the instruction
-  std::string_view target;  ///< empty: not an unconditional jump
+  std::string_view target;  ///< empty if the instruction is not an unconditional jump
 };
 
 Jump jump_of(std::string_view line) {
@@ -35,7 +35,7 @@ Jump jump_of(std::string_view line) {
   return {};
 }
 
-/// Removes the first line, and returns it without its end.
+/// Removes the first line from `text`, and returns the line without its end.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view line = text.substr(0, end);
@@ -43,7 +43,8 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Returns `// 7 "Boot.ino" 1` and `@ 7 "Boot.ino" 1` without the comment's sign; empty for any other line.
+/// Returns the place in `// 7 "Boot.ino" 1` or `@ 7 "Boot.ino" 1`, without the comment's mark; empty for any
+/// other line.
 std::string_view place_of_asm(std::string_view line) {
   const std::size_t sign = line.substr(0, 3) == "// " ? 2 : line.substr(0, 2) == "@ " ? 1 : 0;
   if (sign == 0 || line.size() < sign + 6) return {};
@@ -58,7 +59,7 @@ std::string_view place_of_asm(std::string_view line) {
 std::string changed_for_host(std::string_view assembly, QuotientByZero quotient) {
   std::string result;
   result.reserve(assembly.size() + assembly.size() / 8);
-  std::vector<std::string_view> labels;  // directly before the next instruction
+  std::vector<std::string_view> labels;  // labels directly before the next instruction
   int divisions = 0;
   while (!assembly.empty()) {
     const std::string_view whole = take_line(assembly);

@@ -38,7 +38,7 @@ class Build {
     shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
   }
 
-  /// Compiles and links; returns the image, in the linker's scratch folder.
+  /// Compiles and links. Returns the image, which is in the linker's scratch folder.
   fs::path image() {
     const Object core = core_object(toolchain_, cache_, work_);
     inputs_.files = core.inputs;
@@ -47,7 +47,8 @@ class Build {
     std::vector<fs::path> objects = linked_objects();
     for (const Object& object : objects_)
       for (const fs::path& input : object.inputs) inputs_.files.push_back(input);
-    // hal/host's constructors run first; an archive resolves symbols of the objects before it.
+    // The constructors of hal/host must run first. An archive must follow the objects whose symbols it
+    // resolves.
     objects.insert(toolchain_.target.archiver.name ? objects.end() : objects.begin(), core.path);
     const fs::path image = work_.scratch() / (std::string("image") + toolchain_.target.image_ending);
     const auto names = names_of_folders(sketch_, libraries_, toolchain_, image.parent_path());
@@ -70,7 +71,7 @@ class Build {
   const std::vector<ArchivedFile>& notes() const { return notes_; }
 
  private:
-  /// Returns all objects; those of a library become an archive if it requests that.
+  /// Returns all objects. The objects of a library become one archive if the library requests that.
   std::vector<fs::path> linked_objects() {
     std::vector<fs::path> linked;
     for (const Object& object : objects_)
@@ -87,7 +88,7 @@ class Build {
     return linked;
   }
 
-  /// No command reads another one's output except `objects`.
+  /// Runs the commands in sandboxes. Of the outputs of other commands, they can read only `objects`.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
@@ -102,7 +103,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// `fail` throws. A library may have more for an AVR, including declarations that the sketch needs.
+  /// Calls `fail`, which throws. May retry as for an AVR: libraries may then declare more that the sketch
+  /// needs.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -114,7 +116,8 @@ class Build {
     }
   }
 
-  /// Does not return: other registers may help a program that stores the address of one, or a library.
+  /// Throws an error, or a reason to retry. Other registers may help a library, or a program that stores a
+  /// register's address.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
@@ -153,8 +156,7 @@ class Build {
     return {name_of(sketch_, unit), path, std::move(inputs), unit.archived ? unit.place : ""};
   }
 
-  // Joins the .ino files and adds prototypes. Preprocessing finds the libraries that they include, one at a
-  // time.
+  // Joins the .ino files and adds prototypes. Preprocessing finds the included libraries one at a time.
   Unit ino_unit() {
     const std::string whole = join_inos(sketch_);
     const std::string joined = toolchain_.narrow_ints ? with_narrow_ints(whole) : whole;
@@ -180,16 +182,17 @@ class Build {
     return unit;
   }
 
-  /// A unit that is not in the cache.
+  /// A unit that is not cached.
   struct Job {
     Unit unit;
     std::string key;
-    std::size_t slot;            ///< in objects_
-    fs::path compiled, object;   ///< equal unless compiled through assembly
-    bool keeps_address = false;  ///< of a register that has none
+    std::size_t slot;            ///< index in objects_
+    fs::path compiled, object;   ///< equal, except for a unit that is compiled through assembly
+    bool keeps_address = false;  ///< stores the address of a register that has none
   };
 
-  /// Returns the units to compile again, because they need a library that was found only now.
+  /// Compiles the units. Returns the units to compile again, because a library that they need has just been
+  /// found.
   std::vector<Unit> compile(std::vector<Unit> units) {
     std::vector<Command> commands;
     std::vector<Job> jobs;
@@ -237,7 +240,7 @@ class Build {
     return again;
   }
 
-  /// Runs the second half of a compilation, for the units that have succeeded so far.
+  /// Assembles the units that are compiled through assembly and have succeeded so far.
   void assemble(std::vector<Job>& jobs, std::vector<CommandResult>& results) {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
@@ -261,8 +264,8 @@ class Build {
     }
   }
 
-  /// Throws an internal error if the assembler accepts the compiler's assembly and refuses only our changes.
-  /// It is not the sketch's fault.
+  /// Throws an internal error if the assembler accepts the compiler's assembly and rejects Robosim's changes
+  /// to it. The sketch is then not to blame.
   void check_changes(const Job& job, const std::string& messages) {
     const fs::path assembly = compiled_assembly(job.compiled), object = work_.scratch() / "unchanged.o";
     if (run_walled({assemble_command(toolchain_, assembly, object)}, {assembly})[0].status == 0)
@@ -288,7 +291,8 @@ class Build {
     if (!message.empty()) messages_ += message + '\n';
   }
 
-  /// Returns true if the compilation failed for a header whose library has now been added.
+  /// Returns true if the compilation failed because of a missing header and the header's library has now been
+  /// added.
   bool add_library_for(const CommandResult& failed) {
     Place place;
     const std::string header = missing_header(failed.output, &place);
@@ -319,7 +323,7 @@ class Build {
   int count_ = 0;
 };
 
-/// Returns the build and its image: with the first kind of registers that suits the program.
+/// Builds with the first kind of registers that suits the program. Returns the build and sets `image`.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
   std::exception_ptr otherwise;

@@ -41,7 +41,7 @@ bool has_detour(std::string_view path) {
   return path.ends_with("/.") || path.ends_with("/..");
 }
 
-/// Returns whether only the system's administrator, or the user who installed Robosim, can write the file.
+/// Returns whether only the system's administrator, or the user who installed Robosim, can write to the file.
 bool is_installed(const fs::path& path, const fs::path& cache) {
   static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
                                                      (data_folder() / "firmware" / "").string()};
@@ -116,9 +116,9 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
-/// Returns whether the cache may use a folder. Another user's folder may hold that user's images.
+/// Returns whether the cache may use a folder. A folder of another user may contain that user's images.
 bool usable(const fs::path& folder) {
-  if (!is_utf8(folder.string())) return false;  // runners get the paths of images in JSON
+  if (!is_utf8(folder.string())) return false;  // runners receive the paths of images in JSON
   std::error_code error;
   fs::create_directories(folder, error);
   struct stat info {};
@@ -135,8 +135,8 @@ void remove_old(const fs::path& folder) {
   }
 }
 
-/// Returns the folder locked. Not open if it is gone, the file system has no locks or, without waiting,
-/// another process holds it.
+/// Returns the folder, locked. The descriptor is not open if the folder is gone or the file system has no
+/// locks. Without waiting, it is also not open if another process has the lock.
 Descriptor hold(const fs::path& folder, int how) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   while (held.is_open() && ::flock(held.get(), how) != 0)
@@ -144,7 +144,7 @@ Descriptor hold(const fs::path& folder, int how) {
   return held;
 }
 
-/// Removes folders of processes that have ended without doing so.
+/// Removes the folders of processes that have ended without removing them.
 void remove_unheld(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -154,7 +154,7 @@ void remove_unheld(const fs::path& folder) {
   }
 }
 
-/// The cache owns everything below its folder: removes a folder at the place of a file.
+/// Removes a folder at the path of a file: the cache owns everything below its folder.
 const fs::path& make_way(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(fs::symlink_status(file, error))) fs::remove_all(file, error);
@@ -221,7 +221,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     if (kind == "end") complete = true;
   }
   if (!complete || entry.result.empty()) return std::nullopt;
-  // In use: protects both from removal as old.
+  // Marks both files as in use, so that they are not removed as old.
   std::error_code none;
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(file, now, none);
@@ -259,7 +259,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
 
 CacheLock::CacheLock(const Cache& cache)
     : lock_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-  // Without a lock the work may be done twice, no more.
+  // Without a lock, work may be done twice, with no other harm.
   while (lock_.is_open() && ::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
   }
 }
@@ -273,7 +273,7 @@ WorkFolder::WorkFolder(const Cache& cache) {
     if (!fs::create_directory(path_)) continue;
     held_ = hold(path_, LOCK_SH);
     std::error_code error;
-    if (fs::exists(path_, error)) return;  // else another process removed it first
+    if (fs::exists(path_, error)) return;  // otherwise another process removed it first
   }
 }
 
@@ -288,7 +288,7 @@ fs::path WorkFolder::give(const fs::path& result) const {
   std::error_code error;
   fs::create_hard_link(result, here, error);
   if (error && !fs::exists(here))
-    fs::copy_file(result, here);  // a file system without links, or another owner's
+    fs::copy_file(result, here);  // the file system has no links, or another user owns the file
   return here;
 }
 

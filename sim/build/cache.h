@@ -1,10 +1,11 @@
-// A cache of build results, by content. An entry records every file that was read for it, by content, and
-// every folder whose list of names mattered. It is valid while they are unchanged. File times do not matter.
+// Caches build results by content. An entry records the content of every file that was read for it. It also
+// records every folder whose list of names mattered. The entry is valid while these are unchanged. File times
+// do not matter.
 //
-// Keys, names of results and files that a stranger can write are hashed by SHA-256. XXH3 takes a tenth of the
-// time. It is for the files of Robosim and of the system, and to detect incomplete results.
+// Keys, names of results and files that others can write are hashed by SHA-256. XXH3 takes a tenth of the
+// time. It is used for the files of Robosim and of the system, and to detect incomplete results.
 //
-// Safe for concurrent processes: files appear by rename, and a result's name contains its content's hash.
+// Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once
 
 #include <chrono>
@@ -21,7 +22,7 @@ namespace robosim::build {
 
 struct Inputs {
   std::vector<std::filesystem::path> files;
-  std::vector<std::filesystem::path> folders;  ///< may be absent: their absence is recorded
+  std::vector<std::filesystem::path> folders;  ///< may be missing; this is recorded
 };
 
 struct Entry {
@@ -32,18 +33,18 @@ struct Entry {
 /// Prefix of the folders in the cache that hold links to installed files.
 constexpr const char* kStage = "stage-";
 
-/// Returns the text of a key: different lists of words have different texts.
+/// Returns the text of a key. Different lists of words have different texts.
 std::string key_of(const std::vector<std::string>& words);
 
 class Cache {
  public:
   explicit Cache(std::filesystem::path folder);
 
-  /// Returns the entry for `key`, if all its inputs and its result are unchanged.
+  /// Returns the entry for `key` if all its inputs and its result are unchanged.
   std::optional<Entry> find(const std::string& key) const;
 
-  /// Writes the content of a result into the cache, under its readable name ("PidFollower.so") and hash.
-  /// Skips the entry if an input changed after `since`: it may be newer than what was compiled.
+  /// Writes the content of a result into the cache, under its readable name ("PidFollower.so") and hash. Does
+  /// not write the entry if an input changed after `since`: the input may be newer than the compiled version.
   Entry store(const std::string& key, const Inputs& inputs, std::string_view content, const std::string& name,
               std::map<std::string, std::string> facts, std::filesystem::file_time_type since) const;
 
@@ -53,8 +54,8 @@ class Cache {
   std::filesystem::path folder_;
 };
 
-/// A lock that one process holds at a time, so that slow work is done once. Released at the end of its scope,
-/// and by a process that dies.
+/// A lock that one process has at a time, so that slow work is done once. It is released at the end of its
+/// scope, or when its process dies.
 class CacheLock {
  public:
   explicit CacheLock(const Cache& cache);
@@ -64,7 +65,7 @@ class CacheLock {
 };
 
 /// A new, empty folder for work, on the cache's file system. The destructor removes it with all its content.
-/// If its process is killed, the next WorkFolder removes it.
+/// If the process is killed, the next WorkFolder removes it.
 class WorkFolder {
  public:
   explicit WorkFolder(const Cache& cache);
@@ -75,9 +76,9 @@ class WorkFolder {
 
   /// Returns the folder that compilers read and this process writes.
   std::filesystem::path given() const;
-  /// Puts a result of the cache into the folder given(). Returns its path there.
+  /// Copies or links a result of the cache into the folder given(). Returns its path there.
   std::filesystem::path give(const std::filesystem::path& result) const;
-  /// Returns a new folder for one compiler, which may write no other folder.
+  /// Returns a new folder for one compiler, which can write to no other folder.
   std::filesystem::path scratch();
 
  private:
@@ -86,8 +87,8 @@ class WorkFolder {
   int scratch_folders_ = 0;
 };
 
-/// Returns the content of a file that a compiler wrote, complete or not. Throws InputError if it is not a
-/// regular file: a link could lead anywhere.
+/// Returns the content of a file that a compiler wrote, even if incomplete. Throws InputError if the file is
+/// not regular, since a link could lead anywhere.
 std::string read_made(const std::filesystem::path& file);
 
 }  // namespace robosim::build

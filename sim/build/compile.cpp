@@ -32,8 +32,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   switch (toolchain.warnings) {
     case Warnings::none:
       return {"-w"};
-    case Warnings::standard: {  // not among the compiler's defaults; without_style_warnings() selects the
-                                // slips
+    case Warnings::standard: {
+      // These are not among the compiler's defaults. without_style_warnings() selects likely mistakes.
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
       // avr-gcc 5 has no warning for a forgotten break. Any comment in its place silences gcc.
@@ -49,7 +49,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
-/// Defines a macro that maps a pin's number to the result of `of`, which is `otherwise` for most.
+/// Defines a macro that maps a pin's number to `of(pin)`. For most pins, that is `otherwise`.
 template <typename Of>
 std::string pin_macro(const char* name, const BoardSpec& board, const char* otherwise, Of of) {
   std::string text = otherwise;
@@ -59,8 +59,8 @@ std::string pin_macro(const char* name, const BoardSpec& board, const char* othe
   return fmt::format("-D{}(p)=({})", name, text);
 }
 
-/// Returns the board's values that our headers and the host's core need at compile time (hal/host/chip.h,
-/// hal/arduino/pins_arduino.h).
+/// Returns the board's values that Robosim's headers and the host's core need at compile time
+/// (hal/host/chip.h, hal/arduino/pins_arduino.h).
 std::vector<std::string> host_definitions(const BoardSpec& board) {
   const BoardSpec& model = host_model(board);
   const int serial_lines = board.chip->uart_count + (board.chip->usb.address ? 1 : 0);
@@ -88,7 +88,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
   }
   words.push_back(
       pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
-  // If the chip's own are unknown, uses those of its substitute board.
+  // If the chip's own bus pins are unknown, uses those of its substitute board.
   const BoardSpec& buses = board.chip->spi.address ? board : model;
   const auto pin_of = [&](const char* name, const char* chip_name) {
     words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));
@@ -106,7 +106,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
-  // A build depends neither on its own time, nor on the times of files.
+  // Makes a build independent of its own time and of the times of files.
   append(words, {"-Wno-builtin-macro-redefined", "-D__DATE__=\"Jan  1 1970\"", "-D__TIME__=\"00:00:00\"",
                  "-D__TIMESTAMP__=\"Thu Jan  1 00:00:00 1970\""});
   append(words, toolchain.target.definitions);
@@ -128,7 +128,7 @@ void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain
   for (const auto& [folder, name] : places) map(folder, name);
 }
 
-/// Returns the name of a library's folder with headers: "libraries/Servo", "libraries/Servo/src".
+/// Returns the short name of a library's folder with headers: "libraries/Servo", "libraries/Servo/src".
 std::string place_of_headers(const fs::path& folder) {
   const std::string name = folder.filename().string();
   return "libraries/" + (name == "src" ? (folder.parent_path().filename() / name).string() : name);
@@ -139,7 +139,8 @@ Core::Names places_of(const Unit& unit) {
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
       places.emplace_back(folder, place_of_headers(folder));
-  // Compilers work in the unit's folder: readers put its name before a file's, so it is removed there.
+  // Compilers work in the unit's folder. Readers of debug information put its name before a file's name, so
+  // it is removed there.
   const bool core = unit.kind == Unit::Kind::core;
   places.emplace_back(unit.folder, core ? unit.place : ".");
   if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
@@ -166,10 +167,10 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
   if (unit.kind == Unit::Kind::core) append(words, counting.definitions);
 }
 
-/// Adds macros, and the folders of headers.
+/// Adds macros and the folders of headers.
 void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   append(words, definitions(toolchain));
-  // gcc loads a precompiled header, Foo.h.gch, only if Foo.h is the first that a source includes.
+  // gcc loads a precompiled header, Foo.h.gch, only if Foo.h is the first header that a source includes.
   append(words, {"-include", (data_folder() / "hal/arduino/first_include.h").string()});
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
@@ -202,8 +203,8 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
   return words;
 }
 
-/// Compilers treat an argument with '-' as an option, and one with '@' as a file of more options. They also
-/// pass the last part of a source's name on as a separate argument (-dumpbase).
+/// Throws InputError for a name that compilers would misread: '-' begins an option, '@' names a file of more
+/// options. Compilers also pass the last part of a source's name on as a separate argument (-dumpbase).
 void check_name(const std::string& source) {
   for (const std::string& word : {source, fs::path(source).filename().string()})
     if (word.starts_with('-') || word.starts_with('@'))
@@ -322,7 +323,7 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   append(words, toolchain.core.machine);
   if (toolchain.target.chip) {
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
-    // From gcc 10 on it puts the path from the linker's folder to the compiler's before a name.
+    // Since gcc 10, names are preceded by the path from the linker's folder to the compiler's folder.
     std::error_code error;
     for (const auto& [folder, name] : places) {
       const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();

@@ -34,7 +34,8 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
   return unit;
 }
 
-/// Runs them confined: a project's -D can make the core's own lines read any file. Returns the last output.
+/// Runs the commands in sandboxes, since a project's -D can make the core's own lines read any file. Returns
+/// the output of the last command.
 std::string run_checked(const Toolchain& toolchain, std::vector<Command> commands) {
   std::string output;
   for (CommandResult& result : run_within(read_by_all(toolchain, {}), std::move(commands))) {
@@ -49,7 +50,7 @@ std::string run_checked(const Toolchain& toolchain, std::vector<Command> command
   return output;
 }
 
-// Only defined symbols: an undefined one must still be found, or the link fails.
+// Makes defined symbols weak. An undefined symbol must still be found, or the link fails.
 void weaken(const Toolchain& toolchain, const fs::path& object) {
   const fs::path work = object.parent_path();
   const auto tool = [&](const char* name) {
@@ -82,7 +83,7 @@ Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& w
   };
   if (const auto object = known()) return *object;
   const CacheLock lock(cache);
-  if (const auto object = known()) return *object;  // another process has made it meanwhile
+  if (const auto object = known()) return *object;  // another process has compiled it in the meantime
   if (toolchain.core_begins) toolchain.core_begins();
   const auto since = fs::file_time_type::clock::now();
   std::vector<Command> commands;

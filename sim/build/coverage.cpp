@@ -35,18 +35,19 @@ FileCoverage& file_of(Coverage& coverage, const fs::path& path) {
   return *at;
 }
 
-/// Returns the names of the sketch's own files, as in gcc's output.
+/// Returns the names of the sketch's own files, as gcc prints them.
 std::vector<std::string> own_files(const Sketch& sketch) {
   std::vector<std::string> names;
   for (const auto* group : {&sketch.inos, &sketch.sources, &sketch.headers})
     names.insert(names.end(), group->begin(), group->end());
-  // A tracefile has a line for each: behind a line end a name could add a file of this machine to the page.
+  // A tracefile has one line for each name. After a line end, a name could add another file of this machine
+  // to the page.
   std::erase_if(names, [](const std::string& name) { return in_one_line(name) != name; });
   return names;
 }
 
-/// Adds gcov's report on one source and its counters. A line of a template, or of a header, may appear more
-/// than once.
+/// Adds gcov's report on one source and its counters. A line of a template or a header may appear several
+/// times.
 void add_report(Coverage& coverage, const Sketch& sketch, const std::string& report) try {
   const std::vector<std::string> own = own_files(sketch);
   const nlohmann::json json = nlohmann::json::parse(report);
@@ -67,7 +68,7 @@ void add_report(Coverage& coverage, const Sketch& sketch, const std::string& rep
   throw InputError(kUnreadableCounts);
 }
 
-/// A lock for one process at a time, until the end of its scope.
+/// A lock that one process has at a time, until the end of its scope.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
@@ -91,12 +92,12 @@ std::vector<fs::path> info_files(const fs::path& folder) {
 
 std::string short_hash(const std::string& text) { return sha256(text).substr(0, 8); }
 
-/// Returns "12-14, 30"
+/// Returns the lines as "12-14, 30".
 std::string ranges(const std::vector<int>& lines, const std::map<int, std::uint64_t>& all) {
   std::string text;
   for (std::size_t i = 0; i < lines.size();) {
     std::size_t last = i;
-    // Lines without code between two that never ran do not separate them.
+    // Two lines that never ran belong to one range if only lines without code are between them.
     while (last + 1 < lines.size() && std::next(all.find(lines[last]))->first == lines[last + 1]) ++last;
     text += text.empty() ? "" : ", ";
     text += last == i ? fmt::format("{}", lines[i]) : fmt::format("{}-{}", lines[i], lines[last]);
@@ -142,9 +143,9 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
   const fs::path gcov = find_tool(target, {"gcov", "gcc"});
   const std::vector<ArchivedFile> notes = unpack(read_file(image.notes));
   Coverage coverage;
-  // Each power cycle has its own counters; a source that never ran may have none.
+  // Each power cycle has its own counters. A source that never ran may have none.
   std::vector<ArchivedFile> pending = unpack(counters);
-  // The sketch's memory holds the names, and how many there are.
+  // Limits the number of power cycles, since it comes from the sketch's memory, as do the names.
   constexpr int kMostCycles = 1000;
   std::erase_if(pending, [&](const ArchivedFile& counter) {
     return std::none_of(notes.begin(), notes.end(), [&](const ArchivedFile& note) {
@@ -240,7 +241,7 @@ Coverage add_to_folder(const fs::path& folder, const Request& request, const Ima
   const fs::path runs = folder / "runs";
   fs::create_directories(runs);
   const FolderLock lock(folder);
-  // Identifies one sketch of that name and folder, in one version, in one run.
+  // Identifies one version of one sketch, by its name and folder, in one run.
   const std::string sketch =
       fmt::format("{}-{}-", image.name, short_hash(read_sketch(request.sketch).folder.string()));
   const std::string version = sketch + image.sketch_sha256.substr(0, 8);

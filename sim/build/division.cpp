@@ -13,7 +13,8 @@ struct Division {
   bool is_signed = false;
 };
 
-/// Returns the division in a line, if any. The names of x86-64's divisions end with their width.
+/// Returns the division in a line, if any. On x86-64, the last letter of the instruction's name is the
+/// operand width.
 std::optional<Division> division_in(std::string_view line) {
   const std::size_t space = line.find_first_of(" \t");
   if (space == line.npos) return std::nullopt;
@@ -26,10 +27,10 @@ std::optional<Division> division_in(std::string_view line) {
   return std::nullopt;
 }
 
-/// The accumulator of an x86-64, for operands of one width: `low` holds dividend and quotient, `high` the
-/// remainder.
+/// The accumulator of an x86-64, for operands of one width. `low` contains the dividend and the quotient,
+/// `high` the remainder.
 struct Accumulator {
-  char width;  ///< the instructions' last letter
+  char width;  ///< last letter of the instruction's name
   const char *low, *high;
   int sign_bit;
 };
@@ -53,7 +54,7 @@ std::string division_of_x86(const Division& division, QuotientByZero quotient, i
   else
     text += fmt::format("\tmov{}\t$-1, %{}\n", a->width, a->low);
   text += fmt::format("\tjmp\t.Lrobosim_divided{0}\n.Lrobosim_divides{0}:\n", number);
-  if (division.is_signed)  // division by -1 overflows, and the processor raises a signal
+  if (division.is_signed)  // a division by -1 may overflow, and the processor raises a signal
     text += fmt::format(
         "\tcmp{0}\t$-1, {1}\n"
         "\tjne\t.Lrobosim_fits{2}\n"
@@ -66,7 +67,7 @@ std::string division_of_x86(const Division& division, QuotientByZero quotient, i
          fmt::format("\t{}\t{}\n.Lrobosim_divided{}:\n", division.instruction, division.operands, number);
 }
 
-/// Splits "w0, w1, w2"; returns nothing unless they are three registers of one width.
+/// Splits "w0, w1, w2". Returns nothing unless the operands are three registers of one width.
 std::optional<std::array<std::string_view, 3>> three_registers(std::string_view operands) {
   std::array<std::string_view, 3> registers;
   for (std::size_t i = 0; i < registers.size(); ++i) {

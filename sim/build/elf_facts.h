@@ -1,4 +1,4 @@
-// Reads facts from an ELF file: the sizes of its code and variables, and the absolute values that it defines.
+// Reads facts from an ELF file: the sizes of code and variables, and the absolute symbols.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ struct ElfSize {
   std::uint64_t initialised = 0;  ///< part of `data` that has initial values
 };
 
-/// Does not count an AVR file's EEPROM and fuses.
+/// Returns the sizes, without the EEPROM and fuses of an AVR file.
 ElfSize elf_size(const ElfFile& file);
 
-/// A symbol with a value, but without an address.
+/// A symbol with a value that is not an address.
 struct AbsoluteSymbol {
   std::string name;
   std::uint64_t value = 0;
 };
 
-/// Sorted by name.
+/// Returns the absolute symbols, sorted by name.
 std::vector<AbsoluteSymbol> absolute_symbols(const ElfFile& file);
 
 }  // namespace robosim::build

@@ -18,7 +18,7 @@ constexpr const char* kBoards =
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
-/// Returns the names in quotes after `behind`, as in "'A8' was not declared", each once.
+/// Returns the quoted names before `behind`, as in "'A8' was not declared", each name once.
 std::vector<std::string> all_quoted(const std::string& text, const char* behind) {
   std::vector<std::string> names;
   const std::string what = std::string("'") + behind;
@@ -31,7 +31,7 @@ std::vector<std::string> all_quoted(const std::string& text, const char* behind)
   return names;
 }
 
-/// Returns the first of them; empty if there is none.
+/// Returns the first of these names; empty if there is none.
 std::string quoted(const std::string& text, const char* behind) {
   const std::vector<std::string> names = all_quoted(text, behind);
   return names.empty() ? "" : names.front();
@@ -42,7 +42,7 @@ bool is_letter_and_digits(const std::string& name, char letter) {
          std::all_of(name.begin() + 1, name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Returns "these boards have a pin A8: mega; …". `has` returns whether a board has it.
+/// Returns "these boards have a pin A8: mega; …". `has` returns whether a board qualifies.
 template <typename Has>
 std::string boards_hint(const std::string& what, Has has) {
   std::vector<std::string> boards;
@@ -53,7 +53,7 @@ std::string boards_hint(const std::string& what, Has has) {
                      fmt::join(boards, ", "));
 }
 
-/// `missing` are the undeclared names.
+/// Returns a hint for an undeclared pin or serial port. `missing` are all undeclared names.
 std::string pin_hint(const std::string& name, const std::vector<std::string>& missing) {
   if (is_letter_and_digits(name, 'D'))
     return fmt::format("{} is the name of a pin on an ESP8266; on Arduino boards it is {}", name,
@@ -112,7 +112,7 @@ bool is_of_esp32(const std::string& name) {
 }  // namespace
 
 std::string hint_for(const std::string& messages) {
-  // Only the first error: later ones often follow from it.
+  // Considers only the first error, since later errors often follow from it.
   const std::size_t first_error = messages.find("error:");
   const std::string first = messages.substr(0, messages.find("error:", first_error + 1));
   const std::string undeclared = quoted(first, " was not declared");

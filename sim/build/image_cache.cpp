@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns a product of an image, from the cache or newly made. It depends only on the image's content.
+/// Returns a product of an image from the cache, or makes it. A product depends only on the image's content.
 fs::path product_of(const Target& target, const Product& product, const Entry& entry, const Cache& cache) {
   const std::string key =
       key_of({"product", product.program.name, product.ending, entry.facts.at("image_sha256")});

@@ -1,4 +1,4 @@
-// Images in the cache: their keys, and the products made from them.
+// Defines the keys of cached images, and makes products from images.
 #pragma once
 
 #include <filesystem>
@@ -13,19 +13,18 @@
 
 namespace robosim::build {
 
-/// For keys: an untrusted sketch sees less.
+/// Returns a part of keys, which differs for an untrusted sketch: its compilers see fewer files.
 const char* seen_by(const Toolchain& toolchain);
 /// Returns the key of a sketch's image, with libraries from `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<std::filesystem::path>& folders);
-/// Returns whether a unit's object is cached: not that of the joined .ino files, nor one with a file of
-/// notes.
+/// Returns whether a unit's object is cached. Objects of joined .ino files and objects with notes are not.
 bool is_cached(const Toolchain& toolchain, const Unit& unit);
 std::string unit_key(const Toolchain& toolchain, const Unit& unit);
 /// Returns the key of gcov's notes on an image.
 std::string notes_key(const Entry& entry);
 
-/// Returns the image of an entry, with the target's products, which are made if necessary.
+/// Returns the image of an entry. Makes the target's products if necessary.
 Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
                bool from_cache);
 

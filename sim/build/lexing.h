@@ -1,4 +1,4 @@
-// Shared by the readers of C++ text here: finds where a name, a text or a character ends.
+// Finds the ends of names and of string and character literals, for the readers of C++ text in this folder.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,15 @@ namespace robosim::build {
 
 inline bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Finds the ends of texts and characters, from the beginning of a source to its end.
+/// Finds the ends of string and character literals, from the beginning of a source to its end.
 class QuoteEnds {
  public:
   explicit QuoteEnds(std::string_view source) : source_(source) {}
 
-  /// Returns where the literal ends whose quote stands at `at`; after that quote if its line does not end it.
+  /// Returns the end of the literal whose quote is at `at`. If the literal does not end in its line, returns
+  /// the position after the quote.
   std::size_t of(std::size_t at) {
-    // A line of nothing but quotes that do not end would be gone through for each of them.
+    // Otherwise a line of unclosed quotes would be searched once for each of them.
     constexpr int kMostOpen = 100;
     if (at < line_end_ && open_ >= kMostOpen) return at + 1;
     std::size_t i = at + 1;
@@ -36,7 +37,7 @@ class QuoteEnds {
  private:
   std::string_view source_;
   std::size_t line_end_ = 0;
-  int open_ = 0;  ///< in the line that ends there
+  int open_ = 0;  ///< number of unclosed quotes in the line that ends at line_end_
 };
 
 }  // namespace robosim::build

@@ -52,7 +52,7 @@ void take_sources(Library& library, const fs::path& folder) {
   }
 }
 
-/// Adds each folder once, even if several links lead to it, and none outside of the library.
+/// Adds each folder once, even if several links lead to it. Skips folders outside the library.
 void take_all_below(Library& library, const fs::path& folder, std::set<fs::path>& taken) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);
@@ -73,10 +73,10 @@ bool is_library(const fs::path& folder) {
          holds_headers(folder / "include");
 }
 
-/// A larger library.properties is ignored.
+/// Size limit of library.properties; a larger file is ignored.
 constexpr std::uintmax_t kMostProperties_bytes = 256 << 10;
 
-/// Returns the value of a key in a file such as library.properties; empty if there is none.
+/// Returns the value of a key in a file such as library.properties; empty if the key is missing.
 std::string property(const fs::path& file, const std::string& key) {
   std::error_code none;
   if (!is_file(file) || fs::file_size(file, none) > kMostProperties_bytes) return {};
@@ -88,10 +88,11 @@ std::string property(const fs::path& file, const std::string& key) {
   return {};
 }
 
-// The folder of Debian's packages of the old IDE and of single libraries.
+// Folder of Debian's packages of the old IDE and of single libraries.
 constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
 
-/// Adds the library folders of Arduino's IDE: of the sketchbook in its preferences, and its defaults.
+/// Adds the library folders of Arduino's IDE: those of the sketchbook in its preferences, and its default
+/// folders.
 void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
   const fs::path snap = home / "snap/arduino/current";
   const auto add = [&](const fs::path& folder) {
@@ -134,7 +135,7 @@ Library read_library(const fs::path& folder) {
 
 constexpr int kUnlike = 2;
 
-// Returns how well a library's name fits a header: 0 best.
+// Returns how well a library's folder name matches a header; 0 is best.
 int rank(const Library& library, const std::string& header) {
   const std::string wanted = fs::path(header).stem().string();
   const std::string folder = library.folder.filename().string();

@@ -8,47 +8,50 @@
 namespace robosim::build {
 
 /// A library in one of Arduino's two layouts: with `src/` (sources at any depth), or flat (sources in its
-/// root and in `utility/`). One with `src/` has a library.properties, or no header in its root, as PlatformIO
-/// allows. Then its headers may be in `include/`.
+/// root and in `utility/`). A library with `src/` has a library.properties, or no header in its root.
+/// PlatformIO allows the second case, with headers also in `include/`.
 struct Library {
-  std::string name;     ///< as in library.properties, else its folder's name
-  bool named = false;   ///< by library.properties
-  std::string version;  ///< as in library.properties; empty = not there
+  std::string name;     ///< as in library.properties, otherwise the folder's name
+  bool named = false;   ///< library.properties contains the name
+  std::string version;  ///< as in library.properties; empty = missing
   std::filesystem::path folder;
   std::vector<std::filesystem::path> includes;  ///< folders for -I
   std::vector<std::string> sources;             ///< .cpp and .c, relative to `folder`, sorted
   std::vector<std::string> assembler;           ///< .S files, relative to `folder`, sorted; for a chip only
-  std::vector<std::filesystem::path> listed;    ///< folders that were read to find these
+  std::vector<std::filesystem::path> listed;    ///< folders that were read to find the files
   bool archive =
       false;  ///< library.properties has dot_a_linkage=true: for a chip only needed objects are linked
 };
 
-/// Returns the libraries in `folders` with that name in library.properties.
+/// Returns the libraries in `folders` that have this name in library.properties.
 std::vector<Library> libraries_called(const std::string& name,
                                       const std::vector<std::filesystem::path>& folders);
 
-/// Returns where a sketch's libraries can be: in its own folder, and in those that the user has `chosen`.
-/// Then follow those of Robosim, of Arduino's IDE, and of the `core`. Throws InputError if a chosen one is
-/// not a folder.
+/// Returns the folders that may contain a sketch's libraries. The sketch's own folders come first, then the
+/// folders that the user has `chosen`. The folders of Robosim, of Arduino's IDE, and of the `core` follow.
+/// Throws InputError if a chosen path is not a folder.
 std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
                                                    const std::vector<std::filesystem::path>& chosen,
                                                    const std::vector<std::filesystem::path>& core);
 
-/// Looks up libraries in these folders, in this order. A folder may hold libraries, or be one.
+/// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins`: a folder of libraries that replace others of their names, also missing ones; or empty.
+  /// `stand_ins` is a folder of libraries that replace libraries of the same names, even missing ones; or
+  /// empty.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 
-  /// Returns the library that has `header` in its include folder; null if there is none. Within one folder, a
-  /// library with the header's name wins, then one whose name begins with it ("Servo-master"), then the first
-  /// by name. A stand-in replaces it if library.properties has the same name in both. If that has no name,
-  /// the stand-in's folder must have the header's name.
+  /// Returns the library that has `header` in its include folder; null if no library has it. Within one
+  /// folder, a library with the header's name wins. Then follow a library whose name begins with it
+  /// ("Servo-master"), and the first library by name.
+  ///
+  /// A stand-in replaces a library that has the same name in library.properties. If that file has no name,
+  /// the library's folder must have the header's name.
   const Library* find(const std::string& header) const;
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
-  /// Returns all folders whose lists of names affect the answers.
+  /// Returns all folders whose lists of names affect the results.
   std::vector<std::filesystem::path> listed() const;
 
  private:

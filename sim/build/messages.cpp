@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// std::regex needs stack for each character, so the length of a line and of all lines is limited.
+// Limits the length of a line and of all lines, since std::regex needs stack for each character.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
-/// Returns whether the compiler or linker, and not a text of the sketch, has begun the line: "My.ino:3:5:
-/// error: …", "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;", "My.ino: first
-/// defined here".
+/// Returns whether the compiler or linker began the line, not a text of the sketch: "My.ino:3:5: error: …",
+/// "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;", "My.ino: first defined
+/// here".
 bool is_begun_by_compiler(std::string_view line) {
   if (line.empty() || line[0] == ' ' || line.starts_with("In file included from ")) return true;
   const std::size_t colon = line.find(':');
@@ -39,7 +39,7 @@ bool is_begun_by_compiler(std::string_view line) {
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 
-/// Indents other lines, which could be mistaken for Robosim's own.
+/// Indents all other lines, which could be mistaken for Robosim's own messages.
 std::string with_texts_indented(const std::string& messages) {
   std::string shown;
   for (std::size_t at = 0; at < messages.size();) {
@@ -65,7 +65,7 @@ std::string cut(const std::string& output) {
   return text;
 }
 
-/// The number that the digits are; 0 for one too large, which only a sketch can have written.
+/// Returns the number; 0 if it is too large, which only a sketch can have written.
 template <typename Number = int>
 Number number_in(const std::string& digits, int base = 10) {
   Number number = 0;
@@ -83,7 +83,8 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
   return found;
 }
 
-// Only the linker knows them, and it names neither a file nor a line.
+// Throws CompileError if the program exceeds the chip's memory. Only the linker detects that, and it names
+// neither a file nor a line.
 void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
   static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");
   static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
@@ -115,7 +116,7 @@ void check_machine(const std::string& tool, const std::string& output) {
 }
 
 std::string missing_header(const std::string& whole, Place* place) {
-  // Searches only the relevant line: a search through all of them would take quadratic time.
+  // Searches only the relevant line, since a search of all lines would take quadratic time.
   const std::size_t says = whole.find(": fatal error: ");
   if (says == std::string::npos) return {};
   const std::size_t begin = whole.rfind('\n', says) + 1;
@@ -170,7 +171,7 @@ std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, 
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, const std::string& messages) {
   std::string output = without_folders(toolchain, sketch, cut(messages));
-  // The linker's lines: only those with a place in a source are useful.
+  // Shortens the linker's lines: only those with a place in a source are useful.
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");
   static const std::regex noise(
@@ -200,14 +201,14 @@ void check_seen(const fs::path& sketch, const Place& place, const std::string& h
   }
 }
 
-/// Returns whether the user has set a lower limit than Robosim.
+/// Returns whether the user has set a lower limit than Robosim's limit.
 static bool has_lower_limit(int what, rlim_t ours) {
   rlimit limit{};
   ::getrlimit(static_cast<__rlimit_resource_t>(what), &limit);
   return limit.rlim_cur < ours;
 }
 
-// Reports failures that the confinement of a compiler has caused.
+// Throws CompileError for failures that the sandbox of a compiler has caused.
 void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
   if (says(kWaits))
@@ -242,7 +243,7 @@ void fail_at_walls(const std::string& messages) {
 
 namespace {
 
-/// Groups 2, 3 and 5 are file, line and column; the message begins at group 6.
+/// Finds the first error. Groups 2, 3 and 5 are file, line and column; the message begins at group 6.
 bool find_error(const std::string& messages, std::smatch& match) {
   static const std::regex error(
       R"((^|\n)([^\n: ][^\n:]*):(\d+):((\d+):)? (fatal error|error|undefined reference|multiple definition))");
@@ -276,7 +277,7 @@ void fail(const Target& target, const std::string& messages) {
       throw CompileError("the compiler was stopped: expected at most 16 MB of messages, got more");
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!target.chip && std::regex_search(messages, match, assembler)) {
-      // gcc notes no place for an asm() outside of functions: then the file is the compiler's assembly.
+      // gcc notes no place for an asm() outside functions. The file is then the compiler's assembly.
       const std::string file = match[1];
       const Place place = file.ends_with(".s") ? Place() : Place{file, number_in(match[2])};
       throw CompileError(
@@ -300,7 +301,7 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
   if (toolchain.target.chip) check_room(toolchain, sketch, output);
   for (const Object& object : objects)
     replace_all(output, object.path.string() + " (symbol from plugin)", object.name);
-  // Removes the name of the function, which has no line.
+  // Removes the name of the function, since that line has no line number.
   static const std::regex in_function(R"((: [Ii]n function [^\n]*\n\(|:\()[.]text[^)]*\): )");
   output = std::regex_replace(output, in_function, ": ");
   // Puts the first definition on its own line, as GNU ld before 2.35 does.

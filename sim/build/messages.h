@@ -1,4 +1,4 @@
-// Messages of compilers and linkers, rewritten for users.
+// Rewrites messages of compilers and linkers for users.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,26 @@ namespace robosim::build {
 /// Throws ToolMissing if a tool's output shows that the machine lacks disk space, memory, or an assembler.
 void check_machine(const std::string& tool, const std::string& output);
 
-/// Returns the header that a failed compilation did not find; empty if it failed otherwise.
+/// Returns the header that a failed compilation did not find; empty if the compilation failed otherwise.
 std::string missing_header(const std::string& output, Place* place);
 
-/// Throws for a header that exists, but that compilers cannot see: it is outside of what a sketch may read.
+/// Throws for a header that exists outside the files that a sketch may read, so that compilers cannot see it.
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
-/// Throws for a header that no library below the finder's folders has. Throws MissingLibrary, or InputError
-/// if no library can have it.
+/// Throws for a header that no library in the finder's folders provides. Throws MissingLibrary, or InputError
+/// if no library can provide the header.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
                                        const LibraryFinder& finder, const Place& place,
                                        const std::string& header);
 
-/// Removes names of this machine's folders from a text, so that the user knows the places.
+/// Removes names of this machine's folders from a text, so that users recognise the places.
 std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
                             std::string text);
-/// Does so with the compiler's messages, and indents lines that the compiler did not begin.
+/// Removes these names from the compiler's messages, too, and indents lines that the compiler did not begin.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch,
                      const std::string& messages);
 
-/// Returns the place of the first error; without a file if no message names one.
+/// Returns the place of the first error. The place has no file if no message names one.
 Place first_error(const std::string& messages);
 
 /// Returns whether the error is in one of the libraries.
@@ -49,7 +49,7 @@ bool is_about_library(const std::string& messages, const std::vector<Library>& l
 [[noreturn]] void fail_link(const Toolchain& toolchain, const Sketch& sketch,
                             const std::vector<Object>& objects, std::string output);
 
-/// Throws an internal error if an assembler refuses only our changes to the compiler's assembly, and writes
+/// Throws an internal error if an assembler rejects only Robosim's changes to the compiler's assembly. Writes
 /// the changed assembly to `saved`.
 [[noreturn]] void fail_for_changes(const Toolchain& toolchain, const std::filesystem::path& saved,
                                    const std::string& assembly, const std::string& messages);

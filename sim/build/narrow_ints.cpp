@@ -7,7 +7,7 @@
 namespace robosim::build {
 namespace {
 
-/// Returns the end of the comment, text or character that begins at `at`; `at` if none does.
+/// Returns the end of the comment or literal that begins at `at`; `at` if neither begins there.
 std::size_t end_of_passage(std::string_view source, std::size_t at, QuoteEnds& quote_ends) {
   const auto behind = [&](std::string_view end, std::size_t from) {
     const std::size_t found = source.find(end, from);

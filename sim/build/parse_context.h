@@ -1,4 +1,4 @@
-// The options with which a parser other than the compiler reads a sketch as it is compiled.
+// Provides the options with which another parser reads a sketch as the compiler does.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,12 @@ namespace robosim::build {
 
 struct ParseContext {
   Sketch sketch;
-  std::vector<std::string> words;  ///< a C++ compiler's: the language, macros, folders of headers
-  std::vector<std::filesystem::path> readable;  ///< what a compiler sees of this machine (run_within())
+  std::vector<std::string> words;  ///< options of a C++ compiler: the language, macros, folders of headers
+  std::vector<std::filesystem::path> readable;  ///< files that a compiler can read (run_within())
 };
 
-/// Builds the sketch first, for the host or an AVR, to check that it compiles. Throws as build() does.
+/// Returns the context after building the sketch, for the host or an AVR, to check that it compiles. Throws
+/// as build() does.
 ParseContext parse_context_of(const Request& request);
 
 }  // namespace robosim::build

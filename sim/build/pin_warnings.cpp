@@ -18,7 +18,7 @@
 namespace robosim::build {
 namespace {
 
-/// A word in words_in()'s text. Its number is limited only by the number of characters.
+/// A word of a text. The number of words is limited only by the number of characters.
 struct Word {
   std::string_view text;  ///< a name, a number, a string's quote, or one character
   std::string_view file;
@@ -30,7 +30,7 @@ std::vector<Word> words_in(const std::string& text) {
   QuoteEnds quote_ends(text);
   std::string_view file;
   int line = 1;
-  bool begins = true;  // of a line
+  bool begins = true;  // at the beginning of a line
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
     if (c == '\n') {
@@ -77,7 +77,7 @@ bool is_name(std::string_view word) {
   return is_of_name(word[0]) && !std::isdigit(static_cast<unsigned char>(word[0]));
 }
 
-/// Returns variables that are set once, to a number.
+/// Returns variables that are set exactly once, to a number.
 std::map<std::string_view, int> constants_in(const std::vector<Word>& words) {
   std::map<std::string_view, int> found;
   std::set<std::string_view> several;
@@ -91,7 +91,7 @@ std::map<std::string_view, int> constants_in(const std::vector<Word>& words) {
     const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
                          words[i - 2].text == words[i - 1].text;
     const bool shared = i > 0 && words[i - 1].text == "&";
-    // A parameter, a member or a local variable of the same name may hold any value.
+    // A parameter, a member or a local variable of the same name may have any value.
     const bool declared = i > 0 && is_name(words[i - 1].text) &&
                           (next == "," || next == ")" || next == ";" || next == ":" || next == "[");
     if (counts || counted || shared || declared) several.insert(name);
@@ -116,7 +116,7 @@ constexpr std::array kFunctions = {
     Function{"analogRead", Use::analog},
 };
 
-/// Returns the number of `pin` on the board, as the function takes it; kNoPin = invalid.
+/// Returns the board's pin for the function's argument `pin`; kNoPin = invalid.
 Pin pin_on(const BoardSpec& board, int pin, Use use) {
   if (use == Use::analog && pin < board.analog_pin_0) return find_pin(board, fmt::format("A{}", pin).c_str());
   return pin < board.pin_count ? static_cast<Pin>(pin) : kNoPin;
@@ -138,7 +138,7 @@ std::string pwm_pins(const BoardSpec& board) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Returns the problem with it; empty = none.
+/// Returns the problem with using the pin; empty = none.
 std::string complaint(const BoardSpec& board, int number, Use use) {
   const Pin pin = pin_on(board, number, use);
   if (pin == kNoPin)
@@ -202,7 +202,7 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
   const bool may_have_more_bits = std::any_of(
       words.begin(), words.end(), [](const Word& word) { return word.text == "analogWriteResolution"; });
   for (std::size_t i = 1; i + 3 < words.size(); ++i) {
-    // A declaration has a type before the name, a method a . or ->.
+    // Declarations have a type before the name; method calls have a . or ->.
     if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;
     if (const std::string wrong = may_have_more_bits ? "" : range_warning(words, i); !wrong.empty())
       text += (text.empty() ? "" : "\n") + wrong;

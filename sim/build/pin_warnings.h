@@ -1,5 +1,5 @@
-// Warns about pins that a board does not have, or that cannot do what a sketch requests. Nothing reports that
-// on the chip.
+// Warns about pins that a board does not have, or that cannot do what a sketch requests. The chip itself
+// reports no such mistake.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 namespace robosim::build {
 
 /// Returns warnings in a compiler's format, one per line, on calls such as pinMode(50, OUTPUT). `own_lines`
-/// are the sketch's preprocessed lines (prototypes.h). Examines numbers, names of pins, and variables that
-/// are set once, to a number.
+/// are the sketch's preprocessed lines (prototypes.h). Checks numbers, names of pins, and variables that are
+/// set exactly once, to a number.
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 
-/// Returns a warning for the first Serial.print() of a sketch that never begins Serial. `all` is its
-/// preprocessed .ino files, with all headers. Not for boards whose Serial is a USB port. Only for sketches
-/// without other sources and libraries, which may begin it.
+/// Returns a warning for the first Serial.print() of a sketch that never begins Serial. `all` is the sketch's
+/// preprocessed .ino files, with all headers. Does not apply to boards whose Serial is a USB port. Call only
+/// for sketches without other sources or libraries, since these may begin Serial.
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
 
 }  // namespace robosim::build

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kLook_ms = 1000;  ///< how often programs are looked at
+constexpr int kLook_ms = 1000;  ///< period of checks on the programs
 
 std::vector<std::string> clean_environment() {
   static constexpr const char* kDropped[] = {"LC_",
@@ -80,8 +80,8 @@ bool exceeds_time(const CommandResult& result) {
 
 std::string list_of_children(pid_t process) { return fmt::format("/proc/{0}/task/{0}/children", process); }
 
-/// Returns the descendants of a process: gcc's own children do the work, and outlive it. Empty if the kernel
-/// does not list them.
+/// Returns the descendants of a process, since gcc's own children do the work, and may outlive gcc. Empty if
+/// the kernel does not list them.
 std::vector<pid_t> descendants(pid_t process) {
   std::vector<pid_t> all;
   std::ifstream list(list_of_children(process));
@@ -94,7 +94,7 @@ std::vector<pid_t> descendants(pid_t process) {
 }
 
 void end_with_descendants(const Child& child) {
-  child.send(SIGSTOP);  // it starts no more of them
+  child.send(SIGSTOP);  // prevents it from starting more of them
   for (const pid_t one : descendants(child.pid())) ::kill(one, SIGKILL);
   child.send(SIGKILL);
 }
@@ -106,12 +106,12 @@ double processor_s_of(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Detects a program that has hardly worked for a while: it waits without end, for example for a writer of
-/// a pipe that it includes.
+/// Detects a program that has hardly worked for some time, because it waits without end. For example, it
+/// waits for a writer of a pipe that it includes.
 struct Idleness {
   bool look(pid_t process, int most_s) {
     static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();
-    constexpr double kBusyMachine = 20.0;  // a program that works gets at least this part of a processor
+    constexpr double kBusyMachine = 20.0;  // a program that works gets at least this fraction of a processor
     double now_s = processor_s_of(process);
     bool is_runnable = process_state(process) == 'R';
     for (const pid_t one : descendants(process)) {

@@ -1,5 +1,5 @@
-// The parts of a sketch outside of its folder: files that it shares with sketches next to it, and the targets
-// of links.
+// Finds the parts of a sketch outside its folder: files that it shares with neighbouring sketches, and the
+// targets of links.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,20 @@
 
 namespace robosim::build {
 
-/// Returns how far a sketch may reach for shared code: its checkout (the nearest folder above with a .git),
-/// else its parent folder. If that is the user's home, or above, only the sketch's own folder.
+/// Returns the folder within which a sketch may share code. This is its checkout (the nearest folder above
+/// with a .git), otherwise its parent folder. If that folder is the user's home or above, returns only the
+/// sketch's own folder.
 std::filesystem::path reach_of(const std::filesystem::path& sketch_folder);
 
-/// Returns sources and headers within `reach`, outside of the sketch's folder. Its files include them
-/// ("../common/pid.h"), directly or not, or links in its folder lead there. Canonical.
+/// Returns the canonical paths of sources and headers within `reach` but outside the sketch's folder. The
+/// sketch's files include them ("../common/pid.h"), directly or indirectly, or links in its folder lead to
+/// them.
 std::vector<std::filesystem::path> shared_files(const Sketch& sketch, const std::filesystem::path& reach);
 
-/// Returns whether a file, or a link's target, is below `folder`; false if there is none.
+/// Returns whether a file, or a link's target, is below `folder`; false if the file does not exist.
 bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// Throws InputError for a link in the folder that leads out of it.
+/// Throws InputError for a link in the folder that leads out of the folder.
 void check_links(const std::filesystem::path& folder);
 
 }  // namespace robosim::build

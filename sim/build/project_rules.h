@@ -1,4 +1,4 @@
-// The settings of a project's file that extend Arduino's rules (sim/project/project.h).
+// Defines the settings in a project file that extend Arduino's rules (sim/project/project.h).
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 namespace robosim::build {
 
 struct ProjectRules {
-  /// Everything in this folder is the sketch, at any depth, with any number of .ino files; empty = Arduino's
+  /// Folder of the sketch: all files in it, at any depth, with any number of .ino files. Empty = Arduino's
   /// rules.
   std::filesystem::path sources;
-  std::vector<std::filesystem::path> includes;  ///< folders for all except the core
-  std::vector<std::string> flags;               ///< -D and -U, for everything
+  std::vector<std::filesystem::path> includes;  ///< folders for all units except the core
+  std::vector<std::string> flags;               ///< -D and -U options for all units
 };
 
 }  // namespace robosim::build

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Characters from the beginning of a function's line to the end of its parameters. Without it a sketch of
-/// many functions could have each looked for in all of its text.
+/// Limit of characters from the beginning of a function's line to the end of its parameters. Without it, each
+/// function of a large sketch could be searched for in the whole text.
 constexpr std::size_t kLongestList = 64 * 1024;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -41,7 +41,8 @@ int to_int(std::string_view text) {
   return value;
 }
 
-// Parses `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`: the line and file that follow.
+// Parses `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`, which give the number and file of the following
+// line.
 bool parse_marker(std::string_view line, int& number, std::string& file) {
   if (line.empty() || line[0] != '#') return false;
   line.remove_prefix(1);
@@ -65,7 +66,7 @@ std::string without_using(std::string type) {
   return type.starts_with(kUsing) ? type.substr(kUsing.size()) : type;
 }
 
-/// Separates text of a C++ source from comments and literals.
+/// Separates the code of a C++ source from comments and literals.
 class Scanner {
  public:
   Scanner(std::string& text, std::size_t at) : text_(text), at_(at) {}
@@ -100,7 +101,7 @@ class Scanner {
 };
 
 // Blanks the default arguments of the parameter list that begins at `open`, and returns the original list.
-// Empty if the list does not end, or is longer than any.
+// Empty if the list does not end within kLongestList.
 std::string take_defaults(std::string& source, std::size_t open) {
   int depth = 0;
   std::size_t default_at = 0;
@@ -139,7 +140,7 @@ std::string one_line(std::string text) {
 
 using LineStarts = std::map<std::pair<std::string, int>, std::size_t>;
 
-/// Returns where each line of each .ino begins in a source with #line directives.
+/// Returns where each line of each .ino file begins in a source with #line directives.
 LineStarts line_starts(const std::string& joined) {
   LineStarts starts;
   std::string file;
@@ -166,7 +167,7 @@ std::size_t parameter_list(const std::string& source, const std::string& name, s
   return std::string::npos;
 }
 
-/// Returns the blocks `extern "C" { ... }`, from brace to brace.
+/// Returns the ranges of `extern "C" { ... }` blocks, from brace to brace.
 std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   std::vector<std::pair<std::size_t, std::size_t>> blocks;
   std::size_t extern_at = std::string::npos;
@@ -174,7 +175,7 @@ std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   for (Scanner scan(source, 0); !scan.done(); scan.step()) {
     if (source.compare(scan.at(), 6, "extern") == 0) extern_at = scan.at();
     if (scan.peek() == '{') {
-      // It is of this brace only: else each brace would copy all that is before it.
+      // Uses `extern` for this brace only. Otherwise each brace would copy all text before it.
       const std::size_t from = std::exchange(extern_at, std::string::npos);
       std::string head = from == std::string::npos ? "" : source.substr(from, scan.at() - from);
       head.erase(std::remove_if(head.begin(), head.end(), [](unsigned char c) { return std::isspace(c); }),
@@ -199,7 +200,7 @@ bool inside(const std::vector<std::pair<std::size_t, std::size_t>>& ranges, std:
                      [&](const auto& range) { return at > range.first && at < range.second; });
 }
 
-/// Returns whether the value mentions a function, as in `&blink` and `(blink)`.
+/// Returns whether the variable's value mentions a function, as in `&blink` and `(blink)`.
 bool mentions_function(const Tag& variable, const std::set<std::string>& functions) {
   const std::string& code = variable.code;
   for (std::size_t at = code.find_first_of("&("); at != std::string::npos;
@@ -298,7 +299,7 @@ std::string insert_prototypes(const std::string& joined, const std::string& own,
       insert_line = start->first;
     }
     if (!function || tag.type.empty() || tag.code.find("(*" + tag.name) != std::string::npos) continue;
-    // Like Arduino, compares the texts.
+    // Compares the texts, like Arduino.
     if (!declared.insert(tag.type + tag.name + tag.signature).second) continue;
 
     std::string text;
@@ -316,7 +317,7 @@ std::string insert_prototypes(const std::string& joined, const std::string& own,
       }
       if (tag.code.find("extern \"C\"") != std::string::npos || inside(c_functions, own_start->second))
         text += "extern \"C\" ";
-      // Only before its name: void loop() { static int n; … } is on one line, too.
+      // Searches only before the name: void loop() { static int n; … } may be on one line.
       if (tag.code.substr(0, tag.code.find(tag.name)).find("static ") != std::string::npos) text += "static ";
       text += tag.type + ' ' + tag.name + parameters;
     }

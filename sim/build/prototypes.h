@@ -1,5 +1,5 @@
-// Adds prototypes for the functions of joined .ino files, like the Arduino builder. arduino-ctags finds them
-// in the preprocessed source, and they are inserted before the first function.
+// Adds prototypes for the functions of joined .ino files, like the Arduino builder. arduino-ctags finds the
+// functions in the preprocessed source, and the prototypes are inserted before the first function.
 #pragma once
 
 #include <filesystem>
@@ -14,24 +14,24 @@ struct Tag {
   std::string file;
   int line = 0;
   std::string kind;       ///< "function", "prototype", "variable", "struct"
-  std::string scope;      ///< its class, struct or namespace
+  std::string scope;      ///< name of its class, struct or namespace
   std::string signature;  ///< "(int a, char b)"
-  std::string type;       ///< of the result
+  std::string type;       ///< result type
   std::string code;       ///< the source line
 };
 
-/// Returns the lines of the sketch's .ino files, with #line directives; lines from headers are removed.
+/// Returns the lines of the sketch's .ino files, with #line directives. Lines from headers are removed.
 std::string own_lines(const std::string& preprocessed, const std::vector<std::string>& inos);
 
 /// Reads ctags' list (`--fields=KSTtzns`).
 std::vector<Tag> parse_tags(const std::string& listing);
 
-/// Returns `joined` with the prototypes in it; `own` are its preprocessed lines. Default arguments move from
-/// a function to its prototype: C++ allows them once.
+/// Inserts the prototypes into `joined` and returns it. `own` contains the preprocessed lines of `joined`.
+/// Default arguments move from a function to its prototype, since C++ allows them only once.
 std::string insert_prototypes(const std::string& joined, const std::string& own,
                               const std::vector<Tag>& tags);
 
-/// Does all three steps; `work` is a folder for ctags' files.
+/// Performs all three steps; `work` is a folder for ctags' files.
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,
                            const std::vector<std::string>& inos, const std::filesystem::path& work);
 

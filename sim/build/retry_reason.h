@@ -1,4 +1,4 @@
-// Reasons to compile a program once more, with other settings.
+// Describes why a program is compiled again with other settings.
 #pragma once
 
 #include <exception>
@@ -7,15 +7,16 @@
 
 namespace robosim::build {
 
-/// The program does not compile with its present registers, but may with these.
+/// Thrown if the program does not compile with its present registers, but may compile with others.
 struct RetryReason {
   Registers with;
-  std::exception_ptr otherwise = nullptr;  ///< the error to report if they do not help; null = the second one
-  bool narrow_ints = false;                ///< the sketch needs an int of 16 bits
+  std::exception_ptr otherwise = nullptr;  ///< error to report if the retry fails; null = the retry's error
+  bool narrow_ints = false;                ///< the sketch needs 16-bit ints
 };
 
-// Marks in a program's assembly if it stores a register's address (hal/host/registers.h). Also a mark in a
-// compiler's message about a use of a register that its class does not support (hal/arduino/avr/io.h).
+// kRegisterMemory marks assembly that stores a register's address (hal/host/registers.h). kRegisterClass
+// marks a compiler's message about a use of a register that its class does not support
+// (hal/arduino/avr/io.h).
 inline constexpr const char* kRegisterMemory = "robosim_register_memory";
 inline constexpr const char* kRegisterClass = "robosim_hal::Register";
 

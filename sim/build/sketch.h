@@ -1,9 +1,8 @@
-// Builds a sketch folder to an image that a runner loads or a chip is flashed with, by Arduino's rules
-// (docs/reference/sketches.md).
+// Builds a sketch folder by Arduino's rules (docs/reference/sketches.md). The result is an image, which a
+// runner loads or a chip is flashed with.
 //
 //   const Image image = build({find_sketch("PidFollower"), *find_board("uno")});
 //
-// Results are cached by content: a second build of the same files starts no process.
 // Results are cached by content: a second build of the same files starts no process.
 #pragma once
 
@@ -19,7 +18,7 @@
 
 namespace robosim::build {
 
-/// The level of compiler warnings: the choices of Arduino's preferences. `standard` has more, which find
+/// The level of compiler warnings: the choices of Arduino's preferences. `standard` adds warnings about
 /// typical mistakes of beginners: if (x = 1), if (400 < x < 600), and if (x); (warning_filter.h)
 enum class Warnings { none, standard, more, all };
 
@@ -27,82 +26,85 @@ struct Request {
   std::filesystem::path
       sketch;  ///< a sketch folder, its .ino, or a single .cpp that includes Arduino.h itself
   const BoardSpec& board;
-  std::string target = "host";  ///< or "avr", "stm32"
+  std::string target = "host";  ///< "host", "avr" or "stm32"
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< sketch and libraries check themselves at run time
   bool coverage = false;  ///< counts the sketch's own lines (coverage.h)
-  /// Outside of the sketch's folder it sees its libraries alone: not shared files (project.h).
+  /// The build sees nothing outside the sketch's folder except its libraries, not even shared files
+  /// (project.h).
   bool untrusted = false;
   ProjectRules rules = {};
   std::function<void()> core_begins = {};  ///< called once before a core is compiled, which takes seconds
 };
 
 struct Image {
-  std::string name;                             ///< of the sketch
-  std::filesystem::path image;                  ///< in the cache; its content never changes under this name
-  std::vector<std::filesystem::path> products;  ///< in the cache, too: the .hex or .bin of a chip's .elf
-  std::filesystem::path notes;                  ///< of gcov on the sketch, bundled; with Request::coverage
-  std::string sketch_sha256;                    ///< of the sketch's own files, by name and content
+  std::string name;             ///< name of the sketch
+  std::filesystem::path image;  ///< path in the cache; the content under this path never changes
+  std::vector<std::filesystem::path> products;  ///< also in the cache: the .hex or .bin of a chip's .elf
+  std::filesystem::path notes;  ///< gcov's notes on the sketch, bundled; with Request::coverage
+  std::string sketch_sha256;    ///< hash of the sketch's own files, by name and content
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of the compiled libraries
-  std::string messages;                ///< the compiler's warnings, lines; empty if there were none
-  /// Code and constants of sketch, libraries and core. On a chip the flash in use, with the variables'
-  /// initial values; on the host for this machine, including hal.
+  std::string messages;                ///< lines with the compiler's warnings; empty if there were none
+  /// Size of code and constants of sketch, libraries and core. For a chip, the flash in use, with the
+  /// variables' initial values. For the host, the size on this machine, including hal.
   std::uint64_t text_bytes = 0;
-  std::uint64_t data_bytes = 0;  ///< variables: on a chip the RAM in use before any call
+  std::uint64_t data_bytes = 0;  ///< size of variables; for a chip, the RAM in use before any call
   bool from_cache = false;
 };
 
-/// The sketch does not compile. what() is the compiler's own message from the first error on. Places in the
-/// sketch's files have the user's names ("Blink.ino:12:5").
+/// Thrown if the sketch does not compile. what() is the compiler's own message, from the first error. Places
+/// in the sketch's files have the user's names ("Blink.ino:12:5").
 class CompileError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// There is no library for a header that the sketch includes; it may be in a folder that was not given.
+/// Thrown if no library provides a header that the sketch includes. The library may be in a folder that was
+/// not given.
 class MissingLibrary : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Builds a sketch. Throws InputError (no such sketch …), MissingLibrary, CompileError, or ToolMissing.
+/// Builds a sketch. Throws InputError (such as for a missing sketch), MissingLibrary, CompileError, or
+/// ToolMissing.
 Image build(const Request& request);
 
 /// Returns the targets that sketches are compiled for: "host", "avr", "stm32".
 std::vector<std::string> targets();
 
-/// Returns the boards that have a chip of this target, the usual one first; empty = any board. Throws
+/// Returns the boards that have a chip of this target, the usual board first; empty = any board. Throws
 /// InputError for an unknown target.
 std::vector<std::string> boards_of(const std::string& target);
 
-/// Returns a sentence with the first tool or package that building for this target lacks; empty if nothing is
-/// missing. Throws InputError for an unknown target.
+/// Returns a sentence about the first tool or package that is missing to build for this target. Empty if
+/// nothing is missing. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);
 
 /// Throws InputError for a target whose sketches cannot be built with Request::sanitize.
 void check_can_sanitize(const std::string& target);
 
-/// A limit that the firmware states by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
+/// A limit that the firmware declares by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
 /// (firmware/src/nav/Limits.h).
 struct Limit {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t value = 0;
-  std::uint64_t bytes_each = 0;  ///< RAM per additional one, by `linekit_bytes_each_...`; 0 = not stated
-  std::uint64_t most = 0;        ///< its upper bound, by `linekit_most_...`; 0 = not stated
+  std::uint64_t bytes_each = 0;  ///< RAM per additional item, by `linekit_bytes_each_...`; 0 = not stated
+  std::uint64_t most = 0;        ///< upper bound of the limit, by `linekit_most_...`; 0 = not stated
 };
 /// Returns all limits of an image, sorted by name.
 std::vector<Limit> stated_limits(const Image& image);
 
-/// Returns whether `name` is a path, and not the name of a sketch of Robosim. It then contains '/' or '.', or
-/// `folder` has a folder of that name.
+/// Returns whether `name` is a path, not the name of a sketch of Robosim. A path contains '/' or '.', or is
+/// the name of a folder in `folder`.
 bool is_sketch_path(const std::string& name, const std::filesystem::path& folder = ".");
 
-/// Returns the folder or file that the user calls `name`: a path (is_sketch_path), else a sketch of Robosim.
-/// Throws InputError, with the names of Robosim's sketches, if there is neither.
+/// Returns the folder or file that the user means by `name`: a path (is_sketch_path), or else a sketch of
+/// Robosim. Throws InputError with the names of Robosim's sketches if neither exists.
 std::filesystem::path find_sketch(const std::string& name);
 
 /// Returns whether a sketch of this name comes with Robosim.
@@ -111,8 +113,8 @@ bool is_stock_sketch(const std::string& name);
 /// Returns the names of the sketches that come with Robosim, sorted.
 std::vector<std::string> stock_sketches();
 
-/// Returns where images and objects are stored: $XDG_CACHE_HOME/robosim, else ~/.cache/robosim. If that
-/// cannot be written, a folder of this user below the system's temporary one.
+/// Returns where images and objects are stored: $XDG_CACHE_HOME/robosim, or else ~/.cache/robosim. If that
+/// folder cannot be written, returns a folder of this user in the system's temporary folder.
 std::filesystem::path cache_folder();
 
 }  // namespace robosim::build

@@ -38,7 +38,7 @@ void take(Sketch& sketch, const fs::path& file) {
   if (file.extension() == ".S" || file.extension() == ".s") sketch.assembler.push_back(name);
 }
 
-/// Throws InputError where a folder below cannot be read; nothing is below one that is not there.
+/// Throws InputError if `folder` or a folder below it cannot be read. A missing folder has nothing below it.
 void check_all_read(const fs::path& folder, const std::error_code& error) {
   if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
     throw InputError({folder.string()}, "cannot read the folder or one below it: " + error.message());
@@ -70,7 +70,7 @@ void sort(Sketch& sketch) {
   std::sort(sketch.headers.begin(), sketch.headers.end());
 }
 
-// Adds the folder itself and, below it, src/.
+// Adds the files of the folder itself and, at any depth, of src/.
 void take_folder(Sketch& sketch) {
   for (const auto& entry : fs::directory_iterator(sketch.folder))
     if (entry.is_regular_file() && !hidden(entry.path())) take(sketch, entry.path());
@@ -87,7 +87,7 @@ std::vector<std::string> inos_in(const fs::path& folder) {
   return names;
 }
 
-/// Returns a hint if a folder holds sketches in folders of its own, as archives and hand-ins do; else "".
+/// Returns a hint if a folder contains sketches in subfolders, as archives and hand-ins do; otherwise "".
 std::string nested_sketch_hint(const fs::path& folder) try {
   std::set<std::string> nested;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -96,10 +96,10 @@ std::string nested_sketch_hint(const fs::path& folder) try {
       nested.insert(entry.path().filename().string());
   return nested.empty() ? "" : fmt::format("; {} in it is one: name that folder", *nested.begin());
 } catch (const fs::filesystem_error&) {
-  return "";  // a folder that may not be read
+  return "";  // the folder cannot be read
 }
 
-// Puts the .ino with the folder's name first; if there is only one, its name does not matter.
+// Puts the .ino file with the folder's name first. The name of a single .ino file does not matter.
 bool put_main_first(std::vector<std::string>& inos, const std::string& folder_name) {
   const auto own = std::find_if(inos.begin(), inos.end(), [&](const std::string& name) {
     return fs::path(name).stem().string() == folder_name;
@@ -127,10 +127,10 @@ std::string unix_text(std::string text) {
 
 namespace {
 
-/// The limit of all files of a sketch together, which Robosim reads whole.
+/// Limit of the size of all files of a sketch together, since Robosim reads them completely.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
-/// Prevents a project's file from opening other folders of this machine to compilers.
+/// Prevents a project file from giving compilers access to other folders of this machine.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);
   if (!lies_in(folder, reach))
@@ -141,7 +141,7 @@ void check_within_project(const fs::path& project, const fs::path& folder) {
                     reach.string(), folder.string()));
 }
 
-/// Reads a project by PlatformIO's rules: its folder of sources; the .ino file with setup() is the first.
+/// Reads a project by PlatformIO's rules: its folder of sources. The .ino file with setup() comes first.
 Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   std::error_code error;
   const fs::path sources = fs::canonical(rules.sources, error);
@@ -186,8 +186,8 @@ void check_size(const Sketch& sketch) {
                     kMostSources_bytes >> 20, bytes >> 20));
 }
 
-/// Compilers see no link out of the project either (shared_files()), and name the line that includes a
-/// header.
+/// Removes headers that link out of the project, and throws InputError for such sources. Compilers do not see
+/// these headers either (shared_files()), and report the line that includes one.
 void check_links(Sketch& sketch) {
   const fs::path reach = reach_of(sketch.folder);
   std::error_code none;
@@ -257,7 +257,7 @@ Sketch read_sketch(const fs::path& path, const ProjectRules& rules) try {
   check_links(sketch);
   check_size(sketch);
   return sketch;
-} catch (const fs::filesystem_error& error) {  // a folder that may not be read, a link to itself
+} catch (const fs::filesystem_error& error) {  // a folder that cannot be read, or a link to itself
   const fs::path& place = error.path1().empty() ? path : error.path1();
   throw InputError({place.string()}, "cannot read the file: " + error.code().message());
 }

@@ -1,4 +1,4 @@
-// The files of a sketch, and its .ino files as one C++ source.
+// Finds the files of a sketch, and joins its .ino files to one C++ source.
 #pragma once
 
 #include <filesystem>
@@ -19,19 +19,19 @@ struct Sketch {
   std::vector<std::filesystem::path> includes;  ///< folders for -I
 };
 
-/// Returns whether the file is compiled by itself: C or C++.
+/// Returns whether the file is a C or C++ source, which is compiled by itself.
 bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
 
-/// Reads the folder by Arduino's rules, and the project's. Throws InputError, also for more than 8 MB of
+/// Reads the folder by the rules of Arduino and of the project. Throws InputError, also for more than 8 MB of
 /// sources.
 Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
 /// Returns the SHA-256 of names and contents of all files of the sketch.
 std::string content_sha256(const Sketch& sketch);
 
-/// Returns the .ino files joined, with `#include <Arduino.h>` on top and #line directives; line ends are LF.
+/// Joins the .ino files, with `#include <Arduino.h>` on top and #line directives. Line ends are LF.
 std::string join_inos(const Sketch& sketch);
 
 /// Returns `name` as a C string literal.

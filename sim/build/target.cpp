@@ -9,7 +9,7 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
-// Before the default script, so that constructors are taken out of .init_array, in the order of their
+// Precedes the default script, so that constructors are removed from .init_array, in the order of their
 // priority. Destructors are stored separately and never run: firmware on a microcontroller never ends.
 constexpr const char* kSections = R"(SECTIONS
 {
@@ -25,13 +25,14 @@ constexpr const char* kSections = R"(SECTIONS
 INSERT BEFORE .data;
 )";
 
-/// The linker redirects calls of these to `__wrap_NAME` (hal/host/addresses.cpp).
+/// Returns options that redirect calls of these functions to `__wrap_NAME` (hal/host/addresses.cpp).
 std::vector<std::string> wrapped(std::vector<std::string> functions) {
   for (std::string& function : functions) function.insert(0, "-Wl,--wrap=");
   return functions;
 }
 
-// A shared object for a runner. Fixed: the same code on the same compiler must give the same trace.
+// Builds a shared object for a runner. The options are fixed: the same code and compiler must give the same
+// trace.
 const Target kHost = {
     .name = "host",
     .image_ending = ".so",
@@ -43,80 +44,81 @@ const Target kHost = {
     .hal = "host",
     .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
              "-ffp-contract=off",
-             // Like avr-gcc, for which address 0 is valid: a write through a null pointer stays in the code,
-             // and is detected.
+             // As for avr-gcc, address 0 is valid. A write through a null pointer stays in the code and is
+             // detected.
              "-fno-delete-null-pointer-checks",
              // Like Arduino's AVR core:
              "-ffunction-sections", "-fdata-sections",
-             // Requirements of a private copy of an image: no symbol shared between copies, nothing from the
-             // C++ library. Also no names of this machine inside, and no defaults that differ between
+             // A private copy of an image must share no symbol with other copies, and use nothing of the C++
+             // library. It must also not contain names of this machine, or defaults that differ between
              // distributions.
              "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches",
              "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-pipe", "-nostdinc"},
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
-    // A function without its `return` returns, as with avr-gcc. Without `unreachable` gcc treats its end as
-    // unreachable, and runs the code after it. If a sketch requests -Os or more, gcc would end a path that
-    // has divided by zero with a trap.
+    // A function without its `return` returns, as with avr-gcc. Without `unreachable`, gcc would assume that
+    // its end is never reached, and continue with the code after it. At -Os or more, gcc would also end a
+    // path with a trap after a division by zero. A sketch can request such a level.
     .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
             "-fno-isolate-erroneous-paths-dereference"},
-    // A sketch's time is counted in blocks of its code, so its level is fixed for ever. The core's costs are
-    // in its table.
+    // A sketch's time is counted in blocks of its code, so its level must never change. The core's costs are
+    // in a table.
     .own_level = "-O1",
-    // Each access to shared memory is a call, which hal/host/register_memory.cpp handles.
+    // Each access to shared memory becomes a call, which hal/host/register_memory.cpp handles.
     .memory = {"-DROBOSIM_REGISTER_MEMORY", "-fsanitize=thread", "--param=tsan-distinguish-volatile=1",
                "--param=tsan-instrument-func-entry-exit=0"},
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
-        {// gcc defines << for negative numbers and for bits that are shifted out: only the distance is
-         // checked. Uninitialised variables show: gcc fills them with bytes FE. From gcc 13 on tree-ccp
-         // replaces a filled variable by the value that another path assigns. Then neither a warning nor a
-         // run shows it.
+        {// gcc defines << for negative numbers and for bits that are shifted out, so only the distance is
+         // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
+         // tree-ccp would replace a filled variable by the value that another path assigns. Then neither a
+         // warning nor a run would reveal it.
          .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
                        "signed-integer-overflow,unreachable,vla-bound"},
-         // Each check is a call, which hal/host handles.
+         // Each check becomes a call, which hal/host handles.
          .addresses = {"-fsanitize=address", "--param=asan-instrumentation-with-call-threshold=0",
                        "--param=asan-use-after-return=0"},
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
                           "strncat", "strcmp", "strncmp", "strchr", "strstr"}),
-         // If locals are not filled, the optimiser chooses a convenient value for a missing one, without a
-         // warning.
+         // If local variables are not filled, the optimiser chooses a convenient value for a missing one,
+         // without a warning.
          .warnings = {"-Wmaybe-uninitialized"}},
-    // Not optimised: a line keeps its code, and a counter is in memory whenever the firmware is left. The
-    // data's name must not depend on folders, and gcov checks that notes and data are of the same build.
+    // Without optimisation, each line keeps its code, and counters are in memory whenever the firmware is
+    // left. The data's name must not depend on folders. gcov checks that notes and data belong to the same
+    // build.
     .coverage = {.own = {"-O0", "-fprofile-arcs", "-ftest-coverage", "-fprofile-info-section=robosim_gcov",
                          "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
                  .definitions = {"-DROBOSIM_COVERAGE"},
                  .link = {"-lgcov"}},
-    // Functions and lines, for a crash inside it; for the sketch everything that a debugger shows.
+    // The core has functions and lines, for a crash inside it. The sketch has everything that a debugger
+    // shows.
     .core = {"-g1", "-gno-column-info", "-gno-statement-frontiers"},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
-    // The loader must not run anything: start files add their own constructors.
-    // Without the linker's plugin: nothing here is optimised at link time, and it would compile bytecode that
-    // an asm() has put into an object.
+    // The loader must not run anything, and start files would add their own constructors. The linker's plugin
+    // is disabled: nothing here needs it, and it would compile bytecode that an asm() has put into an object.
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-fno-lto",
              "-fno-use-linker-plugin", "-Wl,-Bsymbolic", "-Wl,--no-undefined", "-Wl,--gc-sections",
              "-Wl,--build-id=none", "-Wl,-z,now",
-             // An image is hashed and read before each run: without this it has some 800 KB.
+             // An image is hashed and read before each run. Without this option it has about 800 KB.
              "-Wl,--compress-debug-sections=zlib",
-             // Handlers that a sketch does not define are null, even if the process has them.
+             // Handlers that a sketch does not define must be null, even if the process has them.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
-             // For arm: hal/host/division.cpp.
+             // For arm; see hal/host/division.cpp.
              "-Wl,--wrap=__aeabi_idiv,--wrap=__aeabi_idivmod,--wrap=__aeabi_uidiv",
              "-Wl,--wrap=__aeabi_uidivmod,--wrap=__aeabi_ldivmod,--wrap=__aeabi_uldivmod"},
     .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
     .products = {},
 };
 
-// As in Arduino's platform.txt of the core 1.8.7, except for debug information. That is DWARF (avr-gcc's
-// default is stabs) and has no names of this machine. The code is the same, byte for byte. Without
-// DECIMAL_DIG the core's WString.cpp does not compile against avr-libc 2.0.
+// Equals Arduino's platform.txt of core 1.8.7, except for debug information. That is DWARF (avr-gcc's default
+// is stabs) without names of this machine. The code is the same, byte for byte. Without DECIMAL_DIG, the
+// core's WString.cpp does not compile against avr-libc 2.0.
 const Target kAvr = {
     .name = "avr",
     .image_ending = ".elf",
@@ -135,14 +137,14 @@ const Target kAvr = {
     .own_level = "-Os",
     .memory = {},
     .as_avr = {},
-    // Link-time optimisation of avr-gcc 5.4 fails for code with checks. That is far larger than the chip. For
-    // an image with handlers (hal/avr/undefined.c), the executor's chip has 64 KB of flash, and RAM up to the
-    // start of its stack. That is also RAMEND (hal/avr/with_checks).
+    // Link-time optimisation of avr-gcc 5.4 fails for code with checks, which is far larger than the chip.
+    // For an image with handlers (hal/avr/undefined.c), the executor's chip has 64 KB of flash. Its RAM
+    // extends to the start of the stack, which is also RAMEND (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
-                  // Also for the core: otherwise its weak functions, such as initVariant(), override a
-                  // library's.
+                  // Also applies to the core. Otherwise its weak functions, such as initVariant(), override
+                  // those of a library.
                   .addresses = {"-fno-lto"},
                   .definitions = {},
                   .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
@@ -152,7 +154,7 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
-    // avr-gcc 14 does not pass --demangle to avr-ld, which then prints mangled names; it does pass this
+    // avr-gcc 14 does not pass --demangle to avr-ld, which then prints mangled names. It does pass this
     // spelling.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
              "-Wl,--gc-sections", "-Wl,-demangle"},
@@ -160,8 +162,8 @@ const Target kAvr = {
     .products = {{".hex", {"avr-objcopy", "binutils-avr"}, {"-O", "ihex", "-R", ".eeprom"}}},
 };
 
-// Our own core, and the parts of newlib (its small variant) that sketches call. Headers are the host's, so
-// that a sketch sees the same names. As on every ARM, `char` is unsigned.
+// Uses Robosim's own core, and the parts of newlib (its small variant) that sketches call. The headers are
+// those of the host, so that a sketch sees the same names. As on every ARM, `char` is unsigned.
 const Target kStm32 = {
     .name = "stm32",
     .image_ending = ".elf",
@@ -173,7 +175,7 @@ const Target kStm32 = {
     .hal = "stm32",
     .code = {"-mcpu=cortex-m3", "-mthumb", "-gdwarf-4", "-gno-record-gcc-switches", "-ffunction-sections",
              "-fdata-sections", "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-nostdinc",
-             // Otherwise a write through a null pointer is removed, with all that follows it.
+             // Without this option, a write through a null pointer is removed, with all code after it.
              "-fno-delete-null-pointer-checks"},
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-fno-use-cxa-atexit", "-nostdinc++", "-Wno-error=narrowing",

@@ -20,7 +20,7 @@ constexpr const char* kPortable[] = {
     "Print.h",     "Print.cpp",    "Printable.h", "Stream.h",      "Stream.cpp", "WString.h",
     "WString.cpp", "WCharacter.h", "IPAddress.h", "IPAddress.cpp", "binary.h",   "Client.h",
     "Server.h",    "Udp.h",        "new",         "new.h",         "new.cpp",    "abi.cpp"};
-constexpr const char* kPortPins = "portpins.h";  // of avr-libc: PB0, PORTB0, ... are 0
+constexpr const char* kPortPins = "portpins.h";  // from avr-libc: PB0, PORTB0, ... are 0
 
 [[noreturn]] void missing(const char* what, const char* package) {
   throw ToolMissing(fmt::format("{} is missing: sudo apt install {}", what, package));
@@ -61,7 +61,7 @@ fs::path stage(const BoardSpec& board, const GenuineCore& core, const fs::path& 
   for (const char* name : kPortable) fs::create_symlink(core.sources / name, fresh / "core" / name);
   for (const char* name : registers) fs::create_symlink(core.avr_libc / name, fresh / "avr" / name);
   fs::create_symlink(hal, fresh / "hal");
-  fs::rename(fresh, folder, error);  // fails if another process was first
+  fs::rename(fresh, folder, error);  // fails if another process was faster
   return folder;
 }
 
@@ -91,7 +91,7 @@ void check_chip(const Target& target, const BoardSpec& board) {
 Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core = hal_core("stm32", board, genuine, cache);
   const fs::path hal = core.root / "hal/stm32";
-  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ precede the host's
+  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ precede those of the host
   const fs::path script = hal / fmt::format("{}.ld", board.chip->compiler_name);
   core.link = {"-T", script.string()};
   core.linked = {script};
@@ -113,7 +113,7 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
   core.linked = {archives / "libc.a", archives / "libm.a",
                  archives / fmt::format("crt{}.o", chip.compiler_name)};
   core.machine = {fmt::format("-mmcu={}", chip.compiler_name)};
-  // Only for this chip, and by Arduino's builder: no file of its platform has it.
+  // Arduino's builder itself adds this option for this chip; no file of its platform contains it.
   if (chip.linked_relaxed) core.link = {"-Wl,--relax"};
   core.places = {{variant, "arduino/variant"}, {libc, "avr-libc"}, {core.sources[1], "robosim"}};
   core.readable = {{genuine.sources, ""}, {variant, ""}, {genuine.libraries, "libraries/"}, {libc, ""}};
@@ -124,8 +124,8 @@ Core genuine_core(const BoardSpec& board, const GenuineCore& genuine) {
 
 fs::path find_tool(const Target& target, const Program& program) {
   fs::path path;
-  // The program for the machine that Robosim itself runs on: under an emulator (qemu-user) plain `g++` is for
-  // another one.
+  // Uses the program for the machine that Robosim itself runs on. Under an emulator (qemu-user), plain `g++`
+  // is for another machine.
   if (target.native && *ROBOSIM_MACHINE)
     path = find_program(fmt::format("{}-{}", ROBOSIM_MACHINE, program.name));
   if (path.empty()) path = find_program(program.name);

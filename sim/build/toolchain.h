@@ -1,4 +1,4 @@
-// A target's compiler and the genuine Arduino core, as installed on this machine.
+// Finds a target's compiler and the genuine Arduino core on this machine.
 #pragma once
 
 #include <filesystem>
@@ -13,28 +13,29 @@
 
 namespace robosim::build {
 
-/// gcc, even if Robosim itself was built by another compiler: so instrumentation and traces are always equal.
+/// Always gcc, even if another compiler built Robosim itself, so that instrumentation and traces are always
+/// equal.
 struct Compiler {
   std::filesystem::path cxx;
   std::filesystem::path cc;
-  std::string identity;  ///< path, size and time of both programs: changes with every upgrade
+  std::string identity;  ///< path, size and time of both programs, which change with every upgrade
 };
 
-/// Returns the compiler. Throws ToolMissing, which names the package.
+/// Returns the compiler. Throws ToolMissing with the name of the package.
 Compiler find_compiler(const Target& target);
 
-/// The compiler's own description.
+/// The facts that the compiler reports about itself.
 struct CompilerFacts {
   std::string name;                      ///< "gcc 12.2.0 x86_64-linux-gnu"
-  std::filesystem::path include_folder;  ///< its own headers: stddef.h, stdarg.h, float.h
+  std::filesystem::path include_folder;  ///< the compiler's own headers: stddef.h, stdarg.h, float.h
 };
-/// Starts the compiler unless `cache` has the answer.
+/// Returns the facts from `cache`, or starts the compiler to ask for them.
 CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
 
 /// Returns the name and version of the assembler that the compiler uses: "as 2.44".
 std::string assembler_name(const Compiler& compiler);
 
-/// The folders of the genuine core's sources and avr-libc's headers. Throws ToolMissing.
+/// The folders of the genuine core's sources and avr-libc's headers. find_core() throws ToolMissing.
 struct GenuineCore {
   std::filesystem::path sources;    ///< cores/arduino
   std::filesystem::path variants;   ///< the boards' pins
@@ -43,30 +44,30 @@ struct GenuineCore {
 };
 GenuineCore find_core();
 
-/// The core as a target compiles it.
+/// The core as compiled for a target.
 struct Core {
   using Names = std::vector<std::pair<std::filesystem::path, std::string>>;
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< the name of `root` in debug information
-  std::vector<std::filesystem::path> sources;   ///< folders, in the order in which they are linked
-  std::filesystem::path serving;                ///< the one that checks call, and that is not checked
+  std::vector<std::filesystem::path> sources;   ///< folders, in the order of linking
+  std::filesystem::path serving;                ///< the unchecked folder, which the checks call
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
-  std::vector<std::filesystem::path> includes_with_checks;  ///< before the system's, for an image with checks
-  std::vector<std::filesystem::path> libraries;             ///< folders of libraries that belong to it
+  std::vector<std::filesystem::path> includes_with_checks;  ///< before system headers, for images with checks
+  std::vector<std::filesystem::path> libraries;             ///< folders of libraries that belong to the core
   std::filesystem::path stand_ins;            ///< folder of libraries that replace others, or empty
   std::vector<std::filesystem::path> linked;  ///< files that the linker adds by itself
   std::vector<std::string> machine;           ///< options that name the chip
   std::vector<std::string> link;              ///< options for the linker
-  Names places;                               ///< folders in debug information; the last match wins
+  Names places;                               ///< names of folders in debug information; the last match wins
   Names readable;                             ///< prefixes in messages, and their replacements for users
 };
 
-/// The kind of registers for the sketch and its libraries, on a target without its own.
+/// The kind of registers for the sketch and its libraries, on a target without real registers.
 enum class Registers {
-  objects,  ///< of classes (hal/arduino/avr/io.h): the effect of each access is compiled in
-  memory,   ///< bytes with addresses, for libraries that store those: accesses to memory are watched
-  as_avr,   ///< as `memory`, for libraries for an AVR only: the compiler claims to be one
+  objects,  ///< class objects (hal/arduino/avr/io.h): the effect of each access is compiled in
+  memory,   ///< bytes with addresses, for libraries that store addresses: accesses to memory are watched
+  as_avr,   ///< like `memory`, for libraries that support only an AVR: the compiler claims to be one
 };
 
 /// The settings that all compilations of one build share.
@@ -82,23 +83,23 @@ struct Toolchain {
   Registers registers = Registers::objects;
   bool untrusted = false;
   ProjectRules rules = {};
-  bool narrow_ints = false;                ///< the sketch's have 16 bits (narrow_ints.h)
-  std::function<void()> core_begins = {};  ///< from the Request
+  bool narrow_ints = false;                ///< the sketch's ints have 16 bits (narrow_ints.h)
+  std::function<void()> core_begins = {};  ///< as in the Request
 };
 
-/// Returns the core for a target and board. With Robosim's hal it is a folder of links in the cache. They
-/// lead to the genuine core's portable sources, to avr-libc's list of registers, and to the hal. Nothing is
-/// copied.
+/// Returns the core for a target and board. With Robosim's hal, the core is a folder of links in the cache.
+/// The links lead to the genuine core's portable sources, to avr-libc's list of registers, and to the hal.
+/// Nothing is copied.
 ///
 ///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim
 ///
-/// An Uno's core is the installed genuine one. Throws InputError for a board that the target does not have.
+/// An Uno's core is the installed genuine core. Throws InputError for a board that the target does not have.
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const std::filesystem::path& cache);
 
-/// Returns the program of that target. Throws ToolMissing.
+/// Returns the path of a program of the target. Throws ToolMissing.
 std::filesystem::path find_tool(const Target& target, const Program& program);
-/// Returns the program that lists a source's functions. Throws ToolMissing.
+/// Returns the path of the program that lists a source's functions. Throws ToolMissing.
 std::filesystem::path find_ctags();
 
 }  // namespace robosim::build

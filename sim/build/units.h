@@ -1,4 +1,4 @@
-// The units of one build: the sources of a sketch and its libraries, their places, and their names.
+// Creates the units of one build: the sources of a sketch and its libraries, with their places and names.
 #pragma once
 
 #include <filesystem>

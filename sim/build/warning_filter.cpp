@@ -22,7 +22,7 @@ bool ends_in_word(std::string_view text, std::string_view word) {
   return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
 }
 
-/// Returns whether the ; at `at` is the literal whole body of an if or else, and not the rest of a macro.
+/// Returns whether the ; at `at` is the literal whole body of an if or else, not the rest of a macro.
 bool is_whole_body(std::string_view line, std::size_t at) {
   std::string_view before = trimmed(line.substr(0, at));
   if (ends_in_word(before, "else")) return true;
@@ -38,7 +38,8 @@ bool is_context(std::string_view line) {
   return line.starts_with("In file included from") || has(line, ": In ") || has(line, ": At global scope");
 }
 
-/// `message`: its line, and the source that gcc shows below it.
+/// Returns whether a warning shows a likely mistake. `message` is its line, and the source that gcc shows
+/// below.
 bool is_slip(const std::vector<std::string>& message) {
   const std::string& first = message.front();
   if (has(first, "[-Wdangling-else]")) return false;
@@ -64,7 +65,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::string without_style_warnings(const std::string& messages) {
   if (!has(messages, "[-Wparentheses]") && !has(messages, "[-Wempty-body]")) return messages;
   std::string shown;
-  std::vector<std::string> context, message;  // "My.ino: In function 'void loop()':", and what follows it
+  std::vector<std::string> context, message;  // "My.ino: In function 'void loop()':", and the lines after it
   const auto close = [&] {
     if (!message.empty() && is_slip(message)) {
       for (const std::vector<std::string>* part : {&context, &message})

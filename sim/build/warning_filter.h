@@ -5,12 +5,12 @@
 
 namespace robosim::build {
 
-/// Returns gcc's messages by -Wparentheses and -Wempty-body, without those on correct code:
+/// Returns gcc's messages without those of -Wparentheses and -Wempty-body on correct code:
 ///
 ///   shown      if (x = 1)           if (400 < x < 600)         if (x);
 ///   removed    a & 0xF8 | 1         a && b || c                if (x) LOG("a");  with a macro that is empty
 ///
-/// Other messages, and the lines of source that belong to each, stay unchanged.
+/// Other messages, with their lines of source, stay unchanged.
 std::string without_style_warnings(const std::string& messages);
 
 }  // namespace robosim::build
