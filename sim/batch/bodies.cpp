@@ -19,11 +19,11 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Computes where each body would be if it rolled on, and whether it does: `moves`. `done` is 0 for those that
-// neither do that nor stand without being driven.
+// Computes the motion of each body if it rolls on, and sets `moves` for those that do. `done` is 0 for bodies
+// that neither roll on nor stand without being driven.
 //
-// The output is separate from the input. Compilers turn "this lane's number, if it moves" into masked stores,
-// for which some processors take 20 times as long.
+// The output is separate from the input. Otherwise compilers would create masked stores for "this lane's
+// number, if it moves". Some processors take 20 times as long for these.
 ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {
@@ -68,8 +68,8 @@ ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lane
   }
 }
 
-// Simulates a tick of each body that rolls on, and of each that stands without being driven, which stays
-// unchanged. The others are unchanged, and `done` is 0 for them. `after` is memory for the result.
+// Simulates a tick of each body that rolls on or that stands without being driven. A standing body stays
+// unchanged. So do all other bodies, for which `done` is 0. `after` is memory for the result.
 void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
   Lanes moves;
   roll(block, after, moves, done);
@@ -158,7 +158,7 @@ const world::Body& Bodies::body(std::size_t number) const {
   return *bodies_[number];
 }
 
-// Writes the state to the body itself.
+// Writes the state from the block to the body itself.
 void Bodies::write(std::size_t number) const {
   const BodyBlock& block = blocks_[number / kLanes];
   const std::size_t lane = number % kLanes;

@@ -1,17 +1,18 @@
-// Many bodies, each as if it were alone on one floor: for searches that simulate a body repeatedly with other
-// parameters or other commands.
+// Simulates many bodies, each as if it were alone on one floor. Searches use a batch to simulate a body
+// repeatedly with different parameters or commands.
 //
-// A tick of a rolling body (sim/world/body.h) is some hundred additions and multiplications, each of which
-// waits for the previous one. Here they are done for a block of bodies at once (lanes.h), in the same order,
-// and so with the same bits. This holds for the usual state of bodies: both tyres roll, both wheels keep
-// their direction, nothing is near. Each lane is tested for that in each tick.
+// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each waits
+// for the previous one. Here they are computed for a block of bodies at once (lanes.h). The order of
+// operations is the same, and therefore all bits of the results. This applies to the usual state of bodies:
+// both tyres roll, both wheels keep their direction, nothing is near. Each tick tests each lane for this
+// state.
 //
-// A body that starts, stops, slips, skids, or comes near a wall goes through this tick as a world::Body, by
-// Body's own code. So does any special body (windings, steered wheels, wheels that skid, loads that shift).
-// The tick of a rolling body is in rolling_step.h, which single bodies use, too; batch_test.cpp compares
-// them, bit by bit.
+// If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
+// It also simulates any special body (windings, steered wheels, wheels that skid, loads that shift). The tick
+// of a rolling body is in rolling_step.h, which single bodies use, too. batch_test.cpp compares both, bit by
+// bit.
 //
-// Bodies of a batch neither see nor touch each other.
+// Bodies of a batch neither detect nor touch each other.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@
 
 namespace robosim::batch {
 
-/// The state of a block's bodies: their Rolling (sim/world/rolling_step.h), with its names.
+/// The state of a block's bodies. The names are those of Rolling (sim/world/rolling_step.h).
 struct BodyMotion {
   Lanes x, y, heading_x, heading_y;  // m; unit vector
   Lanes v, u, omega;                 // m/s, m/s, rad/s
@@ -34,14 +35,14 @@ struct BodyMotion {
   Lanes free_way;                    // m
   Lanes slips;                       // 1 = yes
 
-  /// Takes one body's state.
+  /// Copies one body's state.
   void take(const BodyMotion&, std::size_t lane);
 };
 
-/// The properties of a block's bodies: their Roller.
+/// The properties of a block's bodies. The names are those of Roller.
 struct BodyBlock : BodyMotion {
   // Computed from the commands.
-  Lanes direction[2], drives[2];          // the sign of `drive`, its amount
+  Lanes direction[2], drives[2];          // sign of `drive`, and its amount
   Lanes push[2], drag[2], push_until[2];  // driven
   Lanes brake_push[2], brake_drag[2], brake_from[2];
   // Copied from the bodies.
@@ -53,24 +54,24 @@ struct BodyBlock : BodyMotion {
 
 class Bodies {
  public:
-  /// The world is not changed, and must outlive this. Throws std::invalid_argument unless its floor is a
+  /// `world` is not changed, and must outlive this object. Throws std::invalid_argument unless its floor is a
   /// plane of one kind.
   explicit Bodies(const world::World& world);
 
-  /// Adds a body, numbered from 0. Throws std::invalid_argument (see world::Body).
+  /// Adds a body and returns its number, from 0. Throws std::invalid_argument (see world::Body).
   std::size_t add(const world::BodyParams&, const Pose&);
   std::size_t size() const { return bodies_.size(); }
 
-  /// See world::Body.
+  /// Commands a motor and places a body as in world::Body.
   void command(std::size_t number, world::Side, const world::WheelCommand&);
   void place(std::size_t number, const Pose&);
 
-  /// Simulates one tick of all.
+  /// Simulates one tick of all bodies.
   void step();
 
-  /// Returns the complete state of one of them, until it changes again.
+  /// Returns the complete state of a body, which is valid until the body changes again.
   const world::Body& body(std::size_t number) const;
-  // Frequent queries.
+  // Fast access to single values.
   double wheel_angle(std::size_t number, world::Side side) const {
     return blocks_[number / kLanes].angle[side][number % kLanes];
   }

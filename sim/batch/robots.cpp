@@ -15,7 +15,7 @@
 namespace robosim::batch {
 namespace {
 
-// Computes Body::pose_after().
+// Computes the result of Body::pose_after().
 ROBOSIM_LANES_FUNCTION void extrapolate(const BodyBlock& block, const Lanes& dt_s, SensorPoses& pose) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double dt = dt_s[i], v = block.v[i], u = block.u[i];
@@ -37,7 +37,7 @@ ROBOSIM_LANES_FUNCTION void extrapolate(const BodyBlock& block, const Lanes& dt_
   }
 }
 
-// Computes Pose::to_world() of a sensor.
+// Computes the result of Pose::to_world() for a sensor.
 ROBOSIM_LANES_FUNCTION void find_places(const SensorPoses& pose, const SensorBlock& sensor, Lanes& x,
                                         Lanes& y) {
   for (std::size_t i = 0; i < kLanes; ++i) {
@@ -46,7 +46,7 @@ ROBOSIM_LANES_FUNCTION void find_places(const SensorPoses& pose, const SensorBlo
   }
 }
 
-// Computes Sensor::blackness() and AnalogSensor::volts().
+// Computes the results of Sensor::blackness() and AnalogSensor::volts().
 ROBOSIM_LANES_FUNCTION void find_volts(const SensorBlock& sensor, const Lanes& dark, const Lanes& brightness,
                                        const Lanes& gauss, Lanes& volts) {
   for (std::size_t i = 0; i < kLanes; ++i) {

@@ -1,5 +1,5 @@
-// Many robots without firmware, each alone on one floor: their motors get commands, their bodies move, their
-// line sensors are read. For studies of parameters, and for search or learning by trial.
+// Simulates many robots without firmware, each alone on one floor. Their motors get commands, their bodies
+// move, and their line sensors are read. Batches serve parameter studies, searches, and learning by trial.
 //
 //   grid::Map map = grid::read_map("oval.map");
 //   world::World world(map);
@@ -7,17 +7,17 @@
 //   for (std::uint64_t seed = 1; seed <= 1000; ++seed) robots.add(robot, seed, Profile::typical_2, start);
 //   std::vector<double> volts(robots.size());
 //   while (robots.now() < kSecond) {
-//     robots.read(2, robots.now(), volts);          // the third sensor of each, now
+//     robots.read(2, robots.now(), volts);          // the third sensor of each robot, now
 //     robots.tell(17, world::left, {0.6, 0.4});     // as a driver computes it from its pins
 //     robots.step();
 //   }
 //
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
-// commands it has equal poses, and reads equal volts, noise included, bit for bit (tests/unit/batch). It
-// costs less, as it has no pins, no edges, and no unused parts. The arithmetic is done for a block of robots
-// at once (bodies.h). The pose is computed once for all sensors that read at one time.
+// commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). It
+// costs less, since it has no pins, no edges, and no unused parts. The arithmetic is done for a block of
+// robots at once (bodies.h). The pose is computed once for all sensors that read at one time.
 //
-// Robots of a batch neither see nor touch each other.
+// Robots of a batch neither detect nor touch each other.
 #pragma once
 
 #include <cstdint>
@@ -33,13 +33,13 @@
 
 namespace robosim::batch {
 
-/// One sensor of each robot of a block. Values as in robot::ElementFigures and robot::AnalogInputs.
+/// One sensor of each robot of a block. Values are as in robot::ElementFigures and robot::AnalogInputs.
 struct SensorBlock {
   Lanes at_x, at_y, footprint;  // m
   Lanes light, shift, noise, dark_noise, beside_dark_noise;
   Lanes white, span, supply, adc_noise;  // V
   Lanes lag;                             // ns
-  world::NearStripe near[kLanes];        // of the footprint
+  world::NearStripe near[kLanes];        // near each robot's footprint
   NoiseStream stream[kLanes], adc[kLanes];
   std::uint64_t pin[kLanes] = {};
   std::uint64_t samples = 0;
@@ -53,27 +53,29 @@ struct SensorPoses {
 
 class Robots {
  public:
-  /// Uses the world's floor, walls and obstacles, which may be changed between ticks; it must outlive this.
-  /// Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
+  /// Uses the world's floor, walls and obstacles, which may be changed between ticks. `world` must outlive
+  /// this object. Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
   explicit Robots(const world::World& world);
 
-  /// Adds a robot; the first has number 0. `individual` is the number in robot::Robot. It has the motors of
-  /// its description, and reflectance sensors with `read = "analog"` whose emitters are on; other parts are
-  /// skipped. Throws InputError for parts that would change how it drives or reads. They are a [battery],
-  /// steered wheels, a fan, other reflectance sensors, an emitter on a pin. Also throws if it has more or
-  /// fewer sensors than the first.
+  /// Adds a robot and returns its number, from 0. `individual` is the number in robot::Robot. The robot has
+  /// the motors of its description, and reflectance sensors with `read = "analog"` whose emitters are on.
+  /// Other parts are skipped.
+  ///
+  /// Throws InputError for parts that would change how the robot drives or reads. They are a [battery],
+  /// steered wheels, a fan, other reflectance sensors, and an emitter on a pin. Also throws if the robot has
+  /// more or fewer sensors than the first robot.
   std::size_t add(const robot::Description&, std::uint64_t seed, Profile, const Pose& start,
                   std::uint32_t individual = 0);
   std::size_t size() const { return bodies_.size(); }
   std::size_t sensors() const { return sensors_; }
 
-  /// Sets the driver's command from its pins from now on, the beginning of a tick (robot::bridge_command). A
-  /// differential's motor needs it for both sides.
+  /// Sets the driver's command from its pins, from now on, at the beginning of a tick
+  /// (robot::bridge_command). The motor of a differential needs the command for both sides.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
-  /// Reads sensor number `sensor`, in the file's order, at `t` for each robot: V. `t` is a time of the tick
-  /// that begins now. Takes a sample of noise.
+  /// Reads sensor number `sensor`, in the order of the file, for each robot: V. `t` is a time of the tick
+  /// that begins now. Uses one sample of noise.
   void read(std::size_t sensor, SimTime t, std::span<double> volts);
-  /// Simulates one tick of all.
+  /// Simulates one tick of all robots.
   void step();
   /// Returns the beginning of the tick.
   SimTime now() const { return now_; }
@@ -93,12 +95,12 @@ class Robots {
   const world::Floor& floor_;
   Bodies bodies_;
   std::size_t sensors_ = 0;
-  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // per sensor, block by block
+  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // for each sensor, block by block
   std::vector<SensorPoses> poses_;
   SimTime posed_at_ = -1;   // the time of poses_
-  std::vector<Told> told_;  // in this tick
+  std::vector<Told> told_;  // commands in this tick
   std::vector<world::WheelCommand> commands_[2];
-  std::vector<bool> lags_;  // per sensor: one of them lags
+  std::vector<bool> lags_;  // for each sensor: it lags on some robot
   SimTime now_ = 0;
 };
 

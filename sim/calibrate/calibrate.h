@@ -1,4 +1,4 @@
-// `robosim calibrate`: computes parameters of a robot file from logs of the real robot
+// Implements `robosim calibrate`: computes parameters of a robot file from logs of the real robot
 // (docs/howto/calibrating.md).
 #pragma once
 
@@ -11,9 +11,9 @@
 namespace robosim::calibrate {
 
 struct Task {
-  std::string robot;              ///< a file, or the name of a stock robot
-  std::vector<std::string> logs;  ///< files
-  std::string stopwatch;          ///< a file; empty = none
+  std::string robot;              ///< file, or name of a stock robot
+  std::vector<std::string> logs;  ///< file names
+  std::string stopwatch;          ///< file name; empty = none
   double tape_m = 0.0;            ///< 0 = not given
   double supply_volts = 0.0;      ///< 0 = not measured
 };
@@ -24,18 +24,18 @@ struct Calibration {
   std::optional<DriveFit> drive;
   std::vector<Figure> figures;        ///< certain enough to be written
   std::vector<Figure> unsure;         ///< found, but too uncertain
-  std::vector<std::string> not_told;  ///< what these logs do not determine, one sentence each
+  std::vector<std::string> not_told;  ///< values that these logs do not determine, one sentence each
   double tape_m = 0.0;
 };
 
 /// Computes the parameters. Throws InputError.
 Calibration calibrate(const Task&);
 
-/// Returns the text for the user.
+/// Returns a report for the user.
 std::string report(const Calibration&);
 
-/// Returns the robot file's text with the parameters; for a stock robot a file that is based on it. The text
-/// has been read as `file` for a check. Throws InputError.
+/// Returns the robot file's text with the parameters. For a stock robot, returns a file that is based on that
+/// robot. Checks the text by parsing it as `file`. Throws InputError.
 std::string calibrated_text(const Task&, const Calibration&, const std::string& file);
 
 }  // namespace robosim::calibrate

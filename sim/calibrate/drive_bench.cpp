@@ -13,10 +13,10 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kTick = 0.001;         // s, of the world
-constexpr double kPiece = 0.5;          // s of a drive
-constexpr double kRollsFor = 5.0;       // s at most, after a timed drive
-constexpr double kMostDriving = 120.0;  // s
+constexpr double kTick = 0.001;         // s, tick of the world
+constexpr double kPiece = 0.5;          // s, duration of a piece of a drive
+constexpr double kRollsFor = 5.0;       // s, maximum rolling after a timed drive
+constexpr double kMostDriving = 120.0;  // s, maximum of all drives together
 constexpr double kCell = 50.0;          // m: a floor without walls in reach
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
 
@@ -36,10 +36,10 @@ robot::Description nominal(robot::Description robot) {
   return robot;
 }
 
-/// Returns a motor's command for the sketch's -255 .. 255. 0 is all pins low.
+/// Returns a motor's command for a value -255 .. 255 of the sketch. 0 sets all pins low.
 world::WheelCommand command(const robot::Description& robot, const robot::MotorSpec& motor, int told) {
   if (told == 0) return {0.0, 0.0};
-  // Between (n + 1) / 256 of an Uno's timer 0 and n / 255 of the others.
+  // Uses a duty cycle between (n + 1) / 256 of an Uno's timer 0 and n / 255 of the other timers.
   const double duty = std::abs(told) == 255 ? 1.0 : (std::abs(told) + 0.5) / 255.5;
   robot::BridgeInputs inputs;
   inputs.phase = motor.phase;
@@ -97,7 +97,7 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
       world_(floor_) {
   if (volts > 0.0) body_.supply_volts = volts;
   for (const int side : {0, 1}) {
-    // A file without friction gets some as a start value.
+    // If the file has no friction, uses a start value.
     world::WheelParams& wheel = body_.wheel[side];
     wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
     motors_[side] = motor_of(robot_, side);
@@ -217,7 +217,7 @@ Bench::Plan Bench::plan(const Drive& drive, const PerTurn& per_turn) const {
   return plan;
 }
 
-// For each set of factors and each drive.
+// Returns the wheels' angles for each set of factors and each drive.
 std::vector<Bench::Angles> Bench::follow(std::span<const Factors> all) const {
   struct Under {
     const Plan* plan;
@@ -240,7 +240,7 @@ std::vector<Bench::Angles> Bench::follow(std::span<const Factors> all) const {
         for (const world::Side side : {world::left, world::right})  // rates are constant within a tick
           angles[i][side].push_back(bodies.wheel_angle(i, side) +
                                     bodies.wheel_rate(i, side) * plan->samples[sample].into);
-      if (sample == plan->samples.size()) {  // it has ended
+      if (sample == plan->samples.size()) {  // the drive has ended
         bodies.place(i, kStart);
         for (const world::Side side : {world::left, world::right}) bodies.command(i, side, {});
         --left;
@@ -287,7 +287,7 @@ void Bench::compare(const Plan& plan, const Angles& angles, std::vector<double>&
   if (curves) curves->push_back(std::move(curve));
 }
 
-// For each set of factors and each timed drive: the distance, m.
+// Returns the distance in m for each set of factors and each timed drive.
 std::vector<double> Bench::drive_timed(std::span<const Factors> all) const {
   struct Under {
     const Timed* timed;

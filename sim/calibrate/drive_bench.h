@@ -1,7 +1,7 @@
-// A robot's body that is driven as in a log, with variable parameters: compares a simulated drive to the
-// counts. The parameters, and what determines them, are at the top of drive_fit.h. The motors' commands in
-// each tick are computed once. All drives, for any number of parameter sets, are then simulated in parallel,
-// as bodies of one batch (sim/batch/bodies.h).
+// Drives a robot's body as in a log, with variable parameters, and compares the simulated drive to the
+// counts. The top of drive_fit.h describes the parameters, and the measurements that determine them. The
+// motors' commands in each tick are computed once. All drives, for any number of parameter sets, are then
+// simulated in parallel, as bodies of one batch (sim/batch/bodies.h).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace robosim::calibrate {
 
-/// The fitted or fixed values: factors of the file's parameters, as logarithms.
+/// The fitted or fixed values, which are logarithms of factors of the file's parameters.
 enum Factor {
   no_load_left,
   no_load_right,
@@ -32,27 +32,28 @@ using Factors = std::array<double, kFactors>;
 
 class Bench {
  public:
-  /// `volts`: of the battery; 0 = as in the file. The robot has no spreads, as in typical@2.
+  /// `volts` is the battery's voltage; 0 = as in the file. The robot has no spreads, as in typical@2.
   Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, const robot::Description& robot,
         double volts);
 
-  /// Returns the body with all factors 1.
+  /// Returns the body for factors of 1.
   const world::BodyParams& body() const { return body_; }
   bool has_motors() const { return motors_[0] && motors_[1]; }
   /// Throws InputError for drives that no parameters can produce.
   void check();
   /// Returns whether a drive turns on the spot.
   bool spins() const { return spins_; }
-  /// Returns the counts less their simulation with these factors; for timed drives divided by their
-  /// uncertainty. Each half second of a longer drive is compared separately, since position errors grow.
+  /// Returns the counts minus their simulation with these factors. For timed drives, returns the difference
+  /// divided by its uncertainty. Each half second of a longer drive is compared separately, since position
+  /// errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
-  /// Returns the residuals for each of many sets.
+  /// Returns the residuals for each set of factors.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;
 
  private:
   using PerTurn = std::array<double, 2>;              ///< counts per turn of each wheel
-  using Angles = std::array<std::vector<double>, 2>;  ///< rad, of each wheel, at a drive's samples
-  /// A drive, tick by tick.
+  using Angles = std::array<std::vector<double>, 2>;  ///< rad, of each wheel, at the samples of a drive
+  /// The commands and samples of a drive, by tick.
   struct Plan {
     const Drive* drive;
     PerTurn per_turn;
@@ -60,10 +61,10 @@ class Bench {
       std::size_t tick;
       world::WheelCommand of[2];
     };
-    std::vector<Command> commands;  ///< at each change
+    std::vector<Command> commands;  ///< one for each change
     struct Sample {
       std::size_t tick;
-      double into;  ///< s, of the tick
+      double into;  ///< s since the beginning of the tick
     };
     std::vector<Sample> samples;
   };
@@ -84,10 +85,10 @@ class Bench {
   bool spins_ = false;
   const grid::Map floor_;
   const world::World world_;
-  std::vector<Plan> plans_;  ///< after check()
+  std::vector<Plan> plans_;  ///< set by check()
 };
 
-/// Returns the body with its parameters times these factors.
+/// Returns the body with its parameters multiplied by these factors.
 world::BodyParams with(world::BodyParams body, const Factors& x);
 
 }  // namespace robosim::calibrate

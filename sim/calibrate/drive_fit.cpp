@@ -11,9 +11,10 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kAlike = 10.0;      // samples that count as one
-constexpr double kMostUnsure = 0.5;  // of a parameter's logarithm: above it, the data do not determine it
-// Uncertainty from ticks, and from a PWM duty cycle known to half a step: standard deviations, as shares.
+constexpr double kAlike = 10.0;      // number of samples that count as one
+constexpr double kMostUnsure = 0.5;  // sd of a parameter's logarithm above which the data do not determine it
+// Relative standard deviations: uncertainty from ticks, and from a PWM duty cycle that is known to half a
+// step.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 
@@ -29,7 +30,8 @@ double sum_of_squares(const std::vector<double>& values) {
   return sum;
 }
 
-/// Returns the covariance of the free and the fixed ones, with the standard deviations `held` for the latter.
+/// Returns the covariance of the free and the fixed parameters. `held` are the standard deviations of the
+/// fixed parameters.
 std::vector<std::vector<double>> covariance(const Bench& bench, const Factors& x, const std::vector<int>& all,
                                             const Factors& held, double variance) {
   constexpr double kStep = 0.01;

@@ -1,18 +1,19 @@
 // Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log. Its
 // parameters are changed until its wheels' angles match the encoder counts.
 //
-// For a wheel with torque k_t per ampere, k_e volts per rad/s, resistance R and inertia J, steps determine
+// For a wheel with torque k_t per ampere, k_e volts per rad/s, resistance R and inertia J, the drives
+// determine
 //   its speed at each voltage:    k_e, and R friction / k_t
 //   its time constant:            R J / (k_t k_e)
 //   its coasting:                 friction / J
-// and so k_e and the two ratios of k_t, friction and J: not R, not J. With the file's R (stall_current) and J
-// (mass, rotor, wheels) these give no_load, stall_torque and no_load_current. If J is wrong, stall_torque is
-// off by the same factor, and the robot's behaviour is right all the same. Turns on the spot determine the
-// body's inertia about its axis.
+// These give k_e and the two ratios of k_t, friction and J, and neither R nor J. With R (stall_current) and J
+// (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is wrong,
+// stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
+// determine the body's inertia about its axis.
 //
-// The uncertainty follows from the residuals and their derivatives by each parameter. It includes the file's
-// own spreads of fixed values (mass, supply, stall_current, rolling). Residuals of neighbouring samples are
-// correlated, so n samples count as n / 10.
+// The uncertainty is computed from the residuals and their derivatives by each parameter. It includes the
+// file's own spreads of fixed values (mass, supply, stall_current, rolling). Residuals of neighbouring
+// samples are correlated, so n samples count as n / 10.
 #pragma once
 
 #include <array>
@@ -26,14 +27,14 @@
 
 namespace robosim::calibrate {
 
-/// A row of stopwatch and tape measure: from rest the motors get this command for this duration, then they
-/// coast.
+/// A measurement by stopwatch and tape measure. From rest, the motors get this command for this duration,
+/// then coast.
 struct Timed {
   std::string file;
   int line = 0;
-  int told = 0;           ///< both motors, 1 .. 255
+  int told = 0;           ///< command for both motors, 1 .. 255
   double seconds = 0.0;   ///< duration of the command
-  double distance = 0.0;  ///< m, between the standstills
+  double distance = 0.0;  ///< m, from standstill to standstill
   double sd = 0.0;        ///< m, uncertainty of the measurement
 };
 
@@ -42,22 +43,22 @@ struct DriveCurve {
   std::vector<double> t;                        ///< s
   std::array<std::vector<double>, 2> measured;  ///< turns of each wheel
   std::array<std::vector<double>, 2> fitted;
-  std::array<int, 2> told{};  ///< the first command
+  std::array<int, 2> told{};  ///< first command
 };
 
 struct DriveFit {
-  std::array<Found, 2> no_load;  ///< rad/s, each motor at [motors] voltage
+  std::array<Found, 2> no_load;  ///< rad/s, of each motor at [motors] voltage
   Found stall_torque;            ///< N m
   Found no_load_current;         ///< A
   Found inertia;                 ///< kg m2; value 0: undetermined
   Found time_constant;           ///< s, straight on, with the present driver and battery
-  double rms = 0.0;              ///< of the residuals: counts, or m by stopwatch
+  double rms = 0.0;              ///< root mean square of the residuals: counts, or m by stopwatch
   bool torque_told = true, friction_told = true;
   std::vector<DriveCurve> curves;
 };
 
-/// `supply`: as measured meanwhile; without it the file's counts, with its spread. Throws InputError if a
-/// motor does not move, or moves the wrong way.
+/// `supply` is the voltage measured during the drives; otherwise the file's value is used, with its spread.
+/// Throws InputError if a motor does not move, or moves in the wrong direction.
 std::optional<DriveFit> fit_drives(const std::vector<Log>& logs, const std::vector<Timed>& timed,
                                    const robot::Description& robot, Found supply);
 

@@ -35,7 +35,7 @@ EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape
   return {sse, white};
 }
 
-// Searches coarsely, then by golden section.
+// Searches on a coarse grid, then by golden section.
 double best_offset(const Edge& edge, double footprint, double tape_m) {
   const double reach = 0.0006 + 0.25 * footprint;
   constexpr int kLooks = 4;

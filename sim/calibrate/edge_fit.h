@@ -1,5 +1,5 @@
-// The edges of a tape in a sensor's readings, and the footprint that follows from them. The model is at the
-// top of sweep_fit.h.
+// Fits the edges of a tape in a sensor's readings, and the footprint of the sensor. The top of sweep_fit.h
+// describes the model.
 #pragma once
 
 #include <cstddef>
@@ -9,26 +9,26 @@ namespace robosim::calibrate {
 
 /// The samples across one side of the tape.
 struct Edge {
-  std::vector<double> s, y;  // m inwards, signal
+  std::vector<double> s, y;  // m inwards; signal
   double black;              // the signal over black
 };
 
-/// The quality of a fit: the sum of squared errors, as shares of white to black, and the best signal over
-/// white.
+/// The result of a fit: the sum of squared errors, relative to the step from white to black, and the best
+/// signal over white.
 struct EdgeFit {
   double sse, white;
 };
 
-/// Returns the share of the footprint on the tape, `inwards` of its edge.
+/// Returns the share of the footprint that is on the tape, for a sensor `inwards` of the tape's edge.
 double share_on_tape(double inwards, double footprint, double tape_m);
 
-/// Fits with the edge `offset` further inwards.
+/// Fits with the edge moved inwards by `offset`.
 EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape_m);
 
-/// Returns the best offset.
+/// Returns the offset with the smallest error.
 double best_offset(const Edge& edge, double footprint, double tape_m);
 
-/// Returns the best footprint (m) for edges first, first + stride, …; the search begins at `start`.
+/// Returns the best footprint (m) for the edges first, first + stride, …. The search begins at `start`.
 double fit_footprint(const std::vector<Edge>& edges, std::size_t first, std::size_t stride, double start,
                      double tape_m);
 

@@ -15,7 +15,7 @@ constexpr double kGCm2 = 1e-7;
 
 double before_of(const Parameter& number) { return number.in(Profile::typical_2).value; }
 
-/// Returns the number of decimals for two digits of the spread.
+/// Returns the number of decimals that show two digits of the spread.
 int decimals(double spread) {
   if (!(spread > 0.0)) return 3;
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(spread * (1.0 + 1e-9)))), 0, 6);
@@ -26,7 +26,7 @@ struct Written {
 };
 
 Written written(const Figure& figure, const Found& found) {
-  // For a value out of bounds, uses the part of its range within them.
+  // For a value out of bounds, uses the part of its range that is within them.
   const double low = std::max(found.value - spread_of(found), figure.least) / figure.scale;
   const double high = std::min(found.value + spread_of(found), figure.most) / figure.scale;
   const bool beyond = found.value < figure.least || found.value > figure.most;
@@ -34,7 +34,7 @@ Written written(const Figure& figure, const Found& found) {
   double spread = std::min(value - low, high - value);
   const int digits = decimals(spread);
   const double unit = std::pow(10.0, -digits);
-  // Rounded towards zero if that keeps the whole range within the bounds.
+  // Rounds towards zero if that keeps the whole range within the bounds.
   const double rounded = std::floor(value / unit + 0.5) * unit;
   const double room = std::min(rounded - figure.least / figure.scale, figure.most / figure.scale - rounded);
   if (spread > room - unit) spread = std::max(std::floor(room / unit + 1e-9) * unit, 0.0);
@@ -131,7 +131,7 @@ std::vector<Figure> figures_of(const SweepFit& fit, const robot::Description& ro
         b = seen->black;
         w = {(seen->white.value - (1.0 - light) * b.value) / light,
              std::hypot(seen->white.sd, light_sd * (seen->white.value - b.value)) / light};
-        if (rc) {  // rates
+        if (rc) {  // converts rates to times
           w = {1.0 / w.value, w.sd / (w.value * w.value)};
           b = {1.0 / b.value, b.sd / (b.value * b.value)};
         }
@@ -182,7 +182,7 @@ std::vector<Figure> figures_of(const DriveFit& fit, const robot::Description& ro
   std::vector<Figure> figures;
   const robot::Motors& m = robot.motors;
   const Found &left = fit.no_load[0], &right = fit.no_load[1];
-  // A file has one value for both motors: its spread covers both.
+  // A file has one value for both motors, so its spread covers both.
   const double half = 0.5 * std::fabs(left.value - right.value);
   const Found no_load{0.5 * (left.value + right.value), std::max(left.sd, right.sd) + 0.5 * half};
   figures.push_back(

@@ -1,4 +1,4 @@
-// The results, as keys of a robot file.
+// Converts the results to keys of a robot file.
 #pragma once
 
 #include <string>
@@ -15,35 +15,35 @@ struct Figure {
   std::string table;  ///< "chassis", "motors", or the part's name
   bool of_part = false;
   std::string key;
-  std::vector<Found> found;        ///< one, or one per element; SI
-  std::vector<std::string> of;     ///< the elements' names, if there is one for each
-  const char* unit = "";           ///< in the file; "" = a share
-  double scale = 1.0;              ///< of the unit, in SI
-  double before = 0.0;             ///< the file's value (of an array the first element's), SI
-  double least = 0.0, most = 0.0;  ///< the limits of robot files, including spread; SI
-  std::string remark;              ///< "" or its dependency
-  double against = 0.0;            ///< what uncertainty is relative to, SI: white to black; 0 = the value
+  std::vector<Found> found;        ///< one value, or one per element; SI
+  std::vector<std::string> of;     ///< names of the elements, if each has a value
+  const char* unit = "";           ///< unit in the file; "" = a share
+  double scale = 1.0;              ///< size of the unit, in SI
+  double before = 0.0;             ///< value in the file (first element of an array), SI
+  double least = 0.0, most = 0.0;  ///< limits of robot files, including spread; SI
+  std::string remark;              ///< "" or the assumption behind the value
+  double against = 0.0;            ///< uncertainty is relative to this, SI: white to black; 0 = the value
 };
 
-/// Returns twice the standard deviation, which is written as spread, SI. It is at least the value of the last
+/// Returns the spread to write, SI: twice the standard deviation. It is at least the value of the last
 /// written digit.
 double spread_of(const Found&);
 
-/// Returns the uncertainty of a value, as a share of it (or of `against`).
+/// Returns the uncertainty of a value, relative to the value (or to `against`).
 double unsureness(const Figure&, const Found&);
-/// Returns that of the least certain one.
+/// Returns the relative uncertainty of the least certain value.
 double least_sure(const Figure&);
 
-/// Returns whether robot files may contain it.
+/// Returns whether robot files may contain the value.
 bool is_possible(const Figure&);
 
 /// Returns "2.31 mm ± 0.08 mm".
 std::string shown(const Figure&, const Found&);
 
-/// Returns TOML: { value = "2.31 mm", spread = "0.08 mm" }, or a list of them.
+/// Returns TOML: { value = "2.31 mm", spread = "0.08 mm" }, or a list of such tables.
 std::string toml_value(const Figure&);
 
-/// Values with a larger uncertainty than this, twice the standard deviation over the value, are not written.
+/// Maximum relative uncertainty, twice the standard deviation over the value, of values that are written.
 constexpr double kMostSpread = 0.5;
 
 std::vector<Figure> figures_of(const SweepFit&, const robot::Description&);

@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Removes the time that Arduino's serial monitor puts before each line.
+/// Removes the time that Arduino's serial monitor prints before each line.
 std::string_view without_stamp(std::string_view line) {
   const std::size_t arrow = line.find(" -> ");
   if (arrow == line.npos || arrow > 16 || line.find(':') > arrow) return line;

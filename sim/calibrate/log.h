@@ -1,5 +1,5 @@
-// Logs of a real robot, as samples/CalibrationLogger writes them (docs/howto/calibrating.md): tables of comma
-// separated numbers, each under a line of column names.
+// Reads logs of a real robot, as samples/CalibrationLogger writes them (docs/howto/calibrating.md). A log
+// contains tables of comma separated numbers, each under a line of column names.
 //
 //   # counts_per_period = 2               edges counted in each period of an encoder's channel
 //   # timing_step_us = 9.5                for RC sensors: time between two reads of a pin
@@ -7,9 +7,9 @@
 //   t_us,left,right,count_left,count_right    a drive from rest: the motors' commands from then on,
 //                                             -255 .. 255, 0 = they coast; and the encoders' counts
 //
-// Counts are positive forward. Other lines that begin with # are comments. A serial monitor's prefix of a
-// line ("12:00:01.123 -> ") is skipped. So is everything before the last "# robosim calibration log": a board
-// restarts when the monitor opens its port.
+// Counts are positive forward. Other lines that begin with # are comments. The prefix that a serial monitor
+// adds to a line ("12:00:01.123 -> ") is skipped. So is everything before the last "# robosim calibration
+// log", since a board restarts when the monitor opens its port.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 namespace robosim::calibrate {
 
 struct Sweep {
-  int line = 0;                               ///< of its column names
-  std::vector<int> lines;                     ///< of each row
+  int line = 0;                               ///< line of the column names
+  std::vector<int> lines;                     ///< line of each row
   std::vector<double> t;                      ///< s
-  bool counted = false;                       ///< it has counts
+  bool counted = false;                       ///< the sweep has counts
   std::array<std::vector<double>, 2> count;   ///< left, right
-  std::vector<std::string> names;             ///< of the sensors
-  std::vector<std::vector<double>> readings;  ///< of each sensor, as the sketch read them
+  std::vector<std::string> names;             ///< names of the sensors
+  std::vector<std::vector<double>> readings;  ///< readings of each sensor, as the sketch read them
 };
 
 struct Drive {

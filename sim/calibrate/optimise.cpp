@@ -49,7 +49,7 @@ std::vector<double> minimise(const std::function<double(const std::vector<double
   nlopt_set_ftol_rel(optimiser.get(), 1e-10);
   nlopt_set_xtol_rel(optimiser.get(), 1e-6);
   double least = 0.0;
-  nlopt_optimize(optimiser.get(), x.data(), &least);  // if it stops early, its result so far counts
+  nlopt_optimize(optimiser.get(), x.data(), &least);  // an early stop returns the best result so far
   return search.best;
 }
 

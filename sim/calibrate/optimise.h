@@ -1,4 +1,4 @@
-// Minimises a function of a few numbers, by NLopt; and finds the uncertainty of the minimum.
+// Minimises a function of a few numbers by NLopt, and computes the uncertainty of the minimum.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,17 @@ namespace robosim::calibrate {
 struct Range {
   double low, high;
   double start;
-  double step;  ///< of the initial search
+  double step;  ///< step of the initial search
 };
 
-/// Returns where `f` is smallest within the ranges, as far as a search from their starts finds it. The method
-/// is NLopt's BOBYQA, or Nelder-Mead for a single number. `f` must be finite and not throw. Deterministic.
+/// Returns the point within the ranges at which `f` is smallest, as far as a search from `start` finds it.
+/// The method is NLopt's BOBYQA, or Nelder-Mead for a single number. `f` must be finite and must not throw.
+/// The result is deterministic.
 std::vector<double> minimise(const std::function<double(const std::vector<double>&)>& f,
                              const std::vector<Range>& ranges, int most_calls);
 
-/// Returns the inverse of a symmetric positive definite matrix (rows of a square). Returns nothing if it is
-/// not one: then the data do not determine a value.
+/// Returns the inverse of a symmetric positive definite matrix (rows of a square). Returns nothing for any
+/// other matrix, which means that the data do not determine a value.
 std::vector<std::vector<double>> inverse(std::vector<std::vector<double>> matrix);
 
 }  // namespace robosim::calibrate

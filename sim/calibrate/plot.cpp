@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kWidth = 460.0, kHeight = 280.0, kLeft = 56.0, kRight = 14.0, kTop = 34.0,
                  kBottom = 40.0;         // px
-constexpr std::size_t kMostDots = 1500;  // of a panel
+constexpr std::size_t kMostDots = 1500;  // maximum in a panel
 constexpr const char* kMeasured[2] = {"#0072b2", "#d55e00"};
 
-/// Returns 1, 2 or 5 times a power of ten, so that about five fit.
+/// Returns a tick distance of 1, 2 or 5 times a power of ten, so that about five ticks fit.
 double tick_of(double range) {
   const double rough = range / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})

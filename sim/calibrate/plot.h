@@ -1,4 +1,4 @@
-// Plots measured and fitted values as a picture (.svg): the edges of each part's sensors, and each drive.
+// Plots measured and fitted values as an SVG picture: the edges of each part's sensors, and each drive.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robosim::calibrate {
 
-/// Equal calibrations give equal bytes.
+/// Returns the picture. Equal calibrations give equal bytes.
 std::string plot(const Calibration&);
 
 }  // namespace robosim::calibrate

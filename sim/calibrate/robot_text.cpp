@@ -10,7 +10,7 @@
 namespace robosim::calibrate {
 namespace {
 
-/// Returns where a value of the tree begins in the text.
+/// Returns the offset in the text of a value of the tree.
 std::size_t offset_of(std::string_view text, const Place& place) {
   std::size_t at = 0;
   for (int line = 1; line < place.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
@@ -33,7 +33,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Returns the end of the value that begins there; the text is valid TOML.
+/// Returns the end of the value that begins at `at`. The text must be valid TOML.
 std::size_t end_of_value(std::string_view text, std::size_t at) {
   int depth = 0;
   while (at < text.size()) {
@@ -61,7 +61,7 @@ std::size_t end_of_value(std::string_view text, std::size_t at) {
 }
 
 struct Change {
-  std::size_t begin, end;  // what is replaced
+  std::size_t begin, end;  // range that is replaced
   std::string text;
 };
 
@@ -88,7 +88,7 @@ std::string with_figures(std::string_view text, const std::string& file, const s
   const ConfigValue tree = parse_toml(text, file);
   const bool returns = text.find("\r\n") != text.npos;
   std::vector<Change> changes;
-  std::vector<std::pair<std::string, std::string>> added;  // tables, in their order: header and keys
+  std::vector<std::pair<std::string, std::string>> added;  // tables in their order: header and keys
   for (const Figure& figure : figures) {
     const std::string value = toml_value(figure);
     const ConfigValue* table = table_of(tree, figure);
@@ -124,7 +124,7 @@ std::string with_figures(std::string_view text, const std::string& file, const s
   std::string result;
   std::size_t at = 0;
   for (const Change& change : changes) {
-    // A line is inserted before the carriage return of the preceding line.
+    // A new line is inserted before the carriage return of the preceding line.
     std::size_t begin = change.begin;
     std::size_t end = change.end;
     if (end == begin && begin > at && text[begin - 1] == '\r') end = --begin;

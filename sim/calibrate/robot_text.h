@@ -1,6 +1,6 @@
 // Inserts parameters into the text of a robot file. Values of existing keys are replaced. Missing keys are
-// added at the end of their table, missing tables (those of its base) at the end. Everything else stays,
-// including comments and layout.
+// added at the end of their table. Missing tables, which the file inherits from its base, are added at the
+// end of the file. Everything else stays, including comments and layout.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace robosim::calibrate {
 
-/// Returns the new text. Throws InputError for invalid TOML, and for tables without room for a new line
+/// Returns the new text. Throws InputError for invalid TOML, and for tables without space for a new line
 /// ("motors = { … }").
 std::string with_figures(std::string_view text, const std::string& file, const std::vector<Figure>& figures);
 

@@ -1,10 +1,10 @@
-// Drives by stopwatch and tape measure, for robots without encoders: a TOML file.
+// Reads measurements by stopwatch and tape measure, for robots without encoders, from a TOML file.
 //
-//   supply = "7.4 V"              # the battery meanwhile; or --supply
+//   supply = "7.4 V"              # the battery's voltage during the drives; or --supply
 //   [[drive]]
 //   pwm = 255                     # of both motors, from rest
 //   time = "1 s"                  # then all pins low
-//   distance = "1180 mm"          # between the standstills
+//   distance = "1180 mm"          # from standstill to standstill
 //   measured = "10 mm"            # uncertainty; default 10 mm
 #pragma once
 
@@ -20,7 +20,7 @@ struct Stopwatch {
   std::vector<Timed> drives;
 };
 
-/// Reads the file. Throws InputError with file and line.
+/// Reads the file. Throws InputError, which names the file and line.
 Stopwatch read_stopwatch(const std::string& file);
 
 }  // namespace robosim::calibrate

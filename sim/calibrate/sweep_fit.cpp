@@ -20,14 +20,14 @@ namespace {
 using robot::ReflectanceSpec;
 
 constexpr double kPatch = 0.012;                       // m of floor that count as one reading
-constexpr double kMostChange = 0.25;                   // of white to black, between sweeps
-constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s: of both ends of a time by micros() at 16 MHz
+constexpr double kMostChange = 0.25;                   // between sweeps, relative to white to black
+constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
-constexpr std::size_t kMostEdges = 1500;  // of a part: more do not improve the result
+constexpr std::size_t kMostEdges = 1500;  // limit for a part; more edges do not improve the result
 constexpr double kMostClipped =
-    0.005;  // of the readings; above it the mean is biased, and the median is used
+    0.005;  // share of readings above which the mean is biased, and the median is used
 
-/// One element with all of its sweeps.
+/// An element with all of its sweeps.
 struct Element {
   ElementFit fit;
   std::vector<Trace> traces;
@@ -50,7 +50,7 @@ double deviation(const std::vector<double>& values) {
 
 /// Returns the uncertainty of a mean of few values, by Student's distribution (95 %).
 double mean_sd(const std::vector<double>& values) {
-  constexpr double kFew[] = {6.4, 2.2, 1.6, 1.4, 1.3, 1.2, 1.2, 1.15};  // of 2, 3, …
+  constexpr double kFew[] = {6.4, 2.2, 1.6, 1.4, 1.3, 1.2, 1.2, 1.15};  // for 2, 3, … values
   const std::size_t n = values.size();
   if (n < 2) return values.front();
   return deviation(values) / std::sqrt(static_cast<double>(n)) *
@@ -63,7 +63,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Returns the standard deviation of single readings, by second differences.
+/// Returns the standard deviation of single readings, computed from second differences.
 double noise_of(const std::vector<double>& differences, double step) {
   if (differences.size() < 10) return 0.0;
   double sum = 0.0;
@@ -72,7 +72,7 @@ double noise_of(const std::vector<double>& differences, double step) {
   return std::sqrt(std::max(variance, 0.0));
 }
 
-/// Returns the first sample at that time or later.
+/// Returns the index of the first sample at or after `time`.
 std::size_t index_at(const std::vector<double>& t, double time) {
   return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), time) - t.begin());
 }
@@ -81,7 +81,7 @@ std::size_t index_at(const std::vector<double>& t, double time) {
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
   double length = 0.0, radius = 0.0;
-  std::set<std::string> logs;  // each at another place of the floor
+  std::set<std::string> logs;  // each log is from another place on the floor
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -123,12 +123,12 @@ void measure_levels(Element& element) {
   };
   fit.noise = noise_of(rough_white, step_at(white));
   fit.dark_noise = noise_of(rough_black, step_at(black));
-  const double floor = deviation(white);  // patches of the floor, and noise
+  const double floor = deviation(white);  // deviation from patches of the floor and from noise
   const double circles = 2.0 * std::numbers::pi * radius * static_cast<double>(logs.size());
   const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
   fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
-  // The position of a time within its step is known only on average, to a quarter of it.
+  // On average, the position of a time within its step is known to a quarter of the step.
   fit.white.sd =
       std::hypot(fit.white.sd, 0.25 * element.traces.front().timing * fit.white.value * fit.white.value);
   fit.black = {mean(black),
@@ -173,7 +173,7 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
 }
 
 void measure_footprint(PartFit& fit, const std::vector<Element>& elements, double tape_m) {
-  // Start value: the width from 10 to 90 % of an edge's readings is 0.8 f.
+  // The start value uses a rule: the width from 10 to 90 % of an edge's readings is 0.8 f.
   double footprint = 0.25 * tape_m;
   std::vector<Edge> edges;
   for (int round = 0; round < 3; ++round) {
@@ -186,9 +186,9 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   for (std::size_t k = 0; k < batches; ++k)
     tenths.push_back(fit_footprint(edges, k, batches, footprint, tape_m));
   const double scatter = mean_sd(tenths);
-  // Samples farther apart than the footprint only show that it is small.
+  // If samples are farther apart than the footprint, they show only that the footprint is small.
   if (fit.spacing > footprint) return;
-  // The difference between wheels and tape is an error of one of them.
+  // A difference between wheels and tape is an error of either.
   const double scale = fit.seen.value > 0.0 ? 0.5 * (fit.seen.value / tape_m - 1.0) : 0.0;
   fit.footprint = {footprint, std::hypot(scatter, std::hypot(0.01, scale) * footprint)};
   for (const Edge& edge : edges) {
@@ -199,7 +199,8 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   }
 }
 
-/// Collects the track width by wheels and crossings: pairs of crossings a whole turn apart.
+/// Collects track widths from pairs of crossings that are a whole turn of the robot apart, by the wheels'
+/// counts.
 void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -271,7 +272,7 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
   return elements;
 }
 
-/// `scale`: for speeds from the wheels, by the fitted track width.
+/// `scale` corrects speeds from the wheels by the fitted track width.
 PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, double tape_m, double scale) {
   PartFit fit;
   fit.part = &part;
@@ -287,7 +288,7 @@ PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, do
       for (const Crossing& c : element.crossings[k])
         if (!element.traces[k].angle.empty()) seen.push_back(c.speed * (c.leaves - c.enters));
   }
-  // If its elements are uniformly distributed, they differ by twice this.
+  // If the elements' noise is uniformly distributed, twice this value is the half-width of the distribution.
   const double differ = noise.size() > 1 ? 0.5 * std::numbers::sqrt3 * deviation(noise) : 0.0;
   fit.noise = {mean(noise), std::hypot(0.02 * mean(noise), differ)};
   if (!seen.empty()) fit.seen = {mean(seen), deviation(seen) / std::sqrt(static_cast<double>(seen.size()))};

@@ -1,18 +1,18 @@
-// Parameters of floor sensors, fitted to a slow sweep across a tape.
+// Fits parameters of floor sensors to a slow sweep across a tape.
 //
-// A crossing is a stretch of readings over the tape. With wheel counts, the sensor's speed is v =
-// |d(angle)/dt| times its distance from the centre of the turn. Without counts it is v = width / duration at
-// half depth. So each sample has a position s across an edge, and
+// A crossing is a series of readings over the tape. With wheel counts, the sensor's speed is v =
+// |d(angle)/dt| times its distance from the centre of the turn. Without counts, the speed is v = width /
+// duration at half depth. This gives each sample a position s across an edge, and
 //   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
 // as in sim/world/floor.h: w is the tape's width, d the distance from its middle, f the footprint. B is the
-// signal over black, W over white at this edge, since the floor's brightness varies. W and the edge's
-// position are fitted per edge, f for all edges of a part together.
+// signal over black. W is the signal over white at this edge, since the floor's brightness varies. W and the
+// edge's position are fitted for each edge, f for all edges of a part together.
 //
 // The signal is linear in blackness: volts, or the rate 1 / time of an RC sensor.
 //   black       mean over the middle of the tape
 //   white       mean next to the tape, with the light that returns at the height in the robot file
 //   noise       from second differences of neighbouring readings, on which a floor's patches have little
-//               influence, less what rounding to codes adds; as a share of white to black
+//               influence, minus the noise from rounding to codes; as a share of white to black
 //   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
 //   track       path of the wheels / 2 pi, over a whole turn: from one crossing to the next but one
 #pragma once
@@ -26,17 +26,17 @@
 
 namespace robosim::calibrate {
 
-/// A result: value and standard deviation, SI.
+/// A result with its standard deviation, SI.
 struct Found {
   double value = 0.0;
   double sd = 0.0;
 };
 
-/// The results of one sensor; signals as above.
+/// The results of one sensor, with signals as above.
 struct ElementFit {
   std::string name;
   Found white, black;
-  double noise = 0.0, dark_noise = 0.0;  ///< of a reading over white and over black; in the signal's unit
+  double noise = 0.0, dark_noise = 0.0;  ///< noise of a reading over white and black, in the signal's unit
   std::size_t crossings = 0;
 };
 
@@ -59,10 +59,10 @@ struct PartFit {
 struct SweepFit {
   std::vector<PartFit> parts;
   Found track;                       ///< m; value 0: undetermined
-  std::vector<std::string> remarks;  ///< what the sweep does not determine, one sentence each
+  std::vector<std::string> remarks;  ///< values that the sweep does not determine, one sentence each
 };
 
-/// Fits the sweeps. Throws InputError if the readings are impossible for such a robot.
+/// Fits the sweeps. Throws InputError if the readings are impossible for this robot.
 SweepFit fit_sweeps(const std::vector<Log>& logs, const robot::Description& robot, double tape_m);
 
 }  // namespace robosim::calibrate

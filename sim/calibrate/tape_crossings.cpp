@@ -12,13 +12,13 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kCodes = 1024.0;           // of analogRead() on all boards
+constexpr double kCodes = 1024.0;           // number of codes of analogRead() on all boards
 constexpr double kTapeShare = 0.03;         // minimum share of readings over the tape
-constexpr double kMostSaturated = 0.3;      // of the readings over floor, or over tape
-constexpr double kLeastContrast = 0.03;     // of the converter's range
-constexpr double kMostDisagreement = 0.35;  // of the tape's width
+constexpr double kMostSaturated = 0.3;      // maximum share of readings over floor, or over tape
+constexpr double kLeastContrast = 0.03;     // minimum share of the converter's range
+constexpr double kMostDisagreement = 0.35;  // maximum share of the tape's width
 
-/// `late`: the mean delay until a low pin is noticed, us.
+/// Converts a reading to a signal. `late` is the mean delay in us until the sketch notices that a pin is low.
 double signal(double reading, const robot::ReflectanceSpec& part, double supply, double late) {
   if (part.read == robot::ReflectanceSpec::Read::rc) return 1e6 / std::max(reading - late, 1.0);
   return (reading + 0.5) * supply / kCodes;
@@ -28,7 +28,7 @@ bool black_is_more(const robot::ReflectanceSpec& part) {
   return part.read != robot::ReflectanceSpec::Read::rc && part.black_high;
 }
 
-/// Returns the slope of y over t, samples first to last.
+/// Returns the slope of y over t for the samples first to last.
 double slope(const std::vector<double>& t, const std::vector<double>& y, std::size_t first,
              std::size_t last) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
@@ -70,7 +70,7 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
   }
   const robot::EncoderSpec* encoders[2] = {encoder_of(robot, 0), encoder_of(robot, 1)};
   if (!sweep.counted || !encoders[0] || !encoders[1] || !log.counts_per_period) return trace;
-  double path[2][2] = {};  // m, of each wheel, at both ends
+  double path[2][2] = {};  // m, of each wheel, at the beginning and the end
   const double radius = 0.5 * robot.chassis.wheel.value;
   const auto travelled = [&](std::size_t side, std::size_t i) {
     return sweep.count[side][i] / (encoders[side]->periods * *log.counts_per_period) * 2.0 *
@@ -90,7 +90,8 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
                     "{:.0f} and {:.0f} counts; check whether each motor turns and each encoder counts",
                     sweep.count[0].back() - sweep.count[0].front(),
                     sweep.count[1].back() - sweep.count[1].front()));
-  // It turns about the resting point of the axle, this far to the left of its middle.
+  // The robot turns about the point of the axle that rests. `centre` is its distance to the left of the
+  // axle's middle.
   const double centre = 0.5 * robot.chassis.track.value * (left + right) / (left - right);
   const Vec2 at = part.elements[element].at;
   trace.radius = std::hypot(at.x, at.y + centre);
@@ -101,7 +102,7 @@ Levels rough_levels(const Trace& trace, const std::string& name, const robot::Re
   std::vector<double> sorted = trace.y;
   std::sort(sorted.begin(), sorted.end());
   const double sign = black_is_more(part) ? 1.0 : -1.0;
-  const auto at = [&](double share) {  // 0 the whitest, 1 the blackest
+  const auto at = [&](double share) {  // 0 = whitest, 1 = blackest
     const double place = sign > 0.0 ? share : 1.0 - share;
     return sorted[static_cast<std::size_t>(place * static_cast<double>(sorted.size() - 1))];
   };
@@ -150,7 +151,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
   const auto dark = [&](std::size_t i) {
     return (trace.y[i] - levels.white) / (levels.black - levels.white);
   };
-  const auto half_at = [&](std::size_t i) {  // between i - 1 and i
+  const auto half_at = [&](std::size_t i) {  // time between the samples i - 1 and i
     const double before = dark(i - 1), after = dark(i);
     const double share = after == before ? 0.5 : (0.5 - before) / (after - before);
     return t[i - 1] + std::clamp(share, 0.0, 1.0) * (t[i] - t[i - 1]);
@@ -167,7 +168,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
       now.last = i - 1;
       inside = false;
       const double duration = now.leaves - now.enters;
-      if (now.last < now.first + 4) continue;  // a blot, or noise
+      if (now.last < now.first + 4) continue;  // a spot, or noise
       if (now.enters - 0.5 * duration < t.front() || now.leaves + 0.5 * duration > t.back()) continue;
       found.push_back(now);
     }
@@ -189,7 +190,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
     while (last + 1 < t.size() && t[last + 1] < crossing.leaves + duration) ++last;
     const double width = std::fabs(slope(t, trace.angle, first, last)) * trace.radius * duration;
     seen += width / static_cast<double>(found.size());
-    // If the wheels stopped for a moment, the tape gives the speed.
+    // If the wheels stopped for a moment, the tape determines the speed.
     if (width > 0.5 * tape_m && width < 2.0 * tape_m) crossing.speed = width / duration;
   }
   if (!trace.angle.empty() && std::fabs(seen / tape_m - 1.0) > kMostDisagreement)

@@ -1,4 +1,4 @@
-// Converts a sensor's readings in a sweep to a signal, and finds the crossings of the tape in it.
+// Converts a sensor's readings in a sweep to a signal, and finds the crossings of the tape in the signal.
 #pragma once
 
 #include <string>
@@ -15,16 +15,16 @@ struct Trace {
   const Sweep* sweep = nullptr;
   const std::string* file = nullptr;
   std::vector<double> y;      ///< volts, or 1 / s
-  std::vector<double> angle;  ///< rad the robot has turned, by its wheels; empty without encoder counts
+  std::vector<double> angle;  ///< rad, rotation of the robot by its wheels; empty without encoder counts
   double radius = 0.0;        ///< m from the centre of the turn to the sensor; 0 without encoder counts
-  double step = 0.0;          ///< of the signal, between adjacent codes; 0 for RC sensors
+  double step = 0.0;          ///< difference of the signal between adjacent codes; 0 for RC sensors
   double timing = 0.0;        ///< s: resolution of an RC sensor's time; 0 = exact
 };
 
 /// One crossing of the tape.
 struct Crossing {
   double enters = 0.0, leaves = 0.0;  ///< s, at half depth
-  std::size_t first = 0, last = 0;    ///< the samples in between
+  std::size_t first = 0, last = 0;    ///< the samples between these times
   double speed = 0.0;                 ///< m/s across the tape
 };
 
@@ -32,8 +32,8 @@ struct Levels {
   double white = 0.0, black = 0.0;
 };
 
-/// Returns the trace of an element with this index in its part. Throws InputError for a reading that is not a
-/// code of the converter.
+/// Returns the trace of the element with this index in its part. Throws InputError for a reading that is not
+/// a code of the converter.
 Trace make_trace(const Log&, const Sweep&, std::size_t column, const robot::ReflectanceSpec&,
                  std::size_t element, const robot::Description&);
 
@@ -41,8 +41,8 @@ Trace make_trace(const Log&, const Sweep&, std::size_t column, const robot::Refl
 /// the converter's limit.
 Levels rough_levels(const Trace&, const std::string& name, const robot::ReflectanceSpec&);
 
-/// Returns the complete crossings: floor, tape, floor. Throws InputError if there is none, or if wheels and
-/// tape contradict each other.
+/// Returns the complete crossings: floor, tape, floor. Throws InputError if no crossing is complete, or if
+/// wheels and tape contradict each other.
 std::vector<Crossing> find_crossings(const Trace&, const std::string& name, const Levels&, double tape_m);
 
 }  // namespace robosim::calibrate

@@ -24,7 +24,7 @@ CellFloor::CellFloor(const grid::Map& map)
   pack_neighbours(map.height - 1, bits.data());
 }
 
-// These loops are written for the vectoriser: a million stations are 55 million cells.
+// These loops are written for the compiler's vectoriser: a million stations are 55 million cells.
 void CellFloor::pack_own(int y) {
   const auto* row = reinterpret_cast<const std::uint8_t*>(map_.cells.data() + map_.index_of({0, y}));
   std::uint8_t* own = cells_.data() + index_of({0, y});
@@ -63,7 +63,8 @@ void CellFloor::pack_neighbours(int y, std::uint8_t* bits) {
 Sense CellFloor::sense_alone(std::size_t index, Direction d) const {
   const std::size_t front = next(index, d);
   if (is_open(front)) return Sense::straight;
-  // v1 continues for ever at the map's edge; here a line that ends there has a dead end like any other.
+  // v1 continues forever at the map's edge. Here, a line that ends at the edge has a dead end like any other
+  // line.
   if ((cells_[front] & kWall) == 0) return Sense::no_path;
   return is_open(index) && grid::blocks_line(map_, cell_at(index), d) ? Sense::no_path : Sense::straight;
 }

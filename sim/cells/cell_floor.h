@@ -1,4 +1,4 @@
-// A map as the robot on cells senses it, with one byte per cell. Sensing is one look-up in a table of 128
+// Stores a map for the robot on cells, with one byte per cell. Sensing is one look-up in a table of 128
 // entries.
 #pragma once
 
@@ -12,26 +12,28 @@
 
 namespace robosim::cells {
 
-/// The robot's perception: v1's table, by which of its front, right, left and own cell are line.
+/// The robot's perception, by v1's table: it depends on which of the front, right, left and own cells are
+/// line.
 enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junction };
 /// Returns "no_path", "straight", …
 const char* name_of(Sense sense);
 
-// Bits of a cell's byte: whether the next one east, south, west, north is open line, and its own kind.
+// Bits of a cell's byte: whether the next cells east, south, west and north are open line, and the cell's own
+// kind.
 inline constexpr std::uint8_t kNeighbours = 0x0F;
 inline constexpr std::uint8_t kOpen = 0x10;
 inline constexpr std::uint8_t kNearObstacle = 0x20;
 inline constexpr std::uint8_t kShut = 0x40;
 inline constexpr std::uint8_t kWall = 0x80;
 
-/// Returns the perception by the byte of the robot's cell alone.
+/// Maps the byte of the robot's cell to the robot's perception.
 class SenseTable {
  public:
   using Entry = std::uint8_t;
-  static constexpr Entry kAlone = 255;  ///< one of the four cells is line: the cell ahead decides
+  static constexpr Entry kAlone = 255;  ///< only one of the four cells is line: the cell ahead decides
 
   constexpr SenseTable();
-  /// Returns a Sense, or kAlone.
+  /// Returns a Sense or kAlone.
   constexpr Entry of(unsigned byte, grid::Direction d) const {
     return entries_[(byte & (kOpen | kNeighbours)) * 4u + static_cast<std::size_t>(d)];
   }
@@ -54,7 +56,7 @@ constexpr SenseTable::SenseTable() {
       sense = Sense::junction;
     } else if (lines == 0) {
       sense = Sense::no_path;
-    } else if (right && left) {  // the own cell is not line
+    } else if (right && left) {  // the robot's own cell is not line
       const bool vertical = d == grid::Direction::north || d == grid::Direction::west;
       sense = vertical ? Sense::right_turn : Sense::left_turn;
     } else if (lines == 2 && right) {
@@ -67,7 +69,7 @@ constexpr SenseTable::SenseTable() {
 }
 inline constexpr SenseTable kSenseTable;
 
-/// A robot's place: the number of its cell, and its direction.
+/// A robot's place: the number of its cell, and the robot's direction.
 struct Spot {
   std::size_t at = 0;
   grid::Direction facing = grid::Direction::east;
@@ -76,7 +78,7 @@ struct Spot {
 
 class CellFloor {
  public:
-  /// The map must outlive this. Takes about 1 ns per cell.
+  /// `map` must outlive this object. Takes about 1 ns per cell.
   explicit CellFloor(const grid::Map& map);
 
   const grid::Map& map() const { return map_; }
@@ -89,22 +91,22 @@ class CellFloor {
     const auto i = static_cast<std::uint32_t>(index);  // maps have at most 10^9 cells
     return {static_cast<int>(i % columns_) - 1, static_cast<int>(i / columns_) - 1};
   }
-  /// Returns the difference of a cell's number to the next cell in a direction.
+  /// Returns the difference between the numbers of a cell and of its neighbour in a direction.
   std::ptrdiff_t step(grid::Direction d) const { return step_[static_cast<std::size_t>(d)]; }
   std::size_t next(std::size_t index, grid::Direction d) const {
     return index + static_cast<std::size_t>(step(d));
   }
 
-  /// Returns all bits of a cell.
+  /// Returns the byte of a cell.
   std::uint8_t byte(std::size_t index) const { return cells_[index]; }
   /// Returns the bytes of all cells, by number.
   const std::uint8_t* bytes() const { return cells_.data(); }
-  /// Returns whether it is line without an obstacle.
+  /// Returns whether a cell is line without an obstacle.
   bool is_open(std::size_t index) const { return (cells_[index] & kOpen) != 0; }
-  /// Returns whether it is off the map, or has an obstacle.
+  /// Returns whether a cell is off the map, or has an obstacle.
   bool is_shut(std::size_t index) const { return (cells_[index] & kShut) != 0; }
   bool is_wall(std::size_t index) const { return (cells_[index] & kWall) != 0; }
-  /// Returns the directions in which a cell has an open line as neighbour: bit 1 << Direction.
+  /// Returns the directions of a cell's neighbours that are open line: bit 1 << Direction.
   unsigned open_neighbours(std::size_t index) const { return cells_[index] & kNeighbours; }
   /// Returns whether a neighbouring cell has an obstacle.
   bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
@@ -113,8 +115,8 @@ class CellFloor {
     const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
     return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// Returns the perception if the line is missed on one of the four cells: 0 front, 1 right, 2 its own, 3
-  /// left.
+  /// Returns the perception if the robot misses the line on one of the four cells: 0 = front, 1 = right, 2 =
+  /// its own, 3 = left.
   Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
 
  private:

@@ -1,15 +1,16 @@
-// The robot of Robosim v1: it senses four cells and moves from cell to cell.
+// Simulates the robot of Robosim v1, which senses four cells and moves from cell to cell.
 //
-// Pose: a cell and a direction. It senses the cell in front, on the right, on the left and its own, relative
-// to its direction; never behind, never diagonally. Each move adds `speed` to the clock, once.
+// The pose is a cell and a direction. The robot senses the cells in front, on the right, on the left, and its
+// own, relative to its direction. It never senses cells behind it or diagonally. Each move adds `speed` to
+// the clock once.
 //
-//   step_forward   one cell ahead
-//   turn_right     one cell to the right, facing that way; turn_left mirrors it
-//   turn_around    the other way round, in place
-//   choose_right   turn_right if that cell is line, else step_forward; choose_left mirrors it
+//   step_forward   moves one cell ahead
+//   turn_right     moves to the cell on the right, facing that way; turn_left mirrors this
+//   turn_around    turns to the opposite direction, in place
+//   choose_right   turn_right if that cell is line, otherwise step_forward; choose_left mirrors this
 //
-// A move off the map, or onto an obstacle (`x`), leaves the robot on its cell; the time counts all the same.
-// It may enter floor and walls, as in v1. At a wall at the end of a line it steps into the wall, senses
+// A move off the map, or onto an obstacle (`x`), leaves the robot on its cell, and still takes time. The
+// robot may enter floor and walls, as in v1. If a line ends at a wall, the robot steps into the wall, senses
 // `no_path` there, and turns round.
 #pragma once
 
@@ -46,15 +47,15 @@ struct OutOfMoves : std::runtime_error {
 
 /// Probabilities of errors, 0..1.
 struct CellNoise {
-  double miss = 0.0;  ///< at each sensing: one of the four cells, chosen at random, is not seen as line
-  double slip = 0.0;  ///< at each move: the robot does not move
+  double miss = 0.0;  ///< for each sensing: one of the four cells, chosen at random, is not detected as line
+  double slip = 0.0;  ///< for each move: the robot does not move
   std::uint64_t seed = 1;
 };
 
-/// Called for every move.
+/// Receives every move.
 class MoveWatcher {
  public:
-  /// `pose` and `sense` are from before the move, `clock` is from after it. May throw to end the run.
+  /// `pose` and `sense` are from before the move, `clock` is from after the move. May throw to end the run.
   virtual void moved(const CellPose& pose, Sense sense, Move move, double clock) = 0;
 
  protected:
@@ -65,7 +66,7 @@ class CellRobot {
  public:
   static constexpr std::uint64_t kEndless = ~std::uint64_t{0};
 
-  /// `speed`: seconds per move. The floor must outlive this.
+  /// `speed` is the number of seconds per move. `floor` must outlive this object.
   CellRobot(const CellFloor& floor, const CellPose& pose, double speed = 1.0)
       : floor_(floor), at_(floor.index_of(pose.cell)), facing_(pose.facing), speed_(speed) {}
 
@@ -82,18 +83,18 @@ class CellRobot {
 
   CellPose pose() const { return {floor_.cell_at(at_), facing_}; }
   grid::Direction facing() const { return facing_; }
-  /// Returns the number of its cell on the floor.
+  /// Returns the number of the robot's cell on the floor.
   std::size_t at() const { return at_; }
   std::uint64_t moves() const { return moves_; }
   double clock() const { return static_cast<double>(moves_) * speed_; }
   const CellFloor& floor() const { return floor_; }
 
-  /// Puts the robot elsewhere; costs nothing.
+  /// Puts the robot elsewhere, without a move.
   void place(const CellPose& pose) {
     at_ = floor_.index_of(pose.cell);
     facing_ = pose.facing;
   }
-  /// Sets the total number of moves that are allowed; the next one throws OutOfMoves.
+  /// Sets the total number of allowed moves. The next move throws OutOfMoves.
   void limit_moves(std::uint64_t moves) {
     limit_ = moves;
     set_free();
@@ -106,9 +107,9 @@ class CellRobot {
   void set_noise(const CellNoise& noise);
 
   Spot spot() const { return {at_, facing_}; }
-  /// Returns the number of moves that need no checks: those up to the limit, none with a watcher or noise.
+  /// Returns the number of moves, up to the limit, that need no checks; 0 with a watcher or noise.
   std::uint64_t free_moves() const { return free_until_ > moves_ ? free_until_ - moves_ : 0; }
-  /// Records `moves` free moves, which took it there.
+  /// Records `moves` free moves, which took the robot to `there`.
   void made(std::uint64_t moves, const Spot& there) {
     moves_ += moves;
     at_ = there.at;
@@ -142,11 +143,11 @@ class CellRobot {
   bool noisy_ = false;
   std::uint64_t moves_ = 0;
   std::uint64_t limit_ = kEndless;
-  std::uint64_t free_until_ = kEndless;  ///< where free_moves() end
+  std::uint64_t free_until_ = kEndless;  ///< number of moves at which free_moves() ends
   double speed_;
   MoveWatcher* watcher_ = nullptr;
   double miss_ = 0.0, slip_ = 0.0;
-  NoiseStream misses_, slips_;  // the sample number is that of the move
+  NoiseStream misses_, slips_;  // the sample number is the number of the move
 };
 
 }  // namespace robosim::cells

@@ -13,7 +13,7 @@ using nav::LandmarkKind;
 
 namespace {
 
-// Returns where line leaves the robot's cell, including under obstacles.
+// Returns the directions in which line leaves the robot's cell, even under obstacles.
 unsigned lines_at(const CellRobot& robot) {
   const CellFloor& floor = robot.floor();
   if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
@@ -75,7 +75,7 @@ bool CellWalker::is_junction() const {
   return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
-// Handles no_path: a line's end, a wall that it has stepped into there, or an obstacle.
+// Handles no_path: the end of a line, a wall into which the robot has stepped there, or an obstacle.
 Landmark CellWalker::end_of_line() {
   const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();
@@ -84,14 +84,14 @@ Landmark CellWalker::end_of_line() {
     const bool stepped_off = floor.is_open(floor.index_of(end));
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
-  // Only an obstacle makes it something else, and that may be a wall.
+  // Only an obstacle prevents the end of a line here, and the obstacle may be a wall.
   const bool may_be_blocked =
       floor.is_near_obstacle(robot_.at()) || floor.is_wall(floor.next(robot_.at(), pose.facing));
   const bool ends = !may_be_blocked || grid::is_dead_end(floor.map(), pose.cell);
   return landmark(ends ? LandmarkKind::end : LandmarkKind::blocked, pose.cell, pose.facing);
 }
 
-// Makes one move along the line. Returns false if there is none.
+// Makes one move along the line. Returns false if the line does not continue.
 inline bool CellWalker::goes_on() {
   if (is_junction()) return false;
   switch (robot_.sense()) {
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next stop. The usual ends of a line are known from their cell's byte. It has no obstacle
-// near, and line on three sides or more, or only behind.
+// Continues to the next stop. The byte of a cell shows the usual ends of a line. Such a cell has no obstacle
+// near, and line on three sides or more, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();
@@ -129,7 +129,7 @@ Landmark CellWalker::met() {
   return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
 }
 
-// Enters the line in whose middle it stands, in any direction.
+// Enters the line in whose middle the robot stands, in any direction.
 Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
   const unsigned lines = lines_at(robot_);
@@ -189,15 +189,15 @@ Landmark CellWalker::follow() {
   return at;
 }
 
-// Returns true if it goes back over the last line. Then it is already at its other end, if the moves were
-// known.
+// Returns true if the robot goes back over the last line. If the number of moves is known, the robot is
+// already at the line's other end.
 bool CellWalker::goes_back() {
   if (ways_.empty()) return false;
   const Way way = ways_.back();
   if (way.node != node_ || way.out != out_) return false;
   ways_.pop_back();
   const Spot spot = robot_.spot();
-  const bool has_left = spot.at == robot_.floor().next(node_, out_);  // a junction
+  const bool has_left = spot.at == robot_.floor().next(node_, out_);  // the robot has left a junction
   const std::uint64_t moves = way.moves - (has_left ? 1 : 0);
   if (way.moves > 0 && spot.facing == out_ && (has_left || spot.at == node_) && moves <= robot_.free_moves())
     robot_.made(moves, {way.to, way.arriving});
@@ -211,7 +211,7 @@ void CellWalker::reset() {
   counted_ = robot_.moves();
 }
 
-// Not counted in the line's length.
+// Turns round. The move does not count in the line's length.
 void CellWalker::turn_around() {
   robot_.turn_around();
   counted_ = robot_.moves();
@@ -219,7 +219,7 @@ void CellWalker::turn_around() {
 
 CellAt CellWalker::obstacle() const {
   if (pending_ == Pending::blocked) return ahead(cell_, arm_);
-  // The continuation of the line: ahead, or to a side in a bend.
+  // The line continues ahead, or to a side in a bend.
   const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
   const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
   return ahead(cell_, to);

@@ -1,16 +1,17 @@
-// The robot on cells, as a Walker for the navigator (firmware/src/nav/Landmark.h).
+// Implements a Walker for the navigator (firmware/src/nav/Landmark.h) by the robot on cells.
 //
-// Its moves are v1's. At a junction the first way out to the right of its entry is choose_right. The last is
-// choose_left, and the one between them is step_forward. The way back is turn_around and step_forward. Places
-// are the map's cells. A grid has a compass: heading 0 is east, whichever way the robot faces when it begins.
+// Its moves are those of v1. At a junction, choose_right takes the first way out to the right of the entry.
+// choose_left takes the last way, and step_forward the way between them. turn_around and step_forward take
+// the way back. Places are the map's cells. A grid has a compass: heading 0 is east, whatever the robot's
+// first direction.
 //
-// A line is the same from both ends. So without a watcher of each move, the way along a line is walked once,
-// and the walker records it. It may go back over the last line that it has not returned over yet. Then it is
-// at its other end at once, with an equal number of counted moves. An explorer does so with every line of a
-// tree.
+// A line is the same from both ends. Without a watcher of each move, the robot therefore walks along a line
+// only once. The walker records the line. Later the robot can go back over the last line that it has not yet
+// returned over. It then reaches the other end at once, with an equal number of counted moves. An explorer
+// does so with every line of a tree.
 //
-// If an obstacle is directly next to a junction, the robot sees it before it moves. It does not have to leave
-// the junction to find it, and finding it costs no move.
+// If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. It does not
+// have to leave the junction to find the obstacle, which costs no move.
 #pragma once
 
 #include <cstddef>
@@ -28,31 +29,31 @@ class CellWalker {
 
   explicit CellWalker(CellRobot& robot) : robot_(robot) {}
 
-  /// Returns the landmark, known from the map at no cost. A robot at a line's end that faces away turns
-  /// round, which is a move.
+  /// Returns the landmark, known from the map at no cost. A robot at the end of a line that faces away from
+  /// the line turns round, which is a move.
   nav::Landmark begin();
   nav::Landmark follow();
   void leave(nav::Turn turn);
   void relocate(const nav::Place&) {}
-  /// Notes that the robot was put onto a line's end, facing along it.
+  /// Notes that the robot was put onto the end of a line, facing along the line.
   void reset();
 
-  /// Return data of the last landmark: its cell, the moves before it, and, if it is `blocked`, the obstacle's
-  /// place.
+  /// Return data of the last landmark: its cell, the moves before it, and, if it is `blocked`, the place of
+  /// the obstacle.
   grid::CellAt cell() const { return cell_; }
   std::uint32_t cost() const { return cost_; }
   grid::CellAt obstacle() const;
 
  private:
-  // A line that was followed, in the backward direction.
+  // The way back over a line that was followed.
   struct Way {
-    std::uint32_t node;        ///< the cell where it ended
-    std::uint32_t to;          ///< the cell where it began
-    std::uint32_t moves;       ///< between them; 0 = unknown
-    grid::Direction out;       ///< leaving `node`
-    grid::Direction arriving;  ///< at `to`
+    std::uint32_t node;        ///< cell where the line ended
+    std::uint32_t to;          ///< cell where the line began
+    std::uint32_t moves;       ///< number of moves between them; 0 = unknown
+    grid::Direction out;       ///< direction that leaves `node`
+    grid::Direction arriving;  ///< direction of arrival at `to`
   };
-  static constexpr std::size_t kMostWays = 65'536;  // 1 MB; the oldest are dropped
+  static constexpr std::size_t kMostWays = 65'536;  // 1 MB; the oldest ways are dropped
 
   bool goes_back();
   nav::Landmark landmark(nav::LandmarkKind kind, grid::CellAt cell, grid::Direction heading);
@@ -67,19 +68,19 @@ class CellWalker {
 
   CellRobot& robot_;
   grid::CellAt cell_;
-  std::size_t node_ = 0;                         ///< the number of that cell
-  grid::Direction out_ = grid::Direction::east;  ///< of the robot's exit
-  std::vector<Way> ways_;                        ///< not returned over yet, in the order of walking
+  std::size_t node_ = 0;                         ///< number of cell_
+  grid::Direction out_ = grid::Direction::east;  ///< direction of the robot's exit
+  std::vector<Way> ways_;                        ///< ways not returned over yet, in the order of walking
   std::uint32_t cost_ = 0;
-  std::uint64_t counted_ = 0;                        ///< moves before the last landmark
-  grid::Direction heading_ = grid::Direction::east;  ///< of the last landmark
-  bool on_junction_ = false;                         ///< the last landmark
+  std::uint64_t counted_ = 0;                        ///< number of moves before the last landmark
+  grid::Direction heading_ = grid::Direction::east;  ///< heading at the last landmark
+  bool on_junction_ = false;                         ///< the last landmark is a junction
   grid::Direction arm_ = grid::Direction::east;
   enum class Pending : std::uint8_t {
     nothing,
-    first,    ///< has begun in the middle of a line
-    blocked,  ///< faces an obstacle on arm_ of its junction
-    back      ///< has turned away from that
+    first,    ///< the robot has begun in the middle of a line
+    blocked,  ///< the robot faces an obstacle on arm_ of its junction
+    back      ///< the robot has turned away from that obstacle
   } pending_ = Pending::nothing;
 };
 

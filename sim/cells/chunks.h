@@ -1,5 +1,5 @@
-// An array that grows without copies: elements stay at their addresses, in chunks of equal size. So it never
-// needs memory for two copies.
+// Implements an array that grows without copies. Elements stay at their addresses, in chunks of equal size,
+// so the array never needs memory for two copies.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 namespace robosim::cells {
 namespace {
 
-// For each set of arms and each entry: the headings of its slots, two bits each.
+// For each set of arms and each entry, the headings of the slots, two bits each.
 constexpr auto kHeadings = [] {
   std::array<std::uint8_t, 64> all{};
   for (unsigned arms = 0; arms < 16; ++arms) {

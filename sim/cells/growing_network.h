@@ -1,6 +1,6 @@
-// The explorer's map, in arrays that grow: a Network (firmware/src/nav/Network.h) for a host.
+// Implements the explorer's map, a Network (firmware/src/nav/Network.h), by arrays that grow, for a host.
 //
-// Its places are cells of a map, so they are never negative.
+// Places are cells of a map, so they are never negative.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class GrowingNetwork {
     return here.x == at.x && here.y == at.y;
   }
   bool isTree() const { return is_tree_; }
-  /// Returns nav::headingOf() from a table, without counting arms.
+  /// Returns the result of nav::headingOf() from a table, without counting arms.
   nav::Heading heading(Id node, std::uint8_t slot) const {
     return static_cast<nav::Heading>(nodes_[node].headings >> 2 * slot & 3);
   }
@@ -60,7 +60,7 @@ class GrowingNetwork {
   struct Line {
     Id to;
     std::uint32_t cost : 24;
-    std::uint32_t back : 8;  ///< the slot at the other end
+    std::uint32_t back : 8;  ///< slot at the other end
   };
   static constexpr Line kNoLine{kNone, 0, 0};
   struct Node {
@@ -69,10 +69,10 @@ class GrowingNetwork {
     std::uint8_t arms;
     nav::Heading entry;
     std::uint8_t headings;  ///< two bits for each slot
-    Line first;             ///< the line in slot 0
+    Line first;             ///< line in slot 0
   };
   struct Junction {
-    std::array<Line, 3> others;  ///< the lines in slots 1, 2, 3
+    std::array<Line, 3> others;  ///< lines in slots 1, 2, 3
     nav::Place place;
   };
 

@@ -1,8 +1,7 @@
-// Finds the junction at a cell of a map: by tiles of 64 x 64 cells, created where there are junctions.
+// Finds the junction at a cell of a map, by tiles of 64 x 64 cells that exist only where junctions are.
 //
-// Almost always there is none yet, as a bit of the tile shows. Otherwise the tile's junctions are searched,
-// in the order in which they were added.
-// are looked through, in the order in which they were added.
+// Almost always, a bit of the tile shows that the cell has no junction yet. Otherwise the tile's junctions
+// are searched, in the order in which they were added.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +20,14 @@ class JunctionIndex {
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xFFFFFFFF;
 
-  /// `place` must not be negative, here and below.
+  /// Returns the junction at `place`; kNone if none is there. A `place` must not be negative, here and below.
   Id find(const nav::Place& place) const {
     const Tile* tile = tile_at(place);
     if (!tile || (tile->row(place) >> column(place) & 1) == 0) return kNone;
     const auto found = std::find(tile->cells.begin(), tile->cells.end(), cell(place));
     return tile->ids[static_cast<std::size_t>(found - tile->cells.begin())];
   }
-  /// Adds a junction to a place without one.
+  /// Adds a junction at a place that has none.
   void add(const nav::Place& place, Id id);
   void clear() { tiles_.clear(); }
 
@@ -38,7 +37,7 @@ class JunctionIndex {
 
   struct Tile {
     std::array<std::uint64_t, kSide> rows{};  ///< one bit per cell
-    std::vector<std::uint16_t> cells;         ///< of the junctions,
+    std::vector<std::uint16_t> cells;         ///< cells of the junctions,
     std::vector<Id> ids;                      ///< and their numbers
     std::uint64_t row(const nav::Place& place) const {
       return rows[static_cast<std::uint32_t>(place.y) % kSide];

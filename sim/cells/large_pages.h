@@ -1,5 +1,6 @@
-// An allocator for large arrays with random access. It requests large pages from the system, so that a few
-// suffice instead of thousands. A vector of less than two of them is allocated as usual.
+// Implements an allocator for large arrays with random access. It requests large pages from the system, so
+// that a few pages suffice instead of thousands. A vector that is smaller than two large pages is allocated
+// as usual.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,7 @@ class LargePages {
       size = (size + kPage - 1) / kPage * kPage;
       memory = std::aligned_alloc(kPage, size);
 #ifdef MADV_HUGEPAGE
-      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // only slower without it
+      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // without it, access is only slower
 #endif
     } else {
       memory = std::malloc(size);

@@ -1,4 +1,4 @@
-// The navigator's planners by name, for a host.
+// Provides the navigator's planners by name, for a host.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace robosim::cells {
 
-/// A path, or work memory, that grows.
+/// Memory for a path or for planning, which grows.
 class GrowingMemory {
  public:
   using Id = GrowingNetwork::Id;
@@ -36,10 +36,10 @@ class GrowingMemory {
 /// Returns "bfs", "dfs", …
 const std::vector<std::string>& planner_names();
 
-/// Returns AiNavigator's choice: climb on a tree, dijkstra elsewhere.
+/// Returns the default, as in AiNavigator: climb on a tree, dijkstra elsewhere.
 std::string default_planner(const GrowingNetwork& network);
 
-/// `planner` must be one of planner_names().
+/// Plans a path. `planner` must be one of planner_names().
 nav::Plan plan(const std::string& planner, const GrowingNetwork& network, GrowingNetwork::Id from,
                GrowingNetwork::Id to, GrowingMemory& path);
 

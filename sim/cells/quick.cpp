@@ -7,12 +7,12 @@ namespace {
 
 using grid::Direction;
 
-// The action of the walk, by the byte of the robot's cell: the quarter turns to the right before it
-// continues. It moves onto open line, so nothing can block it.
+// The action of the walk for the byte of the robot's cell: the number of quarter turns to the right before
+// the robot continues. The robot moves onto open line, so nothing can block it.
 class WalkTable {
  public:
   static constexpr std::uint8_t kRight = 1, kLeft = 3;
-  static constexpr std::uint8_t kAround = 4;  // turns round in place
+  static constexpr std::uint8_t kAround = 4;  // the robot turns round in place
   static constexpr std::uint8_t kAhead = 5;   // the cell ahead decides
 
   constexpr explicit WalkTable(Side side) {
@@ -46,8 +46,8 @@ class WalkTable {
 };
 constexpr WalkTable kKeepsLeft(Side::left), kKeepsRight(Side::right);
 
-// Handles plain line. The turns of bends use branches, which a processor predicts, instead of a table, for
-// which it would wait.
+// Returns the byte of plain line. Bends use branches, which a processor predicts, and not a table, for which
+// the processor would wait.
 constexpr std::uint8_t straight(unsigned d) {
   return static_cast<std::uint8_t>(kOpen | 1u << d | 1u << (d ^ 2));
 }
@@ -125,7 +125,7 @@ std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most) 
       at += ahead;
       --left;
     }
-    // A bend: open, with exactly two sides, one of them behind.
+    // A bend is open, with exactly two sides, one of them behind the robot.
     const unsigned behind = 1u << (d ^ 2);
     const unsigned side = bytes[at] ^ (kOpen | behind);
     if (left == 0 || side == 0 || side == behind || side > kNeighbours || (side & (side - 1)) != 0) break;

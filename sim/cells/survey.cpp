@@ -81,7 +81,7 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// Returns whether v1 steps into a wall at this station. It does where a line ends in front of one.
+// Returns whether v1 steps into a wall at this station. It does so if the line ends in front of a wall.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];
@@ -139,7 +139,7 @@ void Survey::find_unreachable() {
   }
 }
 
-// The navigator's planner, by name.
+// A planner for the navigator that is selected by name.
 struct Survey::NamedPlanner {
   std::string name;
   std::vector<Id> way;
@@ -156,7 +156,7 @@ struct Survey::NamedPlanner {
   void forget() { way.clear(); }
 };
 
-// Drives to a node. If that is a station, the robot ends there facing the line.
+// Drives to a node. If the node is a station, the robot ends there facing the line.
 Ending Survey::navigate(Id from, nav::Heading heading, Id to, const std::string& planner) {
   nav::Navigator<CellWalker, Network, NamedPlanner> navigator(walker_, network_,
                                                               NamedPlanner{planner, {}, 0});
@@ -233,7 +233,8 @@ Route Survey::drive(int to, const std::string& planner) {
   return route;
 }
 
-// Counts a shortest path's cells, the turn at the destination, and v1's step out of a wall or into one.
+// Returns the number of moves of a shortest path. Counts the path's cells, the turn at the destination, and
+// v1's steps out of a wall or into a wall.
 std::uint64_t Survey::fewest_moves(int from, int to) {
   const grid::Map& map = robot_.floor().map();
   if (!truth_) {

@@ -1,8 +1,9 @@
-// The third algorithm: scans a floor into a graph, then uses it to drive from station to station.
+// Implements the third algorithm: scans a floor into a graph, then uses the graph to drive from station to
+// station.
 //
-// The scan is that of the navigator (firmware/src/nav/Explorer.h), with the robot on cells. It ends as v1's
-// does: at the start, facing the line. If the start is not the end of a line, the robot continues to station
-// 1 (if there is one) by a shortest path.
+// The scan is that of the navigator (firmware/src/nav/Explorer.h), with the robot on cells. Like v1's scan,
+// it ends at the start, facing the line. If the start is not the end of a line, the robot continues to
+// station 1 (if it exists) by a shortest path.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
 // Junctions are numbered from 1 in the order of discovery.
@@ -25,43 +26,43 @@ namespace robosim::cells {
 /// The ending of a scan or a drive.
 enum class Ending {
   complete,      ///< a scan found everything reachable, or a drive reached its destination
-  lost,          ///< because of noise: the robot met something impossible
+  lost,          ///< noise: the robot met an impossible place
   out_of_moves,  ///< the limit was reached
   no_way,        ///< an obstacle blocks every path
-  refused        ///< the planner cannot handle this graph: `why`
+  refused        ///< the planner cannot handle this graph; see `why`
 };
 
 struct Scan {
   Ending ending = Ending::complete;
   std::uint64_t moves = 0;
-  double time = 0.0;  ///< of the clock, seconds
+  double time = 0.0;  ///< by the clock, seconds
   CellPose end;
   grid::TrueGraph graph;  ///< as found; `unreachable` is the rest of the map
 };
 
 struct Route {
   Ending ending = Ending::complete;
-  std::string why;             ///< if refused
+  std::string why;             ///< reason, if refused
   int from = 0, to = 0;        ///< stations
   std::vector<int> junctions;  ///< on the path
-  /// A letter for each junction. Counted from the right as the robot enters, R is the first way out and L the
-  /// last. With three ways out, S is the one between them.
+  /// One letter for each junction. Ways out are counted from the right as the robot enters: R is the first
+  /// way, L the last. With three ways out, S is the way between them.
   std::string turns;
-  double time = 0.0;  ///< of this drive, seconds: its last move is the turn at the destination
+  double time = 0.0;  ///< time of this drive, seconds; its last move is the turn at the destination
   CellPose end;
-  double ratio_to_shortest = 1.0;  ///< number of its moves / number of moves of a shortest path on the map
+  double ratio_to_shortest = 1.0;  ///< moves of this drive / moves of a shortest path on the map
 };
 
 class Survey {
  public:
-  /// The robot must stand on the line.
+  /// `robot` must stand on the line.
   explicit Survey(CellRobot& robot) : robot_(robot), start_(robot.pose()), walker_(robot) {}
 
   /// Scans the floor. Call it once, before all other functions.
   const Scan& scan();
-  /// Puts the robot on a station, facing the line, like after a drive.
+  /// Puts the robot on a station, facing the line, as after a drive.
   void place_at(int station);
-  /// Drives from the robot's station to another. Both must exist.
+  /// Drives from the robot's station to another station. Both must exist.
   Route drive(int to, const std::string& planner);
 
   int stations() const { return static_cast<int>(scan_.graph.stations.size()); }
@@ -75,7 +76,7 @@ class Survey {
   struct Network : GrowingNetwork {
     struct Obstacle {
       grid::CellAt cell;
-      std::uint32_t moves;  ///< until the robot is in front of it
+      std::uint32_t moves;  ///< number of moves to the place in front of the obstacle
     };
     const CellWalker* walker = nullptr;
     std::vector<grid::CellAt> stations;  ///< in the order of their nodes
@@ -93,10 +94,10 @@ class Survey {
   using Id = GrowingNetwork::Id;
   struct NamedPlanner;
 
-  // The map's own graph, for the lengths of shortest paths.
+  // The graph of the map itself, for the lengths of shortest paths.
   struct Truth {
     grid::TrueGraph graph;
-    std::unordered_map<std::size_t, int> station_at;  ///< its number, by cell
+    std::unordered_map<std::size_t, int> station_at;  ///< number of the station, by cell
     int from = 0;                                     ///< the start of `distances`
     std::vector<int> distances;
   };
@@ -119,7 +120,7 @@ class Survey {
   Scan scan_;
   int here_ = 0;
   std::vector<Id> station_nodes_;  ///< by number, from 1
-  std::vector<int> numbers_;       ///< number of each node among the stations or the junctions
+  std::vector<int> numbers_;       ///< number of each node, among the stations or the junctions
   std::optional<Truth> truth_;
 };
 

@@ -28,7 +28,7 @@ void walk_on(CellRobot& robot, Side side, std::uint64_t moves) {
 Walk walk(CellRobot& robot, Side side) {
   Walk walk;
   DeadEnds visited;
-  // Brent's cycle detection: the spot to return to advances to ever later moves.
+  // Uses Brent's cycle detection: the marked spot advances to ever later moves.
   Spot mark = robot.spot();
   std::uint64_t next_mark = robot.moves() + 1;
   const Spot start = mark;

@@ -1,5 +1,5 @@
-// The first two algorithms: the walk that keeps to the left, and the one that keeps to the right. On a tree,
-// either visits everything and returns to the start.
+// Implements the first two algorithms: walks that keep to the left or to the right. On a tree, both visit
+// everything and return to the start.
 #pragma once
 
 #include <unordered_set>
@@ -25,7 +25,7 @@ inline void walk_on(CellRobot& robot, Side side) {
       return side == Side::left ? robot.choose_left() : robot.choose_right();
   }
 }
-/// Makes `moves` of them.
+/// Makes `moves` moves of the walk.
 void walk_on(CellRobot& robot, Side side, std::uint64_t moves);
 
 struct Walk {
@@ -36,7 +36,7 @@ struct Walk {
   };
   Ending ending = Ending::out_of_moves;
   std::uint64_t moves = 0;
-  double time = 0.0;  ///< of the clock, seconds
+  double time = 0.0;  ///< by the clock, seconds
   CellPose end;
   std::vector<grid::CellAt> dead_ends;  ///< in the order of the first visit
 };
@@ -44,19 +44,19 @@ struct Walk {
 /// The line ends that a robot has reached, in the order of the first visit.
 class DeadEnds {
  public:
-  /// Call it after every move.
+  /// Records the robot's place. Call this after every move.
   void look(const CellRobot& robot);
   const std::vector<grid::CellAt>& cells() const { return cells_; }
 
  private:
-  std::size_t at_ = 0;  // the cell of the last look; 0 is off the map
+  std::size_t at_ = 0;  // the cell at the last call; 0 is off the map
   std::unordered_set<std::size_t> seen_;
   std::vector<grid::CellAt> cells_;
 };
 
-/// The original never stops. This ends when the robot is back in its initial pose, or detects a repetition
-/// after some 2^k moves. It may start next to the loop that it then walks. At the latest it ends when its
-/// moves are used up.
+/// Walks until the robot is back in its initial pose, or until a repetition is detected after some 2^k moves.
+/// The original never stops. The robot may start next to the loop that it then walks. At the latest, the walk
+/// ends when the moves are used up.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

@@ -1,4 +1,4 @@
-// The senses and moves that a navigation algorithm has on Robosim's floor of cells.
+// Declares the senses and moves of a navigation algorithm on Robosim's floor of cells.
 //
 // Write one file:
 //
@@ -16,13 +16,13 @@
 
 namespace robosim {
 
-/// The pattern of line in four cells: ahead, right, left, and the robot's own.
+/// The pattern of line in four cells: ahead, right, left, and the robot's own cell.
 enum class Sense {
   no_path,     ///< the line has ended
   straight,    ///< the line continues
-  right_turn,  ///< it bends
+  right_turn,  ///< the line bends to the right
   left_turn,
-  junction  ///< three or four ways; go there to find out which
+  junction  ///< three or four ways; go to the junction to find out which
 };
 
 class Cells {
@@ -34,17 +34,17 @@ class Cells {
   virtual void turn_right() = 0;    ///< onto the cell on the right, facing that way, in one move
   virtual void turn_left() = 0;     ///< onto the cell on the left, facing that way, in one move
   virtual void turn_around() = 0;   ///< on the spot
-  virtual void choose_right() = 0;  ///< turn_right if that cell is line, else step_forward
-  virtual void choose_left() = 0;   ///< turn_left if that cell is line, else step_forward
+  virtual void choose_right() = 0;  ///< turn_right if that cell is line, otherwise step_forward
+  virtual void choose_left() = 0;   ///< turn_left if that cell is line, otherwise step_forward
 
   /// Returns the number of moves so far.
   virtual unsigned long long moves() const = 0;
-  /// Return the robot's place: column and row from the top left, and 'E', 'S', 'W' or 'N'. A real robot does
-  /// not know it.
+  /// Return the robot's place: column and row from the top left, and 'E', 'S', 'W' or 'N'. A real robot has
+  /// no such information.
   virtual int x() const = 0;
   virtual int y() const = 0;
   virtual char facing() const = 0;
-  /// Returns the number of different line ends that it has reached.
+  /// Returns the number of different line ends that the robot has reached.
   virtual int dead_ends() const = 0;
 
  protected:
