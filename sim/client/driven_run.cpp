@@ -20,7 +20,7 @@ DrivenRun::~DrivenRun() {
   try {
     end();
   } catch (const std::exception&) {
-    // The runner has died, and the run with it.
+    // The runner has died, and so has the run.
   }
 }
 
@@ -29,7 +29,7 @@ wire::Line DrivenRun::ask(const wire::DrivenRequest& request) {
   return *runner_.answer(true, on_event_);
 }
 
-// Returns false once the run is over.
+// Stores a pause or the result. Returns false if the run is over.
 bool DrivenRun::take(wire::Line line) {
   if (auto* paused = std::get_if<wire::Paused>(&line.content)) {
     state_ = std::move(*paused);

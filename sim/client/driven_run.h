@@ -1,4 +1,4 @@
-// A run that is driven step by step. It pauses at t = 0 and at every stop. During a pause its state is
+// Controls a run step by step. The run pauses at t = 0 and at every stop. During a pause, its state is
 // available, and lines of the scenario language can be run.
 //
 //   request.samples_every_ns = …;
@@ -7,7 +7,7 @@
 //   if (run.go_on(5'000'000'000, {client::Stop::serial("ready")})) …   // pauses at 5 s, or earlier
 //   const client::RunResult result = run.end();
 //
-// The same lines as a script at the same times, run.script(), give the same trace.
+// The trace is equal to that of a run with the lines as a script at the same times, run.script().
 #pragma once
 
 #include <optional>
@@ -20,33 +20,34 @@ namespace robosim::client {
 
 class DrivenRun {
  public:
-  /// Starts a run on a runner, which is occupied until it is over. `on_event` is called during calls of this
-  /// class, and must not call it. Throws as Runner::run does.
+  /// Starts a run on a runner, which is busy until the run is over. `on_event` is called during calls of this
+  /// class, and must not call the class. Throws as Runner::run does.
   DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event = {});
-  /// Ends the run if it is not over.
+  /// Ends the run unless it is over.
   ~DrivenRun();
   DrivenRun(const DrivenRun&) = delete;
   DrivenRun& operator=(const DrivenRun&) = delete;
 
   /// Returns the state at the present or last pause.
   const wire::Paused& state() const { return state_; }
-  /// Runs actions of the script language, one per line, without their times: `press start 100ms`. They take
-  /// effect as soon as the run continues. Throws InputError, without effect, if one is invalid.
+  /// Runs actions of the script language, one per line, without their times: `press start 100ms`. The actions
+  /// take effect when the run continues. Throws InputError, without effect, if an action is invalid.
   void act(const std::string& lines, std::size_t agent = 0);
   /// Returns the firmware's non-volatile memory.
   std::vector<std::uint8_t> eeprom(std::size_t agent = 0);
-  /// Runs until the simulated time `to_ns`, one of the stops or a robot's verdict. Returns false if that was
-  /// the last robot's: the run is then over. Throws InputError, without effect, if a stop is invalid.
+  /// Runs until the simulated time `to_ns`, a stop, or the verdict of a robot. Returns false after the
+  /// verdict of the last robot: the run is then over. Throws InputError, without effect, if a stop is
+  /// invalid.
   bool go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops = {});
-  /// Runs to the verdict, for several robots to the last one's.
+  /// Runs to the verdict. With several robots, runs to the verdict of the last robot.
   const wire::RunResult& finish();
   /// Ends the run at its present time, with the verdict `interrupted`, unless it is over.
   const wire::RunResult& end();
 
   bool over() const { return result_.has_value(); }
-  /// Returns the result, once it is over.
+  /// Returns the result; call it only when the run is over.
   const wire::RunResult& result() const { return *result_; }
-  /// Returns the request's script and all later actions, with their times: a scenario.
+  /// Returns the request's script and all later actions, with their times. The text is a scenario.
   const std::string& script(std::size_t agent = 0) const { return scripts_[agent]; }
 
  private:
@@ -56,7 +57,7 @@ class DrivenRun {
   Runner& runner_;
   wire::OnEvent on_event_;
   long long id_ = 0;
-  std::vector<std::string> scripts_;  ///< per robot
+  std::vector<std::string> scripts_;  ///< one for each robot
   wire::Paused state_;
   std::optional<wire::RunResult> result_;
 };

@@ -10,9 +10,9 @@
 
 namespace robosim::client {
 
-/// From construction to destruction, SIGINT, SIGTERM and SIGHUP end the runner's current run, which then
-/// answers with the verdict `interrupted`. A second one kills the runner. A pool ends its batch at the first.
-/// Only one object at a time.
+/// Makes SIGINT, SIGTERM and SIGHUP end the runner's current run, which then answers with the verdict
+/// `interrupted`. A second signal kills the runner. A pool ends its batch at the first signal. The handlers
+/// are active from construction to destruction. Only one object may exist at a time.
 class Interrupts {
  public:
   explicit Interrupts(Runner& runner);
@@ -21,9 +21,9 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Returns how many have come.
+  /// Returns the number of signals so far.
   static int count();
-  /// Returns the first of them; 0 = none.
+  /// Returns the first signal; 0 = none.
   static int signal();
 
  private:

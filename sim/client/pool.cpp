@@ -12,9 +12,9 @@
 namespace robosim::client {
 namespace {
 
-/// Number of runs that may finish before a slow one; their results wait in memory.
+/// Number of runs that may finish before a slow run. Their results wait in memory.
 constexpr std::size_t kMostAhead = 10'000;
-/// Wall time. A signal that arrives just before poll() does not wake it.
+/// Limit of wall time for poll(), which a signal that arrives just before does not wake.
 constexpr int kSlice_ms = 100;
 
 Answer failure_of(std::exception_ptr thrown) {
@@ -31,27 +31,27 @@ Answer failure_of(std::exception_ptr thrown) {
 
 }  // namespace
 
-/// Makes one run at a time.
+/// Executes one run at a time.
 struct Pool::Worker {
   std::unique_ptr<Runner> runner;
-  std::string target;  ///< of the runner
+  std::string target;  ///< target of the runner
   bool busy = false;
   std::size_t run = 0;
 
-  /// Throws the exceptions of Runner.
+  /// Starts a run. Throws the exceptions of Runner.
   void begin(std::size_t index, Task task, const Start& start) {
     if (!runner || target != task.target) {
       runner.reset();
       runner = std::make_unique<Runner>(start(task.target));
       target = task.target;
     }
-    task.request.started = false;  // it has no listener, and each line costs all three processes a turn
+    task.request.started = false;  // no listener, and each line costs three processes a context switch
     runner->begin(task.request);
     run = index;
     busy = true;
   }
 
-  /// Returns the answer, if it has come.
+  /// Returns the answer if it has arrived.
   std::optional<Answer> take() {
     try {
       std::optional<wire::RunResult> result = runner->take();
@@ -77,8 +77,8 @@ struct Pool::Worker {
 /// The progress of a batch.
 struct Pool::Work {
   const Batch& batch;
-  std::size_t begun = 0;   ///< the first run that was not considered yet
-  std::size_t handed = 0;  ///< the first run that was not passed on yet
+  std::size_t begun = 0;   ///< number of the first run that has not been considered yet
+  std::size_t handed = 0;  ///< number of the first run that has not been passed on yet
   std::map<std::size_t, Answer> waiting = {};
 
   bool wanted(std::size_t i) const { return !batch.wanted || batch.wanted(i); }
@@ -101,7 +101,7 @@ struct Pool::Work {
     }
   }
 
-  /// Passes on the runs after a missing one, too.
+  /// Passes on all finished runs, even after a missing run.
   void hand_over_rest() {
     for (auto& [i, answer] : waiting) {
       if (wanted(i)) batch.answered(i, std::move(answer));

@@ -1,4 +1,4 @@
-// Makes many runs, several at a time, and returns results in the order of the requests.
+// Executes many runs, several at a time, and returns results in the order of the requests.
 //
 //   robosim::client::Pool pool(4);
 //   pool.run({1000,
@@ -6,7 +6,7 @@
 //             [&](std::size_t i, robosim::client::Answer answer) { … }});
 //
 // The number of workers and the duration of runs do not affect the results. A worker is a runner process,
-// which forks for each run. The caller's thread waits for all of them.
+// which forks for each run. The caller's thread waits for all workers.
 #pragma once
 
 #include <signal.h>
@@ -33,7 +33,7 @@ struct Failure {
   enum class Kind {
     input,     ///< the request is invalid (InputError)
     tool,      ///< a tool is missing (ToolMissing)
-    internal,  ///< the runner died, or has an internal fault (RunnerError)
+    internal,  ///< the runner has died, or has an internal fault (RunnerError)
   };
   Kind kind = Kind::internal;
   std::string message;
@@ -41,15 +41,15 @@ struct Failure {
 
 using Answer = std::variant<wire::RunResult, Failure>;
 
-/// The work of a pool: runs 0 to count - 1.
+/// The work for a pool: runs 0 to count - 1.
 struct Batch {
   std::size_t count = 0;
   std::function<Task(std::size_t)> task;
   /// Called for each run in ascending order. An exception ends the batch and is passed on.
   std::function<void(std::size_t, Answer)> answered;
-  /// Returns whether a run is (still) wanted; may be empty. Called before a run begins, which may be too
-  /// early to know. Called again, after the answers of all earlier runs, before its own is passed on. So runs
-  /// after the deciding one are dropped, even if they were made.
+  /// Returns whether a run is (still) wanted; may be empty. It is called before a run begins, when the answer
+  /// may not be known yet. It is called again after the answers of all earlier runs, before the run's own
+  /// answer is passed on. Runs after the deciding run are therefore dropped, even if they were executed.
   std::function<bool(std::size_t)> wanted;
 };
 
@@ -63,11 +63,11 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Makes the runs. Returns false if it was interrupted: then finished runs have been passed on, still in
-  /// ascending order, and the others are missing.
+  /// Executes the runs. Returns false if the pool was interrupted. In this case, finished runs have been
+  /// passed on, in ascending order, and all other runs are missing.
   bool run(const Batch& batch);
 
-  /// Ends the batch, and any later one; unfinished runs are killed. May be called from a signal handler.
+  /// Ends the batch, and any later batch. Kills unfinished runs. May be called from a signal handler.
   void interrupt() noexcept { interrupted_ = 1; }
 
  private:

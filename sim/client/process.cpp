@@ -41,7 +41,7 @@ struct Process::Ends {
   Pipe answers;
 
   explicit Ends(std::filesystem::path name) : program(std::move(name)) {
-    // Requests go through a socket: writing to a dead program must not raise SIGPIPE in ours.
+    // Requests go through a socket, since a write to a dead program must not raise SIGPIPE in this process.
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
     requests = Descriptor(ends[0]);
@@ -72,7 +72,7 @@ bool Process::read_more(Patience& patience) {
   buffer_.erase(0, next_);
   next_ = 0;
   for (;;) {
-    // In slices: a signal that arrives just before poll() does not wake it.
+    // Polls in slices, since a signal that arrives just before poll() does not wake it.
     constexpr std::int64_t kPollSlice_ms = 200;
     const std::int64_t now = now_ms();
     if (interrupted_ && patience.interrupt_seen_ms < 0) patience.interrupt_seen_ms = now;
@@ -134,7 +134,8 @@ std::string Process::finish() {
   const std::int64_t deadline = now_ms() + kPatience_ms;
   while (read_line(static_cast<int>(std::max(std::int64_t{0}, deadline - now_ms())))) {
   }
-  // Until it has been waited for, its number is not reused, and the signal can only reach its forks.
+  // Until the program has been waited for, its process id is not reused, and the signal reaches only its
+  // forks.
   while (!child_.has_ended() && now_ms() < deadline) {
     const timespec pause{0, 500'000};
     ::nanosleep(&pause, nullptr);

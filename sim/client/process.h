@@ -13,9 +13,9 @@
 
 namespace robosim::client {
 
-/// Starts a program with pipes for its standard input and output. It has its own process group, so that
-/// Ctrl-C in a terminal reaches only us. It shares our standard error, and inherits nothing else. The
-/// destructor ends the program and its forks, and leaves no zombie.
+/// Starts a program with pipes for its standard input and output. The program has its own process group, so
+/// that Ctrl-C in a terminal reaches only this process. It shares this process's standard error, and inherits
+/// nothing else. The destructor ends the program and its forks, and leaves no zombie.
 class Process {
  public:
   /// Starts the program. Throws std::system_error if that fails.
@@ -26,19 +26,20 @@ class Process {
 
   /// Writes text. Returns false if the program no longer reads.
   bool write(std::string_view text);
-  /// Returns the next line without its line feed, valid until the next call. Returns nothing at the end of
-  /// the output (an incomplete last line is dropped) or after `timeout_ms` of wall time; -1 = wait for ever.
+  /// Returns the next line without its line feed; it is valid until the next call. Returns nothing at the end
+  /// of the output (an incomplete last line is dropped) or after `timeout_ms` of wall time; -1 = no limit.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
-  /// Returns the next `count` bytes, valid until the next call; nothing if the output ends before.
+  /// Returns the next `count` bytes, which are valid until the next call. Returns nothing if the output ends
+  /// before.
   std::optional<std::string_view> read_bytes(std::size_t count);
 
-  /// Returns a descriptor that is readable, for poll(2), when the program has written or ended.
+  /// Returns a descriptor for poll(2), which is readable when the program has written or ended.
   int descriptor() const { return answers_.get(); }
   /// Returns whether read_line() reached the end of the output.
   bool silent() const { return silent_; }
 
-  /// Makes the pipe of its output as short as possible (a page), so that it cannot run far ahead of its
+  /// Makes the output pipe as short as possible (a page), so that the program cannot run far ahead of its
   /// reader.
   void keep_close() const;
 
@@ -48,12 +49,12 @@ class Process {
   /// Sends SIGINT to the program's whole process group. Async-signal-safe.
   void interrupt();
   bool interrupted() const { return interrupted_ != 0; }
-  /// Forgets an interrupt before this answer.
+  /// Clears an interrupt that preceded the present answer.
   void forget_interrupt() { interrupted_ = 0; }
   /// Kills the whole process group. Async-signal-safe.
   void kill() const;
-  /// Closes its input. Waits for the end, at most a second; then kills. Returns how it ended: "ended with
-  /// status 3", "was ended by signal 11 (Segmentation fault)".
+  /// Closes the program's input. Waits at most a second for its end, then kills it. Returns how it ended:
+  /// "ended with status 3", "was ended by signal 11 (Segmentation fault)".
   std::string finish();
 
  private:
@@ -62,19 +63,19 @@ class Process {
 
   /// The time limit of a read.
   struct Patience {
-    std::int64_t until_ms;  ///< wall time; negative = for ever
+    std::int64_t until_ms;  ///< wall time; negative = no limit
     std::int64_t interrupt_seen_ms = -1;
   };
-  /// Adds to the buffer; returns false at the end of the output, or after the time limit.
+  /// Adds to the buffer. Returns false at the end of the output, or after the time limit.
   bool read_more(Patience& patience);
 
-  Descriptor requests_;  // socket to its standard input
-  Descriptor answers_;   // pipe from its standard output
+  Descriptor requests_;  // socket to the program's standard input
+  Descriptor answers_;   // pipe from the program's standard output
   Child child_;
   bool finished_ = false;
   volatile sig_atomic_t interrupted_ = 0;
   bool silent_ = false;
-  std::vector<char> chunk_ = std::vector<char>(65536);  // of the pipe
+  std::vector<char> chunk_ = std::vector<char>(65536);  // buffer for reading the pipe
   std::string buffer_;
   std::size_t next_ = 0;  // beginning of the next line in buffer_
 };

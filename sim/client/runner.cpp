@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Wall time; generous, since a runner may be emulated itself (qemu-user).
+// Limit of wall time. It is generous, since the runner itself may run under an emulator (qemu-user).
 constexpr int kHelloPatience_ms = 30'000;
 
 std::string program_of(const std::string& target) {
@@ -54,7 +54,8 @@ void blame_for_batch(wire::RunResult& result) {
   result.why = "The sketch crashed: " + cause + ".";
 }
 
-// Messages are JSON, and JSON is UTF-8: the runner would get another name as that of another file.
+// Throws InputError unless the name is UTF-8, as in JSON. Otherwise the runner would receive the name of
+// another file.
 void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
 }
@@ -105,7 +106,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (!text) fail_silent();
       wire::Line line = wire::parse_line(*text);
       const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
-      if (error && line.id < 0) throw wire::RunnerError(error->message);  // it could not even read the number
+      if (error && line.id < 0) throw wire::RunnerError(error->message);  // the number was unreadable
       if (line.id != last_id_) {
         throw wire::RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                                 " instead of " + std::to_string(last_id_));
@@ -132,7 +133,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       throw wire::RunnerError(error->message);
     }
   } catch (...) {
-    if (!answered) kill();  // it may be in the middle of a run, with more output than will be read
+    if (!answered) kill();  // it may be in the middle of a run, with more output to come
     throw;
   }
 }
@@ -141,7 +142,7 @@ void Runner::read_batch(std::string_view bytes, const wire::OnEvent& on_event) {
   try {
     if (!batch_is_damaged_) batches_.read(bytes, on_event);
   } catch (const wire::RunnerError&) {
-    // Native firmware has its memory next to that of the batches.
+    // Native firmware can overwrite the batches, since both are in the same memory.
     if (hello_.sandbox.empty()) throw;
     batch_is_damaged_ = true;
   }

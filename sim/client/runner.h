@@ -6,7 +6,7 @@
 //   request.image = …; request.map = …; request.robot = "uno5";
 //   const auto result = runner.run(request);        // result.verdict == "reached"
 //
-// One runner makes any number of runs in sequence; use several runners for parallel runs.
+// One runner executes any number of runs in sequence. Use several runners for parallel runs.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@
 namespace robosim::client {
 
 /// Returns the targets for which this version has runners: "host", "avr", "stm32". A build without an
-/// emulator's package still lacks its runner: Runner then throws ToolMissing.
+/// emulator's package lacks its runner. In this case, Runner throws ToolMissing.
 const std::vector<std::string>& available_targets();
 
 class Process;
@@ -32,7 +32,7 @@ class Runner {
   /// Starts the runner of a target. Throws ToolMissing if its program is missing. Throws RunnerError if it
   /// does not send its first message or has another version of the protocol.
   explicit Runner(const std::string& target);
-  /// Starts the given program instead (for tests).
+  /// Starts the given program instead of a target's runner (for tests).
   static Runner from_program(const std::string& path);
   ~Runner();
   Runner(Runner&&) noexcept;
@@ -40,28 +40,28 @@ class Runner {
 
   const wire::Hello& hello() const { return hello_; }
 
-  /// Describes a stock robot, by name, or one by path; `full`: with RobotInfo::text. Throws InputError.
+  /// Describes a robot: a stock robot by its name, any other by its path. `full` adds RobotInfo::text. Throws
+  /// InputError.
   wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
   /// Runs to the verdict. Throws InputError for invalid input, and ToolMissing. Throws RunnerError if the
-  /// runner dies without an answer, breaks the protocol or has an internal fault; then this runner is
+  /// runner dies without an answer, breaks the protocol or has an internal fault; the runner is then
   /// unusable. An exception from `on_event` ends the runner and is passed on.
   wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
-  /// The two parts of run(), for waiting on several runners at once. begin() sends the request. take()
-  /// returns the result if it has come, without waiting; it throws as run() does. In between descriptor() is
-  /// readable, for poll(2), whenever take() has work.
+  /// Provide the two parts of run(), to wait for several runners at once. begin() sends the request. take()
+  /// returns the result if it has arrived, without waiting, and throws as run() does. In between,
+  /// descriptor() is readable, for poll(2), whenever take() has work.
   void begin(const wire::RunRequest& request);
   std::optional<wire::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
-  /// From now on limits how far the runner is ahead of `on_event` to a few kilobytes of events. That is for
-  /// viewers: an interrupt then takes effect at the visible state. Costs speed.
+  /// Limits, from now on, how far the runner is ahead of `on_event`, to a few kilobytes of events. Viewers
+  /// need this, so that an interrupt takes effect at the visible state. The limit costs speed.
   void keep_close() noexcept;
 
   /// Ends the current run with the verdict `interrupted`. run() still returns, unless the runner is silent
-  /// for two seconds of wall time: then it is killed. May be called from a signal handler or from within
-  /// `on_event`.
+  /// for two seconds of wall time and is killed. May be called from a signal handler or from `on_event`.
   void interrupt() noexcept;
   /// Kills the runner; run() throws RunnerError. May be called from a signal handler.
   void kill() noexcept;
@@ -73,8 +73,8 @@ class Runner {
   };
   explicit Runner(const Program& program);
   [[noreturn]] void fail_silent();
-  /// Returns the answer to the last request, not an event or error; nothing if it has not come and `wait` is
-  /// false.
+  /// Returns the answer to the last request, but not events or errors. Returns nothing if the answer has not
+  /// arrived and `wait` is false.
   std::optional<wire::Line> answer(bool wait, const wire::OnEvent& on_event);
   template <typename Answer>
   std::optional<Answer> take(bool wait, const wire::OnEvent& on_event);
@@ -84,8 +84,8 @@ class Runner {
   std::unique_ptr<Process> process_;
   wire::Hello hello_;
   long long last_id_ = 0;
-  wire::BatchReader batches_{{}};  ///< of the last requested run
-  bool batch_is_damaged_ = false;  ///< in the last requested run; its later batches are not read
+  wire::BatchReader batches_{{}};  ///< reader for the last requested run
+  bool batch_is_damaged_ = false;  ///< in the last requested run, whose later batches are not read
 };
 
 }  // namespace robosim::client

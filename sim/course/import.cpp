@@ -33,7 +33,7 @@ Imported read_any(std::string_view text, const std::string& file, double walls_m
   if (lines.empty()) throw InputError({file}, "the file is empty");
   const std::string_view first = lines.front().text;
   const bool is_json = first.front() == '{' || first.front() == '[';
-  // A maze's first line may consist of + and - alone: then it is not a number.
+  // The first line of a maze may consist of + and - alone, and is not a number then.
   const bool are_numbers = first.find_first_not_of("0123456789+-.eE,; \t") == first.npos &&
                            first.find_first_of("0123456789") != first.npos;
   if (!is_json && !are_numbers && !first.starts_with("#length")) return read_maze(text, file, walls_m);
@@ -54,7 +54,7 @@ Imported import_course(std::string_view text, const std::string& file, const std
     return imported;
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;
-    throw InputError({file}, error.message());  // about the whole course
+    throw InputError({file}, error.message());  // an error of the whole course
   }
 }
 

@@ -1,5 +1,5 @@
-// Reads mazes of micromouse as lines: a cell's middle is a node, and neighbours without a wall between are
-// joined. Alternatively with their walls, and unpainted lines.
+// Reads mazes of micromouse as lines. The middle of a cell is a node, and lines join neighbours without a
+// wall between them. Alternatively, reads mazes with their walls, and unpainted lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,16 +11,18 @@
 namespace robosim::course {
 namespace {
 
-constexpr int kMostCells = 256;  // per side
-// Line mazes have 150 mm between lines (LVBots: 5 to 7 inches); a map has a cell of floor between two lines.
+constexpr int kMostCells = 256;  // for each side
+// Line mazes have 150 mm between lines (LVBots: 5 to 7 inches). A map has one cell of floor between two
+// lines.
 constexpr double kCell = 0.075;  // m
-constexpr int kLines = 2;        // cells of a map from one line to the next
-// With walls: a sixteenth of the classic's 180 mm is 11.25 mm; its rules have walls of 12 mm, within 5 %.
+constexpr int kLines = 2;        // cells of a map between neighbouring lines
+// With walls, a map's cell is a sixteenth of the classic 180 mm, which is 11.25 mm. The rules have walls of
+// 12 mm, within 5 %.
 constexpr int kWalls = 16;
 
 struct Maze {
   int width = 0, height = 0;
-  std::vector<bool> east, north;  // whether there is a wall on that side, by cell from the south-west
+  std::vector<bool> east, north;  // walls on that side, by cell from the south-west
   std::optional<grid::CellAt> start, goal;
 
   std::size_t index(int x, int y) const {
@@ -34,14 +36,14 @@ struct Maze {
   }
 };
 
-// The places of the maze's cells on the map.
+// The positions of the maze's cells on the map.
 struct Layout {
-  int pitch, margin;  // cells of the map, from middle to middle, and from the map's edge to the first
-  int height;         // of the map
+  int pitch, margin;  // cells of the map: between middles, and from the map's edge to the first middle
+  int height;         // height of the map
   grid::CellAt middle(int x, int y) const { return {pitch * x + margin, height - 1 - margin - pitch * y}; }
 };
 
-// Adds walls one cell thick along the sides of the maze's cells, and around it.
+// Adds walls that are one cell thick along the sides of the maze's cells, and around the maze.
 void add_walls(const Maze& maze, const Layout& layout, grid::Map& map) {
   constexpr int kHalf = kWalls / 2;
   const auto wall = [&](grid::CellAt from, int dx, int dy) {
@@ -129,7 +131,7 @@ Imported read_maze(std::string_view text, const std::string& file, double walls_
                             lines.size(), wide));
   Maze maze;
   maze.resize(width, height);
-  // Any character except a blank is a wall; short lines are open at their ends (mackorone/mms, src/Maze.cpp).
+  // Any character except a blank is a wall. Short lines are open at their ends (mackorone/mms, src/Maze.cpp).
   const auto is_wall = [&](std::size_t row, int column) {
     const std::string_view line = lines[row].text;
     const auto at = static_cast<std::size_t>(column);

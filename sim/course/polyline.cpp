@@ -9,8 +9,8 @@ namespace robosim::course {
 namespace {
 
 constexpr double kSame = 1e-6;     // m
-constexpr double kAhead = 1e-9;    // rad: not a bend
-constexpr double kBack = 3.14159;  // rad: an arc cannot turn back
+constexpr double kAhead = 1e-9;    // rad; a smaller turn is not a bend
+constexpr double kBack = 3.14159;  // rad; an arc cannot turn back
 
 }  // namespace
 
@@ -32,7 +32,7 @@ grid::Path path_of(const Polyline& all) {
   const Vec2 first = leg(0);
   const Vec2 from = line.front().at;
   grid::Path path({{rounded(from.x), rounded(from.y)}, first * (1.0 / length(first))});
-  // The lengths that each bend takes from its legs; two bends share a common leg.
+  // Lengths that each bend removes from its legs. Two neighbouring bends share a leg.
   std::vector<double> turns(line.size()), cuts(line.size());
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     turns[i] = std::atan2(cross(leg(i - 1), leg(i)), dot(leg(i - 1), leg(i)));

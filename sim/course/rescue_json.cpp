@@ -20,8 +20,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kTile = 0.300, kRescueLine = 0.020, kGreen = 0.025, kStrip = 0.250;  // m
-constexpr int kCells = 3;                                                             // of 100 mm, a tile
-constexpr int kAround = 3;  // cells around the field, one tile: robots reach beyond it
+constexpr int kCells = 3;   // cells of 100 mm in a tile
+constexpr int kAround = 3;  // cells around the field (one tile), since robots leave the field
 constexpr int kMostTiles = 100;
 
 struct Key {
@@ -30,7 +30,7 @@ struct Key {
 };
 
 struct Drawn {
-  Polyline line;  // percent, unrotated
+  Polyline line;  // in percent, not rotated
   bool used = false;
 };
 
@@ -40,7 +40,7 @@ struct Tile {
   std::string id;
   std::vector<Drawn> lines;
   std::string arms, turns, greens, used_arms;
-  char up = 0, down = 0;  // sides with a higher or lower neighbour
+  char up = 0, down = 0;  // sides with a higher or a lower neighbour
   int obstacles = 0, bumps = 0;
   bool ramp = false, checkpoint = false;
 };
@@ -155,7 +155,7 @@ class RescueReader {
       simplified_ += kind.simplified;
       return;
     }
-    // The paths in the file: from side to side.
+    // Uses the paths in the file, which lead from side to side.
     if (!type.is_object() || !type.contains("paths") || !type["paths"].is_object() || type["paths"].empty())
       refuse(fmt::format("{}: unknown type of tile: expected a known tileType or one with paths, got “{}”",
                          where, tile.id.substr(0, 40)));
@@ -169,7 +169,7 @@ class RescueReader {
     ++simplified_;
   }
 
-  // Returns the sides by which the route may enter, turned.
+  // Returns the sides through which the route may enter the rotated tile.
   static std::string entries_of(const Tile& tile) {
     std::string sides;
     for (const Drawn& drawn : tile.lines)
@@ -276,7 +276,7 @@ class RescueReader {
         "no tile of the evacuation zone is next to startTile2, so the path after the zone is missing");
   }
 
-  // Adds a strip across the path, on this side of a tile's edge.
+  // Adds a strip across the path, on this side of the edge of a tile.
   void strip(Vec2 at, char side, grid::Hue hue, double across) {
     const Vec2 out{(side == 'R') - 1.0 * (side == 'L'), (side == 'T') - 1.0 * (side == 'B')};
     areas_.push_back({{{at - out * (0.5 * kGreen), out}, 0.5 * kGreen, 0.5 * across}, {hue}});
@@ -303,8 +303,8 @@ class RescueReader {
     }
   }
 
-  // Follows the first path. Its tiles are those of the route unless levels or lines on a tile's edge confuse
-  // it.
+  // Sets the goal along the first path. The path's tiles equal those of the route unless levels, or lines on
+  // a tile's edge, confuse them.
   void set_goal(grid::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";
@@ -372,10 +372,10 @@ class RescueReader {
   std::map<Key, Tile> tiles_;
   std::vector<Polyline> lines_;
   std::vector<grid::Area> areas_;
-  std::vector<bool> checkpoints_;  // of the first route, tile by tile
+  std::vector<bool> checkpoints_;  // for each tile of the first route
   std::vector<std::string> remarks_;
   int simplified_ = 0;
-  bool to_zone_ = false;  // the first path ends there
+  bool to_zone_ = false;  // the first path ends at the evacuation zone
   std::size_t tiles_on_route_ = 0;
 };
 

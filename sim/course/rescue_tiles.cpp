@@ -83,7 +83,7 @@ constexpr TileKind kTiles[] = {
     {"58cfd6549792e9313b1620e4", {{"50,0 50,13 70,13 70,33 90,33 90,67 70,67 70,87 50,87 50,100"}}},
     {"58cfd6549792e9313b1620e5", {{"50,0 50,3 27,3 27,36 50,36 50,66 27,66 27,96 50,96 50,100"}}},
     {"58cfd6549792e9313b1620e6", {{"100,50 72,50 50,72 50,100"}}},
-    // Roundabouts, and two that were not measured: only the way through them.
+    // Roundabouts, and tiles that were not measured. Only the way through them is drawn.
     {"570c27c3f5a9dabe23f3afab", {{"50,100 50,50 100,50"}}, {}, {}, {}, true},
     {"570c27c3f5a9dabe23f3afac", {{"0,50 100,50"}}, {}, {}, {}, true},
     {"570c27c3f5a9dabe23f3afad", {{"0,50 50,50 50,100"}}, {}, {}, {}, true},

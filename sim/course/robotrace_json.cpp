@@ -1,5 +1,5 @@
-// Source of the format: kyamashita5/robotrace_course_cad, commit 8daa8226, its doc/ and its solver; rules:
-// NTF, Robotrace 1-1 to 2-8.
+// Source of the format: kyamashita5/robotrace_course_cad, commit 8daa8226, its doc/ and its solver. Source of
+// the rules: NTF, Robotrace 1-1 to 2-8.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kCm = 0.01;
-constexpr double kTouching = 1e-5;       // m; circles with a shorter tangent touch
+constexpr double kTouching = 1e-5;       // m; circles with a shorter tangent touch each other
 constexpr double kMostCoordinate = 1e5;  // cm
 constexpr std::size_t kMostCircles = 1000;
 constexpr double kMarkLength = 0.040, kMarkAway = 0.070;
@@ -53,7 +53,7 @@ class Reader {
     const std::size_t count = circles_.size();
     std::vector<Tangent> out;
     for (std::size_t i = 0; i < count; ++i) out.push_back(tangent(i, (i + 1) % count));
-    // The last tangent holds start and goal: the course begins at its start line.
+    // The last tangent contains start and goal. The course begins at its start line.
     const Tangent& home = out.back();
     const double start_to_goal = number(json_, "length", "start_goal_hint", 100.0) * kCm;
     const double hint = std::clamp(dot(hint_at() - home.from, home.along), 0.0, home.length);
@@ -157,7 +157,7 @@ class Reader {
     mark(goal, -kMarkAway);
     map.course.race = grid::RaceLines{0, 0.0, rounded(goal)};
     map.goal = "robotrace";
-    // In the start and goal area, far enough before the start line that a robot's sensors are behind it.
+    // The robot starts in the start and goal area, so that its sensors are behind the start line.
     map.start = grid::start_on(map, {0, rounded(goal + start_to_goal / 2.0), false});
     return {std::move(map), {}};
   }

@@ -9,13 +9,13 @@
 namespace robosim::course {
 namespace {
 
-constexpr double kMostMissing = 1.1;  // m, from goal to start line
-constexpr double kAside = 0.05;       // m
+constexpr double kMostMissing = 1.1;  // m, from goal line to start line
+constexpr double kAside = 0.05;       // m, sideways distance
 constexpr double kSamePoint = 1e-4;   // m; closer points are one
-constexpr double kBeside = 3e-4;      // m, from points to the straight that replaces them
+constexpr double kBeside = 3e-4;      // m, from removed points to the straight that replaces them
 constexpr std::size_t kMostThinned = 100;
 
-// Closes a course from its start line to its goal line by the straight from there to the start.
+// Closes a course by a straight from its goal line to its start line.
 void close(grid::Path& path) {
   const Pose begin = path.begin(), end = path.end();
   const Vec2 missing = end.to_body(begin.position);
@@ -31,7 +31,7 @@ Imported finish(const grid::Path& path, const std::string& file) {
   return {std::move(map), {}};
 }
 
-// Removes points while the others stay at most kBeside away from the straights between the remaining ones.
+// Removes points that are at most kBeside away from the straights between the remaining points.
 std::vector<Vec2> thinned(const std::vector<Vec2>& points) {
   std::vector<Vec2> kept{points.front()};
   for (std::size_t from = 0; from + 1 < points.size();) {
@@ -96,7 +96,7 @@ Imported read_points(std::string_view text, const std::string& file) {
   const std::vector<Vec2> kept = thinned(points);
   grid::Path path({kept[0], (kept[1] - kept[0]) * (1.0 / length(kept[1] - kept[0]))});
   for (std::size_t i = 1; i < kept.size(); ++i) {
-    // Each piece begins at the real end of the previous one, so rounding errors do not add up.
+    // Each piece begins at the actual end of the previous piece, so that rounding errors do not accumulate.
     const Vec2 step = kept[i] - path.end().position;
     const double turn = rounded(angle_of({dot(path.end().heading, step), cross(path.end().heading, step)}));
     if (i > 1 && turn != 0.0) path.add_corner(turn);

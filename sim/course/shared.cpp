@@ -62,7 +62,7 @@ grid::Map map_around(const std::vector<grid::Path>& paths, double line_m, double
         most = {std::max(most.x, p.x), std::max(most.y, p.y)};
       }
     }
-  // Whole millimetres, so that coordinates in whole millimetres remain so.
+  // Shifts by whole millimetres, so that coordinates in whole millimetres stay whole.
   const Vec2 shift{std::ceil((margin - least.x) * 1e3) / 1e3, std::ceil((margin - least.y) * 1e3) / 1e3};
   grid::Map map;
   map.line_m = line_m;

@@ -1,4 +1,5 @@
-// Finds a robot whose board has a chip of the target: with its own board if possible, else with another one.
+// Finds a robot whose board has a chip of the target. The robot keeps its own board if possible, and
+// otherwise gets another board.
 #pragma once
 
 #include <functional>
@@ -11,30 +12,30 @@
 
 namespace robosim::launch {
 
-/// Describes a robot by its name or path, like a runner.
+/// Describes a robot by its name or path, as a runner does.
 using Describe = std::function<wire::RobotInfo(const std::string& robot)>;
 
 struct FittedRobot {
   std::string robot;  ///< as given, or with another board after an @ (sim/base/robot_name.h)
   wire::RobotInfo info;
-  std::string own_board;  ///< the board that was replaced; empty = none was
+  std::string own_board;  ///< the board that was replaced; empty = no board was replaced
 };
 
-/// Fits the robot to `boards`; empty = any board. The first of them replaces an unsuitable one. Throws the
-/// exceptions of `describe`, also if the other board lacks a pin that the robot uses.
+/// Fits the robot to `boards`; empty = any board. The first of `boards` replaces an unsuitable board. Throws
+/// the exceptions of `describe`, also if the replacement lacks a pin that the robot uses.
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 
-/// A robot that a sketch for this target can drive, or that its project is for.
+/// A robot that suits a sketch's target, or its project.
 struct Carrier {
   Choice robot;
   wire::RobotInfo info;
-  std::string announcement;  ///< reports that another board replaces its own; empty = none does
+  std::string announcement;  ///< sentence about a replaced board; empty = not replaced
 };
-/// Returns the robot on the board that its project is for.
+/// Returns the robot on the board that its project specifies.
 Carrier on_its_board(const Choice& robot, const Describe& describe);
-/// Returns it on that board if it has the chip, else on another one. Throws InputError if no board of the
-/// target has all pins that the robot uses.
+/// Returns the robot on that board if the board has the chip, and otherwise on another board. Throws
+/// InputError if no board of the target has all pins that the robot uses.
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe);
 
 /// Returns a robot's board.

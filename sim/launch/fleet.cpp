@@ -62,7 +62,7 @@ class MemberReader {
   }
 
  private:
-  /// Returns a word that may not be empty; empty if it is missing.
+  /// Returns a word, or "" if the key is missing. Throws InputError for an empty word.
   std::string word_at(const char* key) {
     const ConfigValue* value = reader_.find(key);
     if (!value) return "";
@@ -114,7 +114,7 @@ class MemberReader {
   fs::path folder_;
 };
 
-/// Adds the robot's name, and its place in a file.
+/// Throws the error again, with the robot's name and its place in a file.
 [[noreturn]] void blame(const Member& member, const InputError& error) {
   if (error.place().file.empty())
     throw InputError(member.place, fmt::format("robot {}: {}", member.name, error.message()));

@@ -1,4 +1,4 @@
-// Several robots on one map: the user's names for each, and the one request made from them.
+// Prepares several robots on one map: converts the user's names for each robot to one request.
 //
 //   [[agent]]
 //   name = "A"
@@ -20,8 +20,8 @@ namespace robosim::launch {
 /// A robot of the fleet.
 struct Member {
   std::string name;
-  Launch launch;  ///< its script's text is in the request; its map is ignored
-  Place place;    ///< in the fleet's file
+  Launch launch;  ///< the script's text is in the request; the map is ignored
+  Place place;    ///< in the fleet file
 };
 
 struct Fleet {
@@ -32,44 +32,46 @@ struct Fleet {
   Member* find(const std::string& name);
 };
 
-/// Returns whether a sketch argument names a fleet's file.
+/// Returns whether a sketch argument names a fleet file.
 bool is_fleet_file(const std::string& word);
-/// Reads a fleet's file. Throws InputError.
+/// Reads a fleet file. Throws InputError.
 Fleet read_fleet(const std::filesystem::path& file);
 Fleet parse_fleet(std::string_view text, const std::filesystem::path& file);
-/// Throws InputError if `name` cannot be a robot's.
+/// Throws InputError if `name` cannot be the name of a robot.
 void check_member_name(const std::string& name, const Place& place = {});
 
-/// Returns the target whose runner runs firmware of all these targets.
+/// Returns the target whose runner can run firmware of all these targets.
 std::string runner_of(const std::vector<std::string>& targets);
 
 /// A whole fleet, chosen but not prepared.
 struct ChosenFleet {
   std::vector<Chosen> members;
-  std::string runner;  ///< target of the runner for all of them
+  std::string runner;  ///< target of the runner for all robots
 };
-/// Chooses each robot's files. Throws InputError, with the robot's name.
+/// Chooses the files of each robot. Throws InputError with the robot's name.
 ChosenFleet choose(Fleet& fleet);
 
 struct PreparedFleet {
   std::vector<Prepared> members;
-  wire::RunRequest request;  ///< for all of them
+  wire::RunRequest request;  ///< request for all robots
 };
-/// Prepares a fleet. `common`: the settings for all; each member's request adds start, goal, clock and
-/// script. Throws as Launcher::prepare() does.
+/// Prepares a fleet. `common` contains the settings for all robots. Each member's request adds start, goal,
+/// clock and script. Throws as Launcher::prepare() does.
 PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
                       const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner);
 
-/// Returns one result for each robot, in the order of their numbers; the first without the others.
+/// Returns one result for each robot, in the order of their numbers. Removes the other results from `first`.
 std::vector<wire::RunResult> results_of(wire::RunResult first);
 
-/// Returns the results of all robots of a run as one. It is reached if all have reached their goals. Else it
-/// has the verdict of the first that has not, whose `why` begins with its name. Time is the last one's,
-/// distance, energy and collisions are sums, and outputs are concatenated. The rest is of the robot in `why`,
-/// or of the first. A run of one robot stays unchanged.
+/// Combines the results of all robots of a run. The combined verdict is `reached` if all robots have reached
+/// their goals. Otherwise it is the verdict of the first robot that has not, whose name begins `why`. Time is
+/// that of the last robot. Distance, energy and collisions are sums, and outputs are concatenated.
+///
+/// All other values are those of the robot in `why`, or of the first robot. The result of a single robot
+/// stays unchanged.
 wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request);
 
-/// Returns a runner's error about one of its robots, "robot B: …", with the place in the fleet's file.
+/// Returns a runner's error about a robot, "robot B: …", with the place in the fleet file.
 InputError with_place(const Fleet& fleet, const InputError& error);
 
 }  // namespace robosim::launch

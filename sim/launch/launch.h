@@ -1,5 +1,5 @@
-// Converts the user's names to a request for a runner. Everything that starts a run does it here. So the same
-// names mean the same run in a command, a check, a session and a test.
+// Converts the user's names to a request for a runner. All code that starts a run uses this conversion.
+// Therefore equal names mean the same run in a command, a check, a session and a test.
 //   Launch launch;
 //   launch.sketch = "PidFollower"; launch.target = "avr"; launch.request.goal = "laps:3";
 //   Launcher launcher;
@@ -27,11 +27,11 @@ struct Launch {
   std::string map;
   std::string robot;
   std::string target;
-  std::string environment;             ///< of platformio.ini, or a profile of sketch.yaml
-  std::vector<std::string> libraries;  ///< folders
-  bool sanitize = false;               ///< the sketch checks itself
+  std::string environment;             ///< in platformio.ini, or a profile of sketch.yaml
+  std::vector<std::string> libraries;  ///< folders of libraries
+  bool sanitize = false;               ///< run-time checks in the sketch
   bool count_lines = false;            ///< counts which of the sketch's lines run
-  bool untrusted = false;              ///< from a stranger: refused if this machine cannot confine it
+  bool untrusted = false;              ///< by a stranger: refused if this machine cannot confine it
   wire::RunRequest request;            ///< goal, seed …; Launcher adds image, map and robot
 };
 
@@ -43,7 +43,7 @@ struct Chosen {
   std::string target;
 };
 
-/// Finds the files. Throws InputError for an unknown name, and for a target that the sketch cannot run on.
+/// Finds the files. Throws InputError for an unknown name, and for a target that cannot run the sketch.
 Chosen choose(const Launch& launch);
 
 struct Prepared {
@@ -52,32 +52,32 @@ struct Prepared {
   Choice robot;  ///< with the board for this target
   std::string target;
   wire::RobotInfo robot_info;
-  build::Request wanted;  ///< the image's build settings; for a finished image, those that it would have had
+  build::Request wanted;  ///< the image's build settings; a finished image is not built with them
   build::Image image;
   wire::RunRequest request;
-  std::string remark;  ///< what its result will lack; empty = nothing
+  std::string remark;  ///< data that the result will lack; empty = none
 };
 
 /// Receives reports during preparation; any function may be empty.
 struct Listener {
   std::function<void(const std::string& sentence)> chosen;   ///< sentences on automatic choices
-  std::function<void(const std::string& sentence)> lacking;  ///< what this machine cannot confine (trust.h)
+  std::function<void(const std::string& sentence)> lacking;  ///< sentences on missing confinement (trust.h)
   std::function<void(const std::string& sketch)> compiling;
-  /// During `compiling`: called if the core of a board, for a target, is not there yet.
+  /// Called during `compiling` if the core for a board and target is not there yet.
   std::function<void(const std::string& board, const std::string& target)> compiling_core;
   std::function<void(const build::Image&)> compiled;
 };
 
-/// Returns a finished .elf unchanged; compiles anything else. Throws InputError and ToolMissing.
+/// Returns a finished .elf unchanged, and otherwise compiles the sketch. Throws InputError and ToolMissing.
 build::Image image_of(const SketchChoice& sketch, const build::Request& request, const Listener& listener);
 
-/// Prepares runs. Work that several of them share is done and reported once.
+/// Prepares runs. Work that several runs share is done and reported once.
 class Launcher {
  public:
   explicit Launcher(Listener listener = {}) : listener_(std::move(listener)) {}
 
-  /// `runner`: the one that will run it, or the host's. Throws InputError, ToolMissing, and the exceptions of
-  /// `describe`.
+  /// Prepares a run. `runner` is the runner that will execute it, or the host's runner. Throws InputError,
+  /// ToolMissing, and the exceptions of `describe`.
   Prepared prepare(const Launch& launch, Chosen chosen, const Describe& describe, const wire::Hello& runner);
 
  private:

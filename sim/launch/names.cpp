@@ -29,7 +29,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Checks for a target of this or a later version.
+/// Throws InputError unless this version or a later version has the target.
 void check_exists(const std::string& target) {
   const std::vector<std::string> all{"host", "avr", "stm32"};
   if (!is_one_of(target, all)) throw InputError("--target: " + unknown_name("target", target, all));
@@ -55,7 +55,7 @@ void check_path(const std::string& what, const std::string& path) {
   throw InputError({path, 0, 0}, "no such file (a " + what + " with / or . in its name is a path)");
 }
 
-/// Returns nothing if it is not a file: a pipe would wait for a writer.
+/// Returns the beginning of a file. Returns nothing for any other path, since a pipe would wait for a writer.
 std::string beginning_of(const fs::path& path) try {
   const Descriptor file = open_to_read(path);
   char buffer[4096];
@@ -65,14 +65,16 @@ std::string beginning_of(const fs::path& path) try {
   return "";
 }
 
-/// Returns the end of the message for an unknown map or robot: names the user's file of that name, if any.
+/// Returns the end of the message for an unknown map or robot. It mentions the user's file of that name, if
+/// it exists.
 std::string file_hint(const std::string& name, const std::string& ending) {
   if (is_there(name + ending))
     return fmt::format("; to use the file in this folder, give {}{}", name, ending);
   return " (a name with / or . is a path)";
 }
 
-/// Recognises a linker's map by the headings of GNU ld's: a list of sections, not a floor.
+/// Returns whether a .map file is a linker's list of sections, not a floor. Recognises the headings of GNU
+/// ld.
 bool is_linkers(const fs::path& map) {
   std::istringstream file(beginning_of(map));
   std::string first;
@@ -114,7 +116,7 @@ fs::path stock_map_folder() { return data_folder() / "maps"; }
 
 namespace {
 
-/// Returns the image in a folder that holds one and nothing to build; else empty.
+/// Returns the image in a folder that contains exactly one image and nothing to build; otherwise empty.
 fs::path image_in(const fs::path& folder) {
   if (has_sketch(folder)) return {};
   std::vector<fs::path> images;
@@ -221,7 +223,7 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
 
 namespace {
 
-/// Returns a stock robot that carries the board, by its name: "mega5"; else uno5.
+/// Returns the stock robot that has this board in its name, such as "mega5"; otherwise uno5.
 std::string stock_robot_for(const BoardSpec* board) {
   std::string found = "uno5";
   if (!board) return found;

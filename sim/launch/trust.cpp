@@ -57,7 +57,7 @@ void check_folder(const SketchChoice& sketch) {
 }
 
 void check_robot(const SketchChoice& sketch, const Choice& robot) {
-  constexpr int kMostBases = 8;  // more of them the runner refuses
+  constexpr int kMostBases = 8;  // the runner refuses more
   fs::path file = parse_robot_name(robot.path.string()).robot;
   if (!is_path(file.string()) || !build::lies_in(file, sketch.folder)) return;
   for (int bases = 0; bases <= kMostBases; ++bases) {

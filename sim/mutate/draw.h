@@ -10,7 +10,7 @@
 
 namespace robosim::mutate {
 
-/// Returns the elements in an order drawn by the seed: the first n are a random sample.
+/// Returns the elements in a random order that depends on the seed. The first n elements are a random sample.
 template <typename T>
 std::vector<T> shuffled(std::vector<T> all, std::uint64_t seed, const char* purpose) {
   const NoiseStream draw(seed, 0, "mutate", purpose);

@@ -1,5 +1,5 @@
-// A small change of a sketch's source: a mutation that breaks it like a typical mistake, or one that must not
-// matter.
+// Defines a small change of a sketch's source. The change is either a mutation, which breaks the sketch like
+// a typical mistake, or must not matter.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace robosim::mutate {
 
-/// Replaces bytes `from` to `to` of a file.
+/// Replaces the bytes `from` to `to` of a file.
 struct Edit {
   std::string file;  ///< relative to the sketch's folder
   std::size_t from = 0, to = 0;
@@ -19,14 +19,14 @@ struct Edit {
 
 struct Mutation {
   std::string kind;         ///< "relational", "constant" …; docs/howto/mutation.md lists them
-  std::vector<Edit> edits;  ///< sorted by place; all in one file. The first has the mutation's place
-  int line = 0;             ///< of the first, from 1
+  std::vector<Edit> edits;  ///< in one file, sorted by place; the first has the mutation's place
+  int line = 0;             ///< line of the first edit, from 1
   std::string was, now;     ///< for display: the text at the first place, and its replacement
 
   friend bool operator==(const Mutation&, const Mutation&) = default;
 };
 
-/// Return a mutation's place, "sketch.ino:20", its change, "`11` for `10`", and both in one line for people:
+/// Return a mutation's place, "sketch.ino:20", its change, "`11` for `10`", and both in one readable line:
 ///   sketch.ino:20  constant: `11` for `10`
 std::string where(const Mutation& mutation);
 std::string what(const Mutation& mutation);

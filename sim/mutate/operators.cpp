@@ -31,7 +31,7 @@ std::string type_of(const json& node) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Returns the first place of `word`, as a whole word.
+/// Returns the position of the first occurrence of `word` as a whole word.
 std::size_t find_word(const std::string& text, const std::string& word) {
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at)
     if ((at == 0 || !is_word(text[at - 1])) &&
@@ -59,7 +59,7 @@ const std::array<std::pair<const char*, const char*>, 10> kNarrower = {{{"unsign
                                                                         {"float", "int"},
                                                                         {"double", "int"}}};
 
-/// Collects the possible changes, walking down the tree.
+/// Walks down the tree and collects the possible changes.
 class Finder {
  public:
   explicit Finder(const Tree& tree) : tree_(tree) {}
@@ -148,7 +148,7 @@ class Finder {
     if (number > 9) add("constant", *range, std::to_string(2 * number) + suffix);
   }
 
-  // F("text"): the literal is the macro's argument.
+  // Removes F() around text. The literal is the argument of the macro.
   void in_flash(const json& node) {
     const auto range = node.find("range");
     if (range == node.end() || !(*range)["begin"].contains("expansionLoc")) return;
@@ -239,7 +239,7 @@ bool before(const Mutation& a, const Mutation& b) {
   return key(a) < key(b);
 }
 
-/// Returns the pin of the statement pinMode(PIN, …); empty for all others.
+/// Returns the pin of the statement pinMode(PIN, …); empty for any other statement.
 std::string pin_of(const Tree& tree, const json& statement) {
   if (kind_of(statement) != "CallExpr" || inner(statement).size() != 3) return "";
   const auto callee = range_of(tree, inner(statement)[0]), pin = range_of(tree, inner(statement)[1]);
@@ -253,13 +253,13 @@ void find_functions(const json& node, std::vector<const json*>& found) {
     for (const json& child : inner(node)) find_functions(child, found);
 }
 
-/// Finds the variables declared below, and all uses of each by its id.
+/// Finds the variables declared in `node`, and all uses of each variable, by its id.
 void find_names(const Tree& tree, const json& node, std::vector<const json*>& declared,
                 std::map<std::string, std::vector<Range>>& uses) {
   if (kind_of(node) == "VarDecl") declared.push_back(&node);
   if (kind_of(node) == "DeclRefExpr" && node.contains("referencedDecl")) {
     const std::string id = node["referencedDecl"].value("id", "");
-    // A variable that is used in a macro is not renamed: marked by an empty range.
+    // A variable that is used in a macro is not renamed. An empty range marks such a use.
     const auto range = range_of(tree, node);
     uses[id].push_back(range ? *range : Range{});
   }
@@ -273,7 +273,7 @@ std::vector<Mutation> mutations(const Tree& tree) {
   for (const json& declaration : tree.declarations) finder.look(declaration);
   std::vector<Mutation>& all = finder.found;
   std::sort(all.begin(), all.end(), before);
-  // A header is parsed with each source that includes it.
+  // Removes duplicates, since a header is parsed with each source that includes it.
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }

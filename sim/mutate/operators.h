@@ -1,5 +1,5 @@
-// Finds the possible changes in a sketch: the operators of mutation testing, modelled on typical mistakes,
-// and changes that must not matter.
+// Finds the possible changes in a sketch. They are the operators of mutation testing, modelled on typical
+// mistakes, and changes that must not matter.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace robosim::mutate {
 
-/// Returns all of them, sorted by place. Text in macros is not changed.
+/// Returns all mutations, sorted by place. Text in macros is not changed.
 ///
 ///   relational  < <= > >= == != one for another      returned   0 or the contrary instead of a result
 ///   arithmetic  + - * / % & | << >> and += …, ++ --  arguments  two of one type exchanged
@@ -18,8 +18,8 @@ namespace robosim::mutate {
 ///   statement   a call, assignment, break or return removed
 std::vector<Mutation> mutations(const Tree& tree);
 
-/// Returns neutral changes, which a test must tolerate. They are a delay of some ms at the start of setup(),
-/// two independent pinMode() exchanged, a local variable with another name.
+/// Returns neutral changes, which a test must tolerate: a delay of some ms at the start of setup(), two
+/// independent calls of pinMode() exchanged, or a renamed local variable.
 std::vector<Mutation> controls(const Tree& tree);
 
 }  // namespace robosim::mutate

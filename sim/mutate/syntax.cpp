@@ -23,14 +23,14 @@ const json& member(const json& node, const char* name) {
   return found == node.end() ? kNothing : *found;
 }
 
-/// Returns whether the declaration, whose places all have their files, is in a known one.
+/// Returns whether a declaration is in a known file. All its places must have files.
 bool is_own(const json& declaration) {
   const json& loc = member(declaration, "loc");
   const json& place = loc.contains("expansionLoc") ? loc["expansionLoc"] : loc;
   return place.is_object() && place.value("in", -1) >= 0;
 }
 
-/// Completes places: clang names a file only if it differs from the previous place's.
+/// Completes places, since clang names a file only if it differs from the file of the previous place.
 class Places {
  public:
   explicit Places(const std::function<int(const std::string&)>& number_of) : number_of_(number_of) {}
@@ -57,14 +57,14 @@ class Places {
   }
 
  private:
-  static constexpr int kOfDeclarations = 2;  ///< within the list of the translation unit
+  static constexpr int kOfDeclarations = 2;  ///< depth of declarations in the translation unit's list
   const std::function<int(const std::string&)>& number_of_;
   std::string key_;
   int file_ = -1;
   bool included_ = false;
 };
 
-/// Memory limit of clang: room for a syntax tree with all of Arduino's headers.
+/// Memory limit of clang. A syntax tree with all of Arduino's headers fits.
 constexpr std::size_t kClang_bytes = std::size_t{1} << 30;
 
 fs::path find_clang() {
@@ -75,10 +75,11 @@ fs::path find_clang() {
       "clang");
 }
 
-/// `scratch`: a folder that clang may write, and in which `source` may be.
+/// Returns the syntax tree of a source. `scratch` is a folder to which clang may write, and which may contain
+/// `source`.
 json dump(const fs::path& clang, const build::ParseContext& context, const fs::path& scratch,
           const fs::path& source, const std::function<int(const std::string&)>& number_of) {
-  // clang's messages on a partly understood source are useless, and would be mixed into the tree.
+  // Drops clang's messages. On a partly understood source they are useless, and would be mixed into the tree.
   std::vector<std::string> words = {"/bin/sh",
                                     "-c",
                                     "exec \"$@\" 2>/dev/null",
@@ -103,7 +104,7 @@ json dump(const fs::path& clang, const build::ParseContext& context, const fs::p
   return read_tree(result.output, number_of);
 }
 
-/// Returns the declarations of functions that are defined in the joined .ino files, as text: Arduino inserts
+/// Returns declarations, as text, of the functions that are defined in the joined .ino files. Arduino inserts
 /// them before the first function.
 std::string prototypes(const std::string& joined, const json& unit, std::size_t& first) {
   std::string text;

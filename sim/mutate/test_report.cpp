@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kTimeIsUp = 124;  // timeout's
+constexpr int kTimeIsUp = 124;  // exit status of the program `timeout`
 
 /// Converts "On/PidFollower" and "StartsAtOnce/host" to PidFollower.StartsAtOnce.
 std::string plain_name(const std::string& suite, const std::string& test) {
@@ -62,8 +62,8 @@ TestRun run_tests(const fs::path& program, const std::string& filter, const fs::
                                    result.output.empty() ? "" : ":\n" + result.output),
                        result.status == kTimeIsUp);
   TestRun run = read_report(read_file(report));
-  // Not the robot's behaviour: the sketch does not compile, or the test requests something that does not
-  // exist.
+  // The robot's behaviour is not the cause. Either the sketch does not compile, or the test requests
+  // something that does not exist.
   if (run.message.find("C++ exception with description") != std::string::npos)
     throw CouldNotRun(fmt::format("{} could not be run:\n{}", run.failed, run.message));
   return run;

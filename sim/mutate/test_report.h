@@ -1,4 +1,4 @@
-// Reads the report of a program of GoogleTest tests about a firmware.
+// Runs a program of GoogleTest tests about a firmware, and reads its report.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +12,23 @@ struct TestRun {
   int passed = 0, skipped = 0;
   std::string failed;   ///< the first test that failed, "PidFollower.StartsAtOnce"; empty = none
   std::string message;  ///< the first lines of its message
-  std::map<std::string, std::string> traces;  ///< by passed test: the behaviour of its runs, as one number
+  std::map<std::string, std::string> traces;  ///< by passed test: the behaviour in its runs, as one number
 };
 
-/// A test had no run: the sketch does not compile, or the test requests something that does not exist.
+/// Thrown if a test had no run: the sketch does not compile, or the test requests something that does not
+/// exist.
 struct CouldNotRun : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The program itself failed; by a timeout if `late`.
+/// Thrown if the program itself failed; `late` = by a timeout.
 struct ProgramBroke : std::runtime_error {
   ProgramBroke(const std::string& what, bool took_long) : std::runtime_error(what), late(took_long) {}
   bool late;
 };
 
-/// Runs a program until its first test fails; `filter` is GoogleTest's; empty = GTEST_FILTER. Throws
-/// CouldNotRun or ProgramBroke for failures of anything but a test.
+/// Runs a program until its first test fails. `filter` is GoogleTest's filter; empty = GTEST_FILTER. Throws
+/// CouldNotRun or ProgramBroke for any failure that is not a test's.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& scratch, int most_seconds = 600);
 
