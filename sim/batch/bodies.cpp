@@ -19,11 +19,11 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Computes the motion of each body if it rolls on, and sets `moves` for those that do. `done` is 0 for bodies
-// that neither roll on nor stand without being driven.
+// Computes each body's motion as if it rolled on. Sets `moves` for bodies that really roll on. `done` is 0
+// for bodies that neither roll on nor stand without being driven.
 //
 // The output is separate from the input. Otherwise compilers would create masked stores for "this lane's
-// number, if it moves". Some processors take 20 times as long for these.
+// number, if it moves". Some processors take 20 times as long for such stores.
 ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {

@@ -1,11 +1,11 @@
 // Simulates many bodies, each as if it were alone on one floor. Searches use a batch to simulate a body
 // repeatedly with different parameters or commands.
 //
-// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each waits
-// for the previous one. Here they are computed for a block of bodies at once (lanes.h). The order of
-// operations is the same, and therefore all bits of the results. This applies to the usual state of bodies:
-// both tyres roll, both wheels keep their direction, nothing is near. Each tick tests each lane for this
-// state.
+// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
+// operation waits for the previous operation. Here they are computed for a block of bodies at once (lanes.h).
+// The order of operations is the same, and therefore all bits of the results. This applies to the usual state
+// of bodies: both tyres roll, both wheels keep their direction, nothing is near. Each tick tests each lane
+// for this state.
 //
 // If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
 // It also simulates any special body (windings, steered wheels, wheels that skid, loads that shift). The tick

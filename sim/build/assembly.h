@@ -15,7 +15,7 @@ namespace robosim::build {
 /// - A division gets the chip's result (division.h).
 /// - The place of an asm() is written so that the assembler's errors name the sketch's file and line. gcc
 ///   writes the place as a comment, which assemblers read only if it begins with '#'. For arm64 and arm,
-///   gcc's comments begin otherwise.
+///   gcc's comments begin with other marks.
 std::string changed_for_host(std::string_view assembly, QuotientByZero quotient);
 
 }  // namespace robosim::build

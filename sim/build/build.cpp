@@ -103,8 +103,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// Calls `fail`, which throws. May retry as for an AVR: libraries may then declare more that the sketch
-  /// needs.
+  /// Calls `fail`, which throws. May retry as for an AVR, since a library may then declare names that the
+  /// sketch needs.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -188,7 +188,7 @@ class Build {
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< equal, except for a unit that is compiled through assembly
-    bool keeps_address = false;  ///< stores the address of a register that has none
+    bool keeps_address = false;  ///< stores the address of a register without an address
   };
 
   /// Compiles the units. Returns the units to compile again, because a library that they need has just been

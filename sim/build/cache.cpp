@@ -34,7 +34,7 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-/// Returns whether a path has a part that can lead elsewhere: `.`, `..` or an empty one.
+/// Returns whether a path has a part that can lead elsewhere: `.`, `..` or an empty part.
 bool has_detour(std::string_view path) {
   for (const std::string_view part : {"//", "/./", "/../"})
     if (path.find(part) != path.npos) return true;
@@ -136,7 +136,7 @@ void remove_old(const fs::path& folder) {
 }
 
 /// Returns the folder, locked. The descriptor is not open if the folder is gone or the file system has no
-/// locks. Without waiting, it is also not open if another process has the lock.
+/// locks. With LOCK_NB, it is also not open if another process has the lock.
 Descriptor hold(const fs::path& folder, int how) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   while (held.is_open() && ::flock(held.get(), how) != 0)

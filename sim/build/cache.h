@@ -22,7 +22,7 @@ namespace robosim::build {
 
 struct Inputs {
   std::vector<std::filesystem::path> files;
-  std::vector<std::filesystem::path> folders;  ///< may be missing; this is recorded
+  std::vector<std::filesystem::path> folders;  ///< may be missing, which the entry records
 };
 
 struct Entry {

@@ -49,7 +49,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
-/// Defines a macro that maps a pin's number to `of(pin)`. For most pins, that is `otherwise`.
+/// Defines a macro that maps a pin's number to `of(pin)`. `otherwise` is the result for most pins.
 template <typename Of>
 std::string pin_macro(const char* name, const BoardSpec& board, const char* otherwise, Of of) {
   std::string text = otherwise;
@@ -139,8 +139,8 @@ Core::Names places_of(const Unit& unit) {
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
       places.emplace_back(folder, place_of_headers(folder));
-  // Compilers work in the unit's folder. Readers of debug information put its name before a file's name, so
-  // it is removed there.
+  // Compilers work in the unit's folder, and readers of debug information put the folder's name before a
+  // file's name. The name is therefore removed there.
   const bool core = unit.kind == Unit::Kind::core;
   places.emplace_back(unit.folder, core ? unit.place : ".");
   if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
@@ -323,7 +323,8 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   append(words, toolchain.core.machine);
   if (toolchain.target.chip) {
     add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
-    // Since gcc 10, names are preceded by the path from the linker's folder to the compiler's folder.
+    // Since gcc 10, the compiler writes the path from the linker's folder to the compiler's folder before a
+    // name.
     std::error_code error;
     for (const auto& [folder, name] : places) {
       const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();

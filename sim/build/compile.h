@@ -34,8 +34,8 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
-/// Throws InputError if an object contains unexpected bytecode of link-time optimisation. The sketch's author
-/// has then written it in assembler, and the compiler would trust it.
+/// Throws InputError if an object contains unexpected bytecode of link-time optimisation. In that case, the
+/// sketch's author has written the bytecode in assembler, and the compiler would trust it.
 void check_object(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 
 /// Returns whether the unit is compiled to assembly first. The assembly is then changed (assembly.h), and
@@ -45,31 +45,31 @@ bool through_assembly(const Toolchain& toolchain, const Unit& unit);
 /// changed assembly is written.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
-/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name() is
-/// the name of the notes and their data.
+/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name()
+/// returns the name of the notes and their data.
 bool is_counted(const Toolchain& toolchain, const Unit& unit);
 std::string notes_name(const Unit& unit);
-/// The command also lists all files that it reads in `object` + ".d".
+/// Returns a command that compiles the unit. It lists all files that it reads in `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& assembly,
                          const std::filesystem::path& object);
-/// The command only preprocesses the unit, to `output`.
+/// Returns a command that only preprocesses the unit, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
 /// Returns a C++ unit's language, macros and include folders for another parser (parse_context.h).
 std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& unit);
-/// The command merges several objects into one.
+/// Returns a command that merges several objects into one object.
 Command merge_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                       const std::filesystem::path& object);
-/// The command archives several objects, from which the linker selects those that are needed.
+/// Returns a command that archives several objects. The linker selects those that are needed.
 Command archive_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                         const std::filesystem::path& archive);
-/// The command links an image. For the host, the image is a shared object that exports only `robosim_image`,
-/// with its constructors in the section `robosim_init_array`. For a chip, it is the program to flash. The
-/// linker's scripts are written to the image's folder. `places` are the folders that have other names in
-/// debug information.
+/// Returns a command that links an image. For the host, the image is a shared object that exports only
+/// `robosim_image`, with its constructors in the section `robosim_init_array`. For a chip, it is the program
+/// to flash. The linker's scripts are written to the image's folder. `places` are the folders that have other
+/// names in debug information.
 Command link_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                      const std::filesystem::path& image, const Core::Names& places);
-/// The command makes one of the target's products from an image.
+/// Returns a command that makes one of the target's products from an image.
 Command product_command(const Target& target, const Product& product, const std::filesystem::path& image,
                         const std::filesystem::path& file);
 

@@ -145,7 +145,8 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
   Coverage coverage;
   // Each power cycle has its own counters. A source that never ran may have none.
   std::vector<ArchivedFile> pending = unpack(counters);
-  // Limits the number of power cycles, since it comes from the sketch's memory, as do the names.
+  // Limits the number of power cycles. The sketch's memory contains this number and the names, so they cannot
+  // be trusted.
   constexpr int kMostCycles = 1000;
   std::erase_if(pending, [&](const ArchivedFile& counter) {
     return std::none_of(notes.begin(), notes.end(), [&](const ArchivedFile& note) {
@@ -241,7 +242,7 @@ Coverage add_to_folder(const fs::path& folder, const Request& request, const Ima
   const fs::path runs = folder / "runs";
   fs::create_directories(runs);
   const FolderLock lock(folder);
-  // Identifies one version of one sketch, by its name and folder, in one run.
+  // Begins a file name that identifies the sketch, its version and its run.
   const std::string sketch =
       fmt::format("{}-{}-", image.name, short_hash(read_sketch(request.sketch).folder.string()));
   const std::string version = sketch + image.sketch_sha256.substr(0, 8);

@@ -31,7 +31,7 @@ std::vector<std::string> all_quoted(const std::string& text, const char* behind)
   return names;
 }
 
-/// Returns the first of these names; empty if there is none.
+/// Returns the first quoted name before `behind`; empty if no name is found.
 std::string quoted(const std::string& text, const char* behind) {
   const std::vector<std::string> names = all_quoted(text, behind);
   return names.empty() ? "" : names.front();

@@ -13,7 +13,7 @@
 
 namespace robosim::build {
 
-/// Returns a part of keys, which differs for an untrusted sketch: its compilers see fewer files.
+/// Returns the part of a key that marks an untrusted sketch, whose compilers see fewer files.
 const char* seen_by(const Toolchain& toolchain);
 /// Returns the key of a sketch's image, with libraries from `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,

@@ -39,7 +39,7 @@ bool is_begun_by_compiler(std::string_view line) {
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 
-/// Indents all other lines, which could be mistaken for Robosim's own messages.
+/// Indents lines that the compiler did not begin, since they could be mistaken for Robosim's own messages.
 std::string with_texts_indented(const std::string& messages) {
   std::string shown;
   for (std::size_t at = 0; at < messages.size();) {
@@ -65,7 +65,8 @@ std::string cut(const std::string& output) {
   return text;
 }
 
-/// Returns the number; 0 if it is too large, which only a sketch can have written.
+/// Converts digits to a number. Returns 0 for a number that is too large, which only a sketch can have
+/// written.
 template <typename Number = int>
 Number number_in(const std::string& digits, int base = 10) {
   Number number = 0;
@@ -171,7 +172,7 @@ std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, 
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, const std::string& messages) {
   std::string output = without_folders(toolchain, sketch, cut(messages));
-  // Shortens the linker's lines: only those with a place in a source are useful.
+  // Removes the linker's name, and lines without a place in a source, which are not useful.
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");
   static const std::regex noise(
@@ -301,7 +302,7 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
   if (toolchain.target.chip) check_room(toolchain, sketch, output);
   for (const Object& object : objects)
     replace_all(output, object.path.string() + " (symbol from plugin)", object.name);
-  // Removes the name of the function, since that line has no line number.
+  // Removes the name of the function, which the linker gives without a line number.
   static const std::regex in_function(R"((: [Ii]n function [^\n]*\n\(|:\()[.]text[^)]*\): )");
   output = std::regex_replace(output, in_function, ": ");
   // Puts the first definition on its own line, as GNU ld before 2.35 does.

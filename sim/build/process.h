@@ -11,11 +11,11 @@
 namespace robosim::build {
 
 struct Command {
-  std::vector<std::string> words;         ///< program, as an absolute path, and its arguments
-  std::filesystem::path folder;           ///< working folder
-  std::filesystem::path input;            ///< standard input; empty = none
-  std::filesystem::path scratch;          ///< folder for its output
-  const ProgramSandbox* walls = nullptr;  ///< files that it can read and write; null = all that Robosim can
+  std::vector<std::string> words;                   ///< program, as an absolute path, and its arguments
+  std::filesystem::path folder;                     ///< working folder
+  std::filesystem::path input;                      ///< standard input; empty = none
+  std::filesystem::path scratch;                    ///< folder for its output
+  const ProgramSandbox* walls = nullptr;            ///< accessible files; null = all that Robosim can access
   std::size_t most_output = std::size_t{16} << 20;  ///< in bytes; a program with more output is killed
   int most_wait_s = kWaitSeconds;  ///< limit of wall time in which a sandboxed program hardly works
   std::size_t most_memory = 0;     ///< in bytes, for a sandboxed program; 0 = kCompileBytes
@@ -52,9 +52,10 @@ bool lacks_memory(const CommandResult& result);
 /// name. Throws Interrupted if SIGINT or SIGTERM has ended a program.
 std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
-/// Runs each command in its own sandbox: it can read `read`, and no other command can write to its scratch
-/// folder. Programs that run at the same time share kCompileBytes. A program that needs more than its share
-/// runs again, alone. After a program has exceeded its processor time, no other program is started.
+/// Runs each command in its own sandbox. The command can read the files in `read`, and no other command can
+/// write to its scratch folder. Programs that run at the same time share kCompileBytes. A program that needs
+/// more than its share runs again, alone. After a program has exceeded its processor time, no other program
+/// is started.
 std::vector<CommandResult> run_within(const std::vector<std::filesystem::path>& read,
                                       std::vector<Command> commands);
 

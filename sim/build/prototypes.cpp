@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Limit of characters from the beginning of a function's line to the end of its parameters. Without it, each
-/// function of a large sketch could be searched for in the whole text.
+/// Limit of characters from the beginning of a function's line to the end of its parameters. Without the
+/// limit, each function of a large sketch could be searched for in the whole text.
 constexpr std::size_t kLongestList = 64 * 1024;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

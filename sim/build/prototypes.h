@@ -26,12 +26,12 @@ std::string own_lines(const std::string& preprocessed, const std::vector<std::st
 /// Reads ctags' list (`--fields=KSTtzns`).
 std::vector<Tag> parse_tags(const std::string& listing);
 
-/// Inserts the prototypes into `joined` and returns it. `own` contains the preprocessed lines of `joined`.
-/// Default arguments move from a function to its prototype, since C++ allows them only once.
+/// Returns `joined` with the prototypes. `own` contains the preprocessed lines of `joined`. Default arguments
+/// move from a function to its prototype, since C++ allows them only once.
 std::string insert_prototypes(const std::string& joined, const std::string& own,
                               const std::vector<Tag>& tags);
 
-/// Performs all three steps; `work` is a folder for ctags' files.
+/// Performs the three steps above; `work` is a folder for ctags' files.
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,
                            const std::vector<std::string>& inos, const std::filesystem::path& work);
 

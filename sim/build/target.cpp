@@ -84,7 +84,7 @@ const Target kHost = {
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
                           "strncat", "strcmp", "strncmp", "strchr", "strstr"}),
-         // If local variables are not filled, the optimiser chooses a convenient value for a missing one,
+         // If local variables are not filled, the optimiser chooses a convenient value for a missing value,
          // without a warning.
          .warnings = {"-Wmaybe-uninitialized"}},
     // Without optimisation, each line keeps its code, and counters are in memory whenever the firmware is
@@ -116,9 +116,9 @@ const Target kHost = {
     .products = {},
 };
 
-// Equals Arduino's platform.txt of core 1.8.7, except for debug information. That is DWARF (avr-gcc's default
-// is stabs) without names of this machine. The code is the same, byte for byte. Without DECIMAL_DIG, the
-// core's WString.cpp does not compile against avr-libc 2.0.
+// Equals Arduino's platform.txt of core 1.8.7, except for debug information. Debug information is DWARF
+// (avr-gcc's default is stabs) without names of this machine. The code is the same, byte for byte. Without
+// DECIMAL_DIG, the core's WString.cpp does not compile against avr-libc 2.0.
 const Target kAvr = {
     .name = "avr",
     .image_ending = ".elf",

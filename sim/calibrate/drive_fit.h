@@ -6,9 +6,9 @@
 //   its speed at each voltage:    k_e, and R friction / k_t
 //   its time constant:            R J / (k_t k_e)
 //   its coasting:                 friction / J
-// These give k_e and the two ratios of k_t, friction and J, and neither R nor J. With R (stall_current) and J
-// (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is wrong,
-// stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
+// These give k_e and the two ratios of k_t, friction and J. They do not give R or J. With R (stall_current)
+// and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
+// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
 // determine the body's inertia about its axis.
 //
 // The uncertainty is computed from the residuals and their derivatives by each parameter. It includes the

@@ -19,7 +19,8 @@ struct EdgeFit {
   double sse, white;
 };
 
-/// Returns the share of the footprint that is on the tape, for a sensor `inwards` of the tape's edge.
+/// Returns the share of the footprint that is on the tape. `inwards`: how far inside the tape's edge the
+/// sensor is.
 double share_on_tape(double inwards, double footprint, double tape_m);
 
 /// Fits with the edge moved inwards by `offset`.

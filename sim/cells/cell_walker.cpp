@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next stop. The byte of a cell shows the usual ends of a line. Such a cell has no obstacle
-// near, and line on three sides or more, or only behind the robot.
+// Continues to the next stop. The byte of a cell shows the usual ends of a line: no obstacle near, and line
+// on three sides or more, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();

@@ -37,8 +37,8 @@ class JunctionIndex {
 
   struct Tile {
     std::array<std::uint64_t, kSide> rows{};  ///< one bit per cell
-    std::vector<std::uint16_t> cells;         ///< cells of the junctions,
-    std::vector<Id> ids;                      ///< and their numbers
+    std::vector<std::uint16_t> cells;         ///< cells of the junctions
+    std::vector<Id> ids;                      ///< numbers of the junctions
     std::uint64_t row(const nav::Place& place) const {
       return rows[static_cast<std::uint32_t>(place.y) % kSide];
     }

@@ -7,7 +7,7 @@
 //   if (run.go_on(5'000'000'000, {client::Stop::serial("ready")})) …   // pauses at 5 s, or earlier
 //   const client::RunResult result = run.end();
 //
-// The trace is equal to that of a run with the lines as a script at the same times, run.script().
+// A run with run.script() as its script gives an equal trace.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,7 @@ namespace {
 
 /// Number of runs that may finish before a slow run. Their results wait in memory.
 constexpr std::size_t kMostAhead = 10'000;
-/// Limit of wall time for poll(), which a signal that arrives just before does not wake.
+/// Limit of wall time for poll(): a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
 
 Answer failure_of(std::exception_ptr thrown) {

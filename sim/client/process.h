@@ -1,4 +1,4 @@
-// A child process that communicates by lines.
+// Runs a child process that communicates by lines.
 #pragma once
 
 #include <signal.h>
@@ -31,7 +31,7 @@ class Process {
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
   /// Returns the next `count` bytes, which are valid until the next call. Returns nothing if the output ends
-  /// before.
+  /// earlier.
   std::optional<std::string_view> read_bytes(std::size_t count);
 
   /// Returns a descriptor for poll(2), which is readable when the program has written or ended.

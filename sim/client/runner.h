@@ -40,8 +40,8 @@ class Runner {
 
   const wire::Hello& hello() const { return hello_; }
 
-  /// Describes a robot: a stock robot by its name, any other by its path. `full` adds RobotInfo::text. Throws
-  /// InputError.
+  /// Describes a robot: a stock robot by its name, any other robot by its path. `full` adds RobotInfo::text.
+  /// Throws InputError.
   wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
   /// Runs to the verdict. Throws InputError for invalid input, and ToolMissing. Throws RunnerError if the

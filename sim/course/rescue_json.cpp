@@ -1,5 +1,5 @@
 // Source of the format: robocup-junior/rcj-rescue-cms, commit 14ba0ba2, models/lineMap.js and
-// helper/pathFinder.js; rules: RoboCupJunior Rescue Line.
+// helper/pathFinder.js. Source of the rules: RoboCupJunior Rescue Line.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -114,7 +114,7 @@ class MemberReader {
   fs::path folder_;
 };
 
-/// Throws the error again, with the robot's name and its place in a file.
+/// Throws the error again, with the robot's name and the robot's place in a file.
 [[noreturn]] void blame(const Member& member, const InputError& error) {
   if (error.place().file.empty())
     throw InputError(member.place, fmt::format("robot {}: {}", member.name, error.message()));

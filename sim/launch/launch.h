@@ -31,7 +31,7 @@ struct Launch {
   std::vector<std::string> libraries;  ///< folders of libraries
   bool sanitize = false;               ///< run-time checks in the sketch
   bool count_lines = false;            ///< counts which of the sketch's lines run
-  bool untrusted = false;              ///< by a stranger: refused if this machine cannot confine it
+  bool untrusted = false;              ///< sketch by a stranger: refused if this machine cannot confine it
   wire::RunRequest request;            ///< goal, seed …; Launcher adds image, map and robot
 };
 

@@ -18,8 +18,8 @@ namespace robosim::mutate {
 ///   statement   a call, assignment, break or return removed
 std::vector<Mutation> mutations(const Tree& tree);
 
-/// Returns neutral changes, which a test must tolerate: a delay of some ms at the start of setup(), two
-/// independent calls of pinMode() exchanged, or a renamed local variable.
+/// Returns neutral changes, which a test must tolerate. Examples are a short delay at the start of setup(),
+/// two independent pinMode() calls exchanged, and a renamed local variable.
 std::vector<Mutation> controls(const Tree& tree);
 
 }  // namespace robosim::mutate

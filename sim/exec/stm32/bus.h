@@ -50,14 +50,14 @@ class Bus : DmaBus {
   bool is_storing() const { return state_.storing; }
   /// Sets a function that is called before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
-  /// Returns the cycle until which load() keeps its value; see Peripheral::same_until().
+  /// Returns the cycle until which load() returns the same value; see Peripheral::same_until().
   Cycle same_until(Address address);
 
-  /// Returns when a peripheral next acts by itself; kNoCycle if none will.
+  /// Returns the time of the next event of any peripheral; kNoCycle if no event is due.
   Cycle next_event() const { return state_.next_event; }
   /// Runs all peripheral events that are due now.
   void update();
-  /// Returns whether a store to flash programs it (Flash::programs).
+  /// Returns whether a store programs flash; see Flash::programs().
   bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
   const FlashMemory& flash() const { return flash_.memory(); }
   const RamMemory& ram() const { return ram_; }
@@ -148,7 +148,7 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;       ///< each once; the first to claim a pin gets it
+  std::vector<Peripheral*> peripherals_;       ///< each peripheral once; the first that claims a pin owns it
   std::function<void(Address)> before_store_;  ///< may be empty
   State state_;
 };

@@ -17,7 +17,7 @@ class Clock {
   explicit Clock(SimTime began) : base_time_(began) {}
 
   Cycle now = 0;           ///< cycles since power-on
-  SimTime limit = kNever;  ///< end of the tick; an instruction that begins before it may end after it
+  SimTime limit = kNever;  ///< end of the tick; an instruction may begin before and end after this time
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
   /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond, without drift until

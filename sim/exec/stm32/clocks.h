@@ -50,7 +50,7 @@ class Clocks final : public Peripheral {
   std::uint32_t adc_divider() const {
     return divider(state_.configuration >> 11) * 2 * ((state_.configuration >> 14 & 3) + 1);
   }
-  /// Returns the RTC's frequency; 0 if it has no clock (7.3.9).
+  /// Returns the frequency of the RTC's clock; 0 if this clock is off (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return state_.backup & 1u << 16; }
   /// Returns the processor's frequency. FLASH_ACR sets the wait states; a real chip fails with too few of

@@ -131,7 +131,7 @@ class Cpu {
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
-  /// Returns the start of the current handler, or else of the most recent one.
+  /// Returns the start of the current handler, or else of the most recent handler.
   Cycle handler_began() const { return state_.handler_began; }
   /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }

@@ -1,4 +1,4 @@
-// The CRC unit (RM0008 4): polynomial 0x04C11DB7, one word at a time, without delay.
+// Models the CRC unit (RM0008 4): polynomial 0x04C11DB7, one word at a time, without delay.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"

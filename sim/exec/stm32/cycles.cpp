@@ -76,7 +76,7 @@ Instruction decode_single(unsigned first, unsigned second) {
 
 Instruction decode_long(unsigned first, unsigned second) {
   Instruction i;
-  if ((first & 0xFE40) == 0xE800) {  // LDM, STM, and PUSH and POP of many
+  if ((first & 0xFE40) == 0xE800) {  // LDM, STM, and PUSH and POP of several registers
     i.cycles = cycles(1u + count_bits(second));
     i.grows_stack = (first & 0xF) == 13 && !(first & 0x10);
   } else if ((first & 0xFE40) == 0xE840) {

@@ -20,7 +20,7 @@ class DrivenLines {
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// Returns the line, or an empty one if it is unknown. `pwm`: PWM drives the pin from now on.
+  /// Returns the line; empty if the line is unknown. `pwm`: PWM drives the pin from now on.
   const SourceLine& line_of(const PinSpec& pin, bool pwm) const;
 
  private:

@@ -107,7 +107,7 @@ Engine::Engine(const FlashMemory& flash) {
   try {
     check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));
     check(uc_mem_map_ptr(uc_, kFlash, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
-    // Maps flash, as the boot memory, also at 0 (RM0008 3.4).
+    // Also maps flash at address 0, as boot memory (RM0008 3.4).
     check(uc_mem_map_ptr(uc_, 0, kFlashBytes, UC_PROT_READ | UC_PROT_EXEC, flash.data()));
     map_registers<kPeripherals>(Cpu::kPeripheralBytes);
     map_registers<kBitBand>(Cpu::kBitBandBytes);

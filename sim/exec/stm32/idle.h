@@ -1,12 +1,12 @@
 // Skips waiting loops, which repeatedly call millis() or poll flags and buttons. Afterwards, firmware, pins
-// and time are as if every pass had run. Only the simulating processor saves work.
+// and time are as if every pass had run. Skipping saves only work of the simulating processor.
 //
 //   explores   checks from time to time which of the last jumps lead back; their targets are loop heads
 //   records    notes what one pass from a head stores, and how long the values that it reads from
 //              peripherals stay valid
-//   skips      if registers and RAM are as at the beginning of the pass: skips the passes that end before
-//              the next event, and before a value read by the pass may change. One of these passes is run,
-//              to reproduce everything that a pass leaves behind
+//   skips      skips the passes that end before the next event, and before a value read by the pass may
+//              change; requires that registers and RAM are as at the beginning of the pass. One of these
+//              passes is run, to reproduce everything that a pass leaves behind
 //
 // Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Heads
 // are marked (Cpu), so other loops cost nothing. A head loses its mark if skipping does not pay off.
@@ -92,7 +92,7 @@ class Idle {
   Head* recorded_ = nullptr;  ///< head whose pass is being recorded
   State state_;
   std::vector<Word> stored_;         ///< words that the pass stored, with their earlier values
-  std::vector<std::uint32_t> seen_;  ///< by word of RAM: the last pass that stored there
+  std::vector<std::uint32_t> seen_;  ///< for each word of RAM: the number of the last pass that stored to it
   std::uint32_t number_ = 0;
   Cycle began_ = 0, until_ = 0, round_at_ = 0;
   int rounds_ = 0, others_ = 0, looks_ = 0;

@@ -42,7 +42,7 @@ struct Link {
   std::function<bool(ChipPin)> pin_level{};
   /// Called when the peripheral that owns a pin begins to drive it differently.
   std::function<void(ChipPin)> pin_changed{};
-  /// The chip's state that changes during a run, except its processor's.
+  /// Saves the chip's state that changes during a run, except the state of its processor.
   SnapshotRegistry snapshots{};
 };
 

@@ -26,7 +26,7 @@ class Machine {
   Resources resources() const;
   /// Returns the open calls, innermost first, found as words on the stack that point after a BL or BLX.
   std::vector<std::uint32_t> open_calls() const;
-  /// Returns whether the firmware sleeps for ever.
+  /// Returns whether the firmware sleeps forever.
   bool is_off() const { return state_.off; }
 
   struct State {

@@ -1,4 +1,4 @@
-// The chip's flash and RAM (RM0008 3.3), for the processor and for DMA.
+// Stores the chip's flash and RAM (RM0008 3.3), which the processor and DMA access.
 #pragma once
 
 #include <array>

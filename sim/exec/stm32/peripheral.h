@@ -22,7 +22,7 @@ class Peripheral {
   Peripheral& operator=(const Peripheral&) = delete;
   virtual ~Peripheral() = default;
 
-  /// Returns the word at `address`, at the present time; 0 where there is no register.
+  /// Returns the word at `address`, at the present time; 0 if there is no register.
   virtual std::uint32_t read(Address address) = 0;
   /// Returns false if the write is not modelled.
   virtual bool write(Address address, std::uint32_t value) = 0;

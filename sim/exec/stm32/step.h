@@ -40,7 +40,7 @@ struct alignas(16) Step {
   Kind within = Kind::fetch;         ///< the kind within an IT block, where fewer instructions set flags
   std::uint8_t d = 0, n = 0, m = 0;  ///< as in Thumb
   std::uint8_t shift = 0;            ///< as in Thumb; for some kinds, the carry or an operation
-  std::uint8_t ahead = 16;           ///< bytes from this Step to the next one
+  std::uint8_t ahead = 16;           ///< bytes from this Step to the next Step
   std::uint8_t cycles = 1;
   std::uint32_t value = 0;
   std::uint32_t pc = 0;  ///< address of the instruction
@@ -53,7 +53,7 @@ static_assert(sizeof(Step) == 16);
 /// Converts an instruction to a Step, except its `pc`. A branch gets the kind `branch`, its target as `value`
 /// and its Op as `shift`.
 Step step_of(const Thumb& thumb, const Instruction& instruction);
-/// Returns the kind for a `branch` that jumps to a Step in flash other than the next one.
+/// Returns the kind for a `branch` that jumps to a Step in flash other than the next Step.
 Step::Kind direct_kind(const Step& branch);
 
 }  // namespace robosim::exec::stm32

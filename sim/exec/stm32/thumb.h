@@ -134,7 +134,7 @@ struct Thumb {
 /// Returns the operation of a hint (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.
 Op hint(std::uint32_t number);
 
-/// Decodes the instruction at `pc` from its halfword and the next one.
+/// Decodes the instruction at `pc`. `second` is the halfword after `first`.
 Thumb decode_thumb(std::uint32_t pc, std::uint16_t first, std::uint16_t second);
 /// Decodes a 32-bit instruction.
 Thumb decode_thumb_long(std::uint32_t pc, std::uint16_t first, std::uint16_t second);

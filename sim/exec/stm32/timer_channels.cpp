@@ -76,7 +76,7 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
-// If the main output is enabled, its complementary output is the inverse; otherwise it is equal (table 83).
+// The complementary output is inverse if the main output is enabled. Otherwise both are equal (table 83).
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;

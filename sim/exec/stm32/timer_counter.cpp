@@ -123,7 +123,7 @@ void Timer::update() {
   refresh_lines();
 }
 
-// Updates every RCR + 1 overflows (RM0008 14.3.3).
+// Triggers an update event every RCR + 1 overflows (RM0008 14.3.3).
 void Timer::overflow(Cycle at) {
   if (state_.repetitions_left > 0) {
     --state_.repetitions_left;

@@ -31,7 +31,7 @@ Usart::Usart(Link& link, const Clocks& clocks, int index)
 
 bool Usart::drives(ChipPin pin, PinDrive& drive) const {
   if (!sends() || pin != pin_now()) return false;
-  drive.level = true;  // the line is reported as idle, and bytes as bytes
+  drive.level = true;  // the line is reported as idle; bytes are reported separately
   return true;
 }
 

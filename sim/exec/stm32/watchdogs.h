@@ -26,7 +26,7 @@ class IndependentWatchdog final : public Peripheral {
   struct State {
     bool runs = false, unlocked = false;
     std::uint32_t prescaler = 0, reload = 0xFFF;
-    SimTime ends = 0;  ///< when it resets the chip
+    SimTime ends = 0;  ///< time at which it resets the chip
   };
 
   /// Returns the duration of one count.
