@@ -68,8 +68,8 @@ ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lane
   }
 }
 
-// Simulates a tick of each body that rolls on or that stands without being driven. A standing body stays
-// unchanged. So do all other bodies, for which `done` is 0. `after` is memory for the result.
+// Simulates a tick of each body that rolls on or that stands without being driven. All other bodies stay
+// unchanged; `done` is 0 for them. `after` is memory for the result.
 void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
   Lanes moves;
   roll(block, after, moves, done);

@@ -3,7 +3,7 @@
 //
 // A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
 // operation waits for the previous operation. Here they are computed for a block of bodies at once (lanes.h).
-// The order of operations is the same, and therefore all bits of the results. This applies to the usual state
+// The operations have the same order, so all bits of the results are equal. This applies to the usual state
 // of bodies: both tyres roll, both wheels keep their direction, nothing is near. Each tick tests each lane
 // for this state.
 //

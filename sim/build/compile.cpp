@@ -33,7 +33,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
     case Warnings::none:
       return {"-w"};
     case Warnings::standard: {
-      // These are not among the compiler's defaults. without_style_warnings() selects likely mistakes.
+      // Adds warnings that are off by default. without_style_warnings() selects likely mistakes.
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
       // avr-gcc 5 has no warning for a forgotten break. Any comment in its place silences gcc.
@@ -88,7 +88,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
   }
   words.push_back(
       pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
-  // If the chip's own bus pins are unknown, uses those of its substitute board.
+  // If the chip's own bus pins are unknown, uses the bus pins of its substitute board.
   const BoardSpec& buses = board.chip->spi.address ? board : model;
   const auto pin_of = [&](const char* name, const char* chip_name) {
     words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));

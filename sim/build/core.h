@@ -10,9 +10,9 @@
 namespace robosim::build {
 
 /// Returns the core, which is compiled once for each version of Robosim and of the compiler. In the host's
-/// object, hal/host comes first, so that its constructors (Serial's) run before the sketch's. All its symbols
-/// are weak, so that a sketch may redefine a function of the core. Arduino's archive of the core allows that,
-/// too.
+/// object, hal/host comes first, so that its constructors (Serial's) run before the sketch's. All symbols of
+/// the object are weak, so that a sketch may redefine a function of the core. Arduino's archive of the core
+/// allows that, too.
 Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& work);
 
 }  // namespace robosim::build

@@ -91,7 +91,7 @@ std::string property(const fs::path& file, const std::string& key) {
 // Folder of Debian's packages of the old IDE and of single libraries.
 constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
 
-/// Adds the library folders of Arduino's IDE: those of the sketchbook in its preferences, and its default
+/// Adds the library folders of Arduino's IDE: in the sketchbook of its preferences, and in its default
 /// folders.
 void add_folders_of_ide(std::vector<fs::path>& folders, const fs::path& home) {
   const fs::path snap = home / "snap/arduino/current";

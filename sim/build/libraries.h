@@ -8,8 +8,8 @@
 namespace robosim::build {
 
 /// A library in one of Arduino's two layouts: with `src/` (sources at any depth), or flat (sources in its
-/// root and in `utility/`). A library with `src/` has a library.properties, or no header in its root.
-/// PlatformIO allows the second case, with headers also in `include/`.
+/// root and in `utility/`). A library with `src/` has a library.properties, or no header in its root. In the
+/// second case, which PlatformIO allows, headers may also be in `include/`.
 struct Library {
   std::string name;     ///< as in library.properties, otherwise the folder's name
   bool named = false;   ///< library.properties contains the name

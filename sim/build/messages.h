@@ -16,7 +16,7 @@ namespace robosim::build {
 /// Throws ToolMissing if a tool's output shows that the machine lacks disk space, memory, or an assembler.
 void check_machine(const std::string& tool, const std::string& output);
 
-/// Returns the header that a failed compilation did not find; empty if the compilation failed otherwise.
+/// Returns the header that a failed compilation did not find; empty if it failed for another reason.
 std::string missing_header(const std::string& output, Place* place);
 
 /// Throws for a header that exists outside the files that a sketch may read, so that compilers cannot see it.
@@ -35,7 +35,7 @@ std::string without_folders(const Toolchain& toolchain, const std::filesystem::p
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch,
                      const std::string& messages);
 
-/// Returns the place of the first error. The place has no file if no message names one.
+/// Returns the place of the first error. The place has no file if no message names a file.
 Place first_error(const std::string& messages);
 
 /// Returns whether the error is in one of the libraries.

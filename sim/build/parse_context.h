@@ -17,7 +17,7 @@ struct ParseContext {
 };
 
 /// Returns the context after building the sketch, for the host or an AVR, to check that it compiles. Throws
-/// as build() does.
+/// the exceptions of build().
 ParseContext parse_context_of(const Request& request);
 
 }  // namespace robosim::build

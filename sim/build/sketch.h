@@ -32,7 +32,7 @@ struct Request {
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< sketch and libraries check themselves at run time
   bool coverage = false;  ///< counts the sketch's own lines (coverage.h)
-  /// The build sees nothing outside the sketch's folder except its libraries, not even shared files
+  /// The build reads nothing outside the sketch's folder except its libraries, not even shared files
   /// (project.h).
   bool untrusted = false;
   ProjectRules rules = {};

@@ -94,8 +94,8 @@ const Target kHost = {
                          "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
                  .definitions = {"-DROBOSIM_COVERAGE"},
                  .link = {"-lgcov"}},
-    // The core has functions and lines, for a crash inside it. The sketch has everything that a debugger
-    // shows.
+    // The core's debug information has functions and lines, for a crash inside the core. The sketch's debug
+    // information has everything that a debugger shows.
     .core = {"-g1", "-gno-column-info", "-gno-statement-frontiers"},
     .core_level = "-O2",
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
@@ -143,8 +143,8 @@ const Target kAvr = {
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
-                  // Also applies to the core. Otherwise its weak functions, such as initVariant(), override
-                  // those of a library.
+                  // Also applies to the core. Otherwise the core's weak functions, such as initVariant(),
+                  // override a library's functions.
                   .addresses = {"-fno-lto"},
                   .definitions = {},
                   .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",

@@ -1,5 +1,5 @@
-// Describes as data how the targets differ that sketches are compiled for: programs, flags, and the way to
-// link objects. The steps from a sketch to its image (build.cpp) are the same for all targets.
+// Describes as data how the targets of sketches differ: programs, flags, and the way to link objects. The
+// steps from a sketch to its image (build.cpp) are the same for all targets.
 #pragma once
 
 #include <string>

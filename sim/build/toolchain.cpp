@@ -91,7 +91,7 @@ void check_chip(const Target& target, const BoardSpec& board) {
 Core stm32_core(const BoardSpec& board, const GenuineCore& genuine, const fs::path& cache) {
   Core core = hal_core("stm32", board, genuine, cache);
   const fs::path hal = core.root / "hal/stm32";
-  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ precede those of the host
+  core.includes.insert(core.includes.begin(), hal);  // its pins_arduino.h and avr/ precede the host's
   const fs::path script = hal / fmt::format("{}.ld", board.chip->compiler_name);
   core.link = {"-T", script.string()};
   core.linked = {script};

@@ -8,8 +8,8 @@
 //                                             -255 .. 255, 0 = they coast; and the encoders' counts
 //
 // Counts are positive forward. Other lines that begin with # are comments. The prefix that a serial monitor
-// adds to a line ("12:00:01.123 -> ") is skipped. So is everything before the last "# robosim calibration
-// log", since a board restarts when the monitor opens its port.
+// adds to a line ("12:00:01.123 -> ") is skipped. A board restarts when the monitor opens its port. Therefore
+// everything before the last "# robosim calibration log" is skipped, too.
 #pragma once
 
 #include <array>

@@ -84,7 +84,7 @@ Landmark CellWalker::end_of_line() {
     const bool stepped_off = floor.is_open(floor.index_of(end));
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
-  // Only an obstacle prevents the end of a line here, and the obstacle may be a wall.
+  // The line ends here unless an obstacle, which may be a wall, blocks it.
   const bool may_be_blocked =
       floor.is_near_obstacle(robot_.at()) || floor.is_wall(floor.next(robot_.at(), pose.facing));
   const bool ends = !may_be_blocked || grid::is_dead_end(floor.map(), pose.cell);
@@ -129,7 +129,7 @@ Landmark CellWalker::met() {
   return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
 }
 
-// Enters the line in whose middle the robot stands, in any direction.
+// Begins in the middle of a line: enters the line in any direction.
 Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
   const unsigned lines = lines_at(robot_);

@@ -1,6 +1,6 @@
 // Implements a Walker for the navigator (firmware/src/nav/Landmark.h) by the robot on cells.
 //
-// Its moves are those of v1. At a junction, choose_right takes the first way out to the right of the entry.
+// The walker moves like v1. At a junction, choose_right takes the first way out to the right of the entry.
 // choose_left takes the last way, and step_forward the way between them. turn_around and step_forward take
 // the way back. Places are the map's cells. A grid has a compass: heading 0 is east, whatever the robot's
 // first direction.
@@ -8,7 +8,7 @@
 // A line is the same from both ends. Without a watcher of each move, the robot therefore walks along a line
 // only once. The walker records the line. Later the robot can go back over the last line that it has not yet
 // returned over. It then reaches the other end at once, with an equal number of counted moves. An explorer
-// does so with every line of a tree.
+// goes back over every line of a tree.
 //
 // If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. It does not
 // have to leave the junction to find the obstacle, which costs no move.

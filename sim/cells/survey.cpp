@@ -81,7 +81,7 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// Returns whether v1 steps into a wall at this station. It does so if the line ends in front of a wall.
+// Returns whether the line ends in front of a wall at this station. v1 then steps into the wall.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];

@@ -1,8 +1,8 @@
 // Implements the third algorithm: scans a floor into a graph, then uses the graph to drive from station to
 // station.
 //
-// The scan is that of the navigator (firmware/src/nav/Explorer.h), with the robot on cells. Like v1's scan,
-// it ends at the start, facing the line. If the start is not the end of a line, the robot continues to
+// The navigator's explorer (firmware/src/nav/Explorer.h) scans, with the robot on cells. Like v1's scan, the
+// scan ends at the start, facing the line. If the start is not the end of a line, the robot continues to
 // station 1 (if it exists) by a shortest path.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.

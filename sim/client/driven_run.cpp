@@ -20,7 +20,7 @@ DrivenRun::~DrivenRun() {
   try {
     end();
   } catch (const std::exception&) {
-    // The runner has died, and so has the run.
+    // The runner has died, which ends the run.
   }
 }
 

@@ -21,7 +21,7 @@ namespace robosim::client {
 class DrivenRun {
  public:
   /// Starts a run on a runner, which is busy until the run is over. `on_event` is called during calls of this
-  /// class, and must not call the class. Throws as Runner::run does.
+  /// class, and must not call the class. Throws the exceptions of Runner::run().
   DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event = {});
   /// Ends the run unless it is over.
   ~DrivenRun();

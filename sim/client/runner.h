@@ -29,8 +29,8 @@ class Process;
 
 class Runner {
  public:
-  /// Starts the runner of a target. Throws ToolMissing if its program is missing. Throws RunnerError if it
-  /// does not send its first message or has another version of the protocol.
+  /// Starts the runner of a target. Throws ToolMissing if its program is missing. Throws RunnerError if the
+  /// runner does not send its first message or has another version of the protocol.
   explicit Runner(const std::string& target);
   /// Starts the given program instead of a target's runner (for tests).
   static Runner from_program(const std::string& path);
@@ -50,7 +50,7 @@ class Runner {
   wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
   /// Provide the two parts of run(), to wait for several runners at once. begin() sends the request. take()
-  /// returns the result if it has arrived, without waiting, and throws as run() does. In between,
+  /// returns the result if it has arrived, without waiting, and throws the exceptions of run(). In between,
   /// descriptor() is readable, for poll(2), whenever take() has work.
   void begin(const wire::RunRequest& request);
   std::optional<wire::RunResult> take(const wire::OnEvent& on_event = {});

@@ -303,8 +303,8 @@ class RescueReader {
     }
   }
 
-  // Sets the goal along the first path. The path's tiles equal those of the route unless levels, or lines on
-  // a tile's edge, confuse them.
+  // Sets the goal along the first path. The path's tiles equal the route's tiles unless levels, or lines on a
+  // tile's edge, confuse them.
   void set_goal(grid::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";

@@ -56,7 +56,7 @@ struct PreparedFleet {
   wire::RunRequest request;  ///< request for all robots
 };
 /// Prepares a fleet. `common` contains the settings for all robots. Each member's request adds start, goal,
-/// clock and script. Throws as Launcher::prepare() does.
+/// clock and script. Throws the exceptions of Launcher::prepare().
 PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
                       const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner);
 
@@ -64,11 +64,12 @@ PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen
 std::vector<wire::RunResult> results_of(wire::RunResult first);
 
 /// Combines the results of all robots of a run. The combined verdict is `reached` if all robots have reached
-/// their goals. Otherwise it is the verdict of the first robot that has not, whose name begins `why`. Time is
-/// that of the last robot. Distance, energy and collisions are sums, and outputs are concatenated.
+/// their goals. Otherwise it is the verdict of the first robot that has not reached its goal. `why` begins
+/// with that robot's name. Time is the last robot's time. Distance, energy and collisions are sums, and
+/// outputs are concatenated.
 ///
-/// All other values are those of the robot in `why`, or of the first robot. The result of a single robot
-/// stays unchanged.
+/// All other values come from the robot in `why`, or from the first robot. The result of a single robot stays
+/// unchanged.
 wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request);
 
 /// Returns a runner's error about a robot, "robot B: …", with the place in the fleet file.

@@ -55,7 +55,8 @@ std::string title_of(const std::string& name, const std::filesystem::path& folde
 /// Throws InputError.
 Choice choose_map(const std::string& name, const std::filesystem::path& sketch_folder);
 
-/// Returns the build request for a sketch, by its project. The user's `libraries` come first.
+/// Returns the build request for a sketch, with the settings of its project. The user's `libraries` come
+/// first.
 build::Request request_of(const SketchChoice& sketch, const BoardSpec& board, const std::string& target,
                           const std::vector<std::string>& libraries);
 
@@ -80,7 +81,7 @@ std::string choose_target(const std::string& name, const SketchChoice& sketch);
 
 /// Throws InputError for an unknown target, and ToolMissing for a target that this version cannot run yet.
 void check_target(const std::string& target);
-/// Checks a target for which sketches are compiled. Throws as check_target() does.
+/// Checks a target for which sketches are compiled. Throws the exceptions of check_target().
 void check_build_target(const std::string& target);
 
 /// Runs `check`, and adds the name of the flag to its InputError.

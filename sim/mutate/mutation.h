@@ -1,5 +1,5 @@
-// Defines a small change of a sketch's source. The change is either a mutation, which breaks the sketch like
-// a typical mistake, or must not matter.
+// Defines a small change of a sketch's source. A mutation breaks the sketch like a typical mistake. A neutral
+// change must not affect any test.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Finds the possible changes in a sketch. They are the operators of mutation testing, modelled on typical
-// mistakes, and changes that must not matter.
+// Finds the possible changes in a sketch: mutations, which are modelled on typical mistakes, and neutral
+// changes.
 #pragma once
 
 #include <vector>

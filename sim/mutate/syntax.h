@@ -28,8 +28,8 @@ struct File {
 
 struct Tree {
   std::vector<File> files;  ///< all files; joined .ino files are in their order
-  /// The declarations in these files. Each place in them has a member "in". It is the number of the place's
-  /// file, that of the first .ino file for all joined files, or -1.
+  /// The declarations in these files. Each place in them has a member "in": the number of the place's file,
+  /// or -1. For all joined .ino files, it is the number of the first .ino file.
   std::vector<nlohmann::json> declarations;
   std::size_t added_at = 0, added = 0;  ///< position and size of the prototypes in the joined .ino files
 };

@@ -28,7 +28,7 @@ struct ProgramBroke : std::runtime_error {
 };
 
 /// Runs a program until its first test fails. `filter` is GoogleTest's filter; empty = GTEST_FILTER. Throws
-/// CouldNotRun or ProgramBroke for any failure that is not a test's.
+/// CouldNotRun or ProgramBroke for any other failure.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& scratch, int most_seconds = 600);
 

@@ -5,8 +5,8 @@
 //
 // The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has channel 16, the
 // temperature sensor (always at 25 degrees Celsius), and channel 17, the 1.20 V reference (DS5319, tables 50
-// and 12). Dual modes are not modelled and are refused. So are channels 10 to 15, for which this chip has no
-// pins.
+// and 12). Dual modes are not modelled and are refused. Channels 10 to 15 are refused, too, since this chip
+// has no pins for them.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"

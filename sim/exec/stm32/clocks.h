@@ -38,7 +38,7 @@ class Clocks final : public Peripheral {
 
   /// Returns the gate of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
-  /// Returns the processor's frequency divided by that of the bus at a peripheral's address.
+  /// Returns the processor's frequency divided by the bus frequency at a peripheral's address.
   std::uint32_t bus_divider(Address address) const {
     return robosim::stm32::behind_apb2(address) ? divider(state_.configuration >> 11)
                                                 : divider(state_.configuration >> 8);
@@ -46,7 +46,7 @@ class Clocks final : public Peripheral {
   std::uint32_t apb1_divider() const { return divider(state_.configuration >> 8); }
   /// Returns the divisor for the timers on a bus: half the bus divisor, at least 1 (7.2, figure 8).
   std::uint32_t timer_divider(Address address) const { return std::max(bus_divider(address) / 2, 1u); }
-  /// Returns the processor's frequency divided by that of the ADC.
+  /// Returns the processor's frequency divided by the ADC's frequency.
   std::uint32_t adc_divider() const {
     return divider(state_.configuration >> 11) * 2 * ((state_.configuration >> 14 & 3) + 1);
   }

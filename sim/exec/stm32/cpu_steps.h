@@ -198,7 +198,7 @@
   }
 
 #define NOTE_JUMP(pc) state_.jumps[state_.jump_count++ % state_.jumps.size()] = (pc)
-// Jumps to a Step in flash other than the next one.
+// Jumps to a Step in flash other than the next Step.
 #define JUMP_TO_STEP        \
   {                         \
     left -= kRefill_cycles; \

@@ -1,4 +1,5 @@
-// State that the chip's peripherals share: the time, the interrupt controller, the board behind the pins.
+// Defines the state that the chip's peripherals share: the time, the interrupt controller, the board behind
+// the pins.
 #pragma once
 
 #include <functional>

@@ -6,7 +6,7 @@
 namespace robosim::exec::stm32 {
 
 /// The level of a pin with PWM. It stays constant before the cycle `until` unless a register is written. If
-/// `until` is the present cycle or an earlier one, the next change is unknown.
+/// `until` is not after the present cycle, the next change is unknown.
 struct Pulse {
   bool level = false;
   Cycle until = 0;
@@ -32,8 +32,8 @@ class Peripheral {
   /// Returns when update() next has work; kNoCycle if never.
   virtual Cycle next_event() const { return kNoCycle; }
   /// Returns the first cycle at which read() may return another value or have side effects; earlier reads can
-  /// be skipped. Valid while nothing is written, no input arrives, and update() has no work. The present
-  /// cycle, or an earlier one, means unknown.
+  /// be skipped. Valid while nothing is written, no input arrives, and update() has no work. The present or
+  /// an earlier cycle means unknown.
   virtual Cycle same_until(Address) const { return 0; }
   /// Advances the peripheral to the present time.
   virtual void update() {}

@@ -124,7 +124,7 @@ bool Spi::write(Address address, std::uint32_t value) {
       const bool selected =
           value & kSsm ? !(value & kSsi)
                        : !(state_.control2 & kSsoe) && !link_.pin_level(spi_pins(number_, link_.map).select);
-      if (masters() && selected) {  // another master selects this one (25.3.10)
+      if (masters() && selected) {  // another master selects this SPI (25.3.10)
         state_.status |= kModf;
         state_.control &= ~(kSpe | kMstr);
       }

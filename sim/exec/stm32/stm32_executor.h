@@ -32,7 +32,7 @@ class Stm32Executor final : public ChipExecutor {
   class Firmware;
   class Running;
 
-  Stm32Executor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of it
+  Stm32Executor(const BoardSpec& spec, Firmware* firmware);  ///< takes ownership of `firmware`
 
   Firmware& firmware_;
 };

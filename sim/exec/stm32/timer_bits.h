@@ -1,4 +1,4 @@
-// Bits of the timers' registers (RM0008 14.4, 15.4) that hal/stm32 does not use.
+// Defines bits of the timers' registers (RM0008 14.4, 15.4) that hal/stm32 does not use.
 #pragma once
 
 #include <cstdint>
