@@ -26,7 +26,7 @@ struct Written {
 };
 
 Written written(const Figure& figure, const Found& found) {
-  // For a value out of bounds, uses the part of its range that is within them.
+  // For a value out of bounds, uses the part of its range that is within the bounds.
   const double low = std::max(found.value - spread_of(found), figure.least) / figure.scale;
   const double high = std::min(found.value + spread_of(found), figure.most) / figure.scale;
   const bool beyond = found.value < figure.least || found.value > figure.most;

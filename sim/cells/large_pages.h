@@ -29,7 +29,7 @@ class LargePages {
       size = (size + kPage - 1) / kPage * kPage;
       memory = std::aligned_alloc(kPage, size);
 #ifdef MADV_HUGEPAGE
-      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // without it, access is only slower
+      if (memory) ::madvise(memory, size, MADV_HUGEPAGE);  // without large pages, access is only slower
 #endif
     } else {
       memory = std::malloc(size);

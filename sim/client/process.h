@@ -14,8 +14,8 @@
 namespace robosim::client {
 
 /// Starts a program with pipes for its standard input and output. The program has its own process group, so
-/// that Ctrl-C in a terminal reaches only this process. It shares this process's standard error, and inherits
-/// nothing else. The destructor ends the program and its forks, and leaves no zombie.
+/// that Ctrl-C in a terminal reaches only this process. The program shares this process's standard error, and
+/// inherits nothing else. The destructor ends the program and its forks, and leaves no zombie.
 class Process {
  public:
   /// Starts the program. Throws std::system_error if that fails.
@@ -53,8 +53,8 @@ class Process {
   void forget_interrupt() { interrupted_ = 0; }
   /// Kills the whole process group. Async-signal-safe.
   void kill() const;
-  /// Closes the program's input. Waits at most a second for its end, then kills it. Returns how it ended:
-  /// "ended with status 3", "was ended by signal 11 (Segmentation fault)".
+  /// Closes the program's input. Waits at most a second for the program to end, then kills it. Returns how it
+  /// ended: "ended with status 3", "was ended by signal 11 (Segmentation fault)".
   std::string finish();
 
  private:

@@ -16,8 +16,8 @@ bool is_path(const std::string& name);
 /// Returns a path relative to `folder`. The result is still a path, "./Mine", even if it contains no folder.
 std::string path_from(const std::filesystem::path& folder, const std::string& word);
 
-/// Returns the names of the files with that ending in a folder, sorted and without the ending. Returns
-/// nothing if the folder does not exist.
+/// Returns the names of a folder's files with this ending, sorted and without the ending. Returns nothing if
+/// the folder does not exist.
 std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& ending);
 
 std::filesystem::path stock_robot_folder();

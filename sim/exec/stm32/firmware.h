@@ -31,7 +31,7 @@ struct Firmware {
   }
 
   /// Reads a program. Throws InputError if the file is missing, larger than the board's flash, or not an
-  /// executable that was linked for an STM32F103.
+  /// executable for an STM32F103.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 };
 

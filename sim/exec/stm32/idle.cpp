@@ -13,7 +13,7 @@ namespace {
 constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostStored = 200;
 constexpr int kMostTries = 5, kMostRounds = 1;
-// Maximum number of other loop heads in a pass. In a pass with more, one of them is the waiting loop.
+// Maximum number of other loop heads in a pass. If a pass has more, one of them belongs to the waiting loop.
 constexpr int kMostOthers = 4;
 // Costs of the search, in cycles that could have been executed meanwhile.
 constexpr std::int64_t kCostOfHead = 5, kCostOfRecord = 40, kCostOfLook = 10;
