@@ -16,7 +16,7 @@ enum class Profile {
   typical = typical_1,
 };
 
-/// All names, for options and messages. "typical" is the newest version.
+/// All names, for options and messages. "typical" is typical@1.
 inline constexpr std::initializer_list<const char*> kProfileNames = {"ideal", "typical", "typical@1",
                                                                      "typical@2"};
 
