@@ -12,28 +12,28 @@ namespace robosim::analysis {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kNear_ns = kSecond_ns;  ///< events no further apart count as simultaneous
-/// Two boards of one kind may be 0.5 % fast and equally slow (an Uno's resonator, Murata CSTCE16M0V53). Their
-/// times differ in addition by this share of the time since their last common event.
+/// Two boards of one kind may be 0.5 % fast and 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53). This
+/// share of the time since their last common event is added to the tolerance.
 constexpr std::int64_t kApart_percent = 1;
 
-/// Returns until when the robot's behaviour counts: until it has lost the line, else to the end.
+/// Returns the end of the comparable behaviour: the loss of the line, otherwise the end of the run.
 std::int64_t seen_ns(const History& history);
 
 /// Returns "1.234 s".
 std::string seconds(std::int64_t ns);
 
-/// Converts one side's time to the other's: by common events, and linearly between them.
+/// Converts times of one side to the other by interpolating linearly between common events.
 class Clocks {
  public:
   using Pair = std::pair<std::int64_t, std::int64_t>;
 
-  /// Adds the times, in ns, of a common event; the starts are one.
+  /// Adds the times, in ns, of a common event. finish() adds the start.
   void add(std::int64_t a, std::int64_t b) { pairs_.emplace_back(a, b); }
-  /// Call it after the last event, before the first query. Events in another order are dropped.
+  /// Prepares the queries; call it after the last event. Drops events whose order differs between the sides.
   void finish();
   std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }
   std::int64_t to_a(std::int64_t t) const { return map(t, &Pair::second, &Pair::first); }
-  /// Returns the tolerance for simultaneous events, at `t` of the first side (0) or the second (1).
+  /// Returns the tolerance for simultaneous events at time `t` of side 0 or 1.
   std::int64_t near_ns(std::size_t side, std::int64_t t) const;
   const std::vector<Pair>& pairs() const { return pairs_; }
 

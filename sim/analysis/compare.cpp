@@ -12,13 +12,13 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // shortly before it is off the line, a robot is leaving it
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // a robot is leaving the line this long before it is lost
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
 }
 
-/// Returns the part before both had lost the line.
+/// Returns the history up to `until`.
 History up_to(std::int64_t until, History history) {
   const auto later = [&](const TimedText& text) { return text.t_ns > until; };
   std::erase_if(history.places, later);
@@ -29,7 +29,7 @@ History up_to(std::int64_t until, History history) {
   return history;
 }
 
-/// Returns whether a run has ended by losing the line, in any way.
+/// Returns whether the run ended because the robot lost the line, with any such verdict.
 bool is_astray(const History& history) {
   return history.lost_ns &&
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
@@ -81,13 +81,13 @@ class Comparer {
       }
   }
 
-  /// Returns whether `other` had time for what happened `after_ns` after the last common event, at
+  /// Returns whether `other` ran long enough for an event `after_ns` after its last common event, at
   /// `since_ns`.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
-  /// Reports what one side has and the other lacks, at the end of a lane.
+  /// Reports the first mark after the common ones, which only one side has.
   template <typename Marks, typename Make>
   void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
     if (a.size() == b.size()) return;
@@ -104,7 +104,7 @@ class Comparer {
     report(std::move(d));
   }
 
-  /// Returns false, and reports it, if the time since the previous mark differs too much.
+  /// Reports a difference and returns false if the time since the previous mark differs too much.
   bool same_time(const std::array<std::int64_t, 2>& t, const std::array<std::int64_t, 2>& before,
                  const std::string& what, std::array<std::optional<std::size_t>, 2> line,
                  std::array<std::optional<std::size_t>, 2> place = {}) {

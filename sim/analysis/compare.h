@@ -2,16 +2,16 @@
 // Instructions take different times on each target, so the same robot turns a little later, and in a slightly
 // different place.
 //
-// docs/howto/comparing.md says what counts as a difference; in short:
+// docs/howto/comparing.md defines the differences; in short:
 //
 //   places    their names and order
-//   lines     their text and order, without numbers; a text that comes more than 20 times, or 5 times in 2 s,
-//             is a stream: its rate counts, and that both sides send it at about the same time
-//   numbers   of a line: within 10 % of each other; of a stream: within the other side's output in the second
-//             before and after, or one next to it if it ranges over 10 and more
-//   times     from one place or line to the next: within 0.5 s and 25 %
-//   motors    a manoeuvre of 0.5 s needs 0.1 s of the same on the other side, within a second and 1 % of the
-//             time since the last common place or line;
+//   lines     their text and order, without numbers; a text that occurs more than 20 times, or 5 times in 2 s,
+//             is a stream: both sides must send it at about the same rate and at about the same time
+//   numbers   in a line: within 10 % of each other; in a stream: within the other side's range in the second
+//             before and after, or next to that range if the values span 10 or more
+//   times     from one place or line to the next: within 0.5 s plus 25 %
+//   motors    a manoeuvre of 0.5 s requires 0.1 s of the same manoeuvre on the other side, within 1 s plus 1 %
+//             of the time since the last common place or line;
 //             the mean command between two common events: within 0.25
 //   the end   the verdict
 #pragma once
@@ -27,8 +27,8 @@
 namespace robosim::analysis {
 
 struct Tolerance {
-  double time = 0.25;                  ///< share by which a time may differ …
-  std::int64_t time_ns = 500'000'000;  ///< … plus this
+  double time = 0.25;                  ///< relative tolerance of a time …
+  std::int64_t time_ns = 500'000'000;  ///< … plus this absolute tolerance
   double number = 0.10;                ///< share of the larger number
 
   /// Returns the tolerance for a duration.
@@ -41,14 +41,14 @@ struct Difference {
   enum class Kind { place, line, number, time, motors, speed, verdict };
   Kind kind = Kind::verdict;
   std::string what;                                     ///< "line 3", "the way after junction 2"
-  std::array<std::int64_t, 2> t_ns{};                   ///< its times, on either side
-  std::array<std::string, 2> sides;                     ///< the behaviour of each: "\"sum 40000\""
-  std::string cause;                                    ///< "integer width: …"; empty if it is unknown
-  std::array<std::optional<std::size_t>, 2> line;       ///< index in History::lines, if it is about one
-  std::array<std::optional<std::size_t>, 2> place{};    ///< index in History::places, if it is about one
-  std::array<std::optional<std::size_t>, 2> stretch{};  ///< index in History::stretches, if it is about one
+  std::array<std::int64_t, 2> t_ns{};                   ///< time of the difference on each side
+  std::array<std::string, 2> sides;                     ///< behaviour of each side: "\"sum 40000\""
+  std::string cause;                                    ///< "integer width: …"; empty if unknown
+  std::array<std::optional<std::size_t>, 2> line;       ///< index in History::lines, if a line differs
+  std::array<std::optional<std::size_t>, 2> place{};    ///< index in History::places, if a place differs
+  std::array<std::optional<std::size_t>, 2> stretch{};  ///< index in History::stretches, if a stretch differs
 
-  /// Returns when the first of the two acted: consequences of a difference may show earlier on the other's
+  /// Returns the earlier of the two times: consequences of a difference may show earlier on the other side's
   /// clock.
   std::int64_t first_ns() const { return std::min(t_ns[0], t_ns[1]); }
 };
@@ -61,13 +61,13 @@ struct KnownDifference {
 };
 
 struct Comparison {
-  std::optional<Difference> first;  ///< the earliest by first_ns(); nullopt if they behave equally
+  std::optional<Difference> first;  ///< earliest by first_ns(); nullopt if both behave equally
   std::vector<KnownDifference> known;
 };
 
 Comparison compare(const History& a, const History& b, const Tolerance& tolerance = {});
 
-/// "place", "line" …
+/// Returns "place", "line" …
 const char* name_of(Difference::Kind kind);
 
 }  // namespace robosim::analysis

@@ -6,8 +6,8 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // manoeuvres
-constexpr double kSpeed = 0.25;                                          // of the full command
+constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // minimum durations
+constexpr double kSpeed = 0.25;                                          // share of the full command
 
 double mean_command(const History& history, std::int64_t from, std::int64_t to) {
   double sum = 0.0;

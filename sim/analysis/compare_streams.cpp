@@ -8,12 +8,11 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::size_t kStream = 20;    // a more frequent text is a stream
-constexpr std::size_t kStreamRow = 5;  // as is one that comes this often within kStreamTime_ns
+constexpr std::size_t kStream = 20;    // a text with more occurrences is a stream
+constexpr std::size_t kStreamRow = 5;  // as is a text that occurs this often within kStreamTime_ns
 constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
-constexpr std::size_t kMissedRow =
-    10;  // this number of lines of a stream, for this long, is missing on the other side
-constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;
+constexpr std::size_t kMissedRow = 10;  // consecutive missing lines that count as a difference …
+constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;  // … if they span this time
 
 class StreamComparer {
  public:
@@ -74,10 +73,10 @@ class StreamComparer {
                       {lanes_[0].front().number, lanes_[1].front().number}});
   }
 
-  /// Compares whether the other side has `side`'s lines at about that time, too.
+  /// Checks that the other side also prints `side`'s lines at about the same time.
   void compare_presence(std::size_t side) {
     const auto& others = lanes_[1 - side];
-    const Said* first = nullptr;  // of the missing ones
+    const Said* first = nullptr;  // first missing line
     std::size_t missed = 0;
     for (const Said& said : lanes_[side]) {
       const std::int64_t t = other_clock(side, said.t_ns), about = std::max(kNear_ns, tolerance_.time_for(t));
@@ -100,8 +99,8 @@ class StreamComparer {
     }
   }
 
-  /// An integer with a wide range is a measurement, and its last digit varies. One with a small range may be
-  /// a state, and all values differ.
+  /// Allows a deviation of 1 in an integer with a wide range: it is a measurement whose last digit varies. An
+  /// integer with a small range may be a state, where every value differs.
   void find_last_places() {
     last_places_.assign(lanes_[0].front().parts.numbers.size(), 0.0);
     for (std::size_t n = 0; n < last_places_.size(); ++n) {
@@ -115,7 +114,8 @@ class StreamComparer {
     }
   }
 
-  /// Compares each number of `side`'s lines to the other's at about that time. Returns false if one differs.
+  /// Compares each number of `side`'s lines with the other side's at about that time. Returns false if one
+  /// differs.
   bool compare_numbers(const std::string& form, std::size_t side) {
     const auto& others = lanes_[1 - side];
     for (const Said& said : lanes_[side]) {
@@ -157,7 +157,7 @@ class StreamComparer {
   const std::array<const History*, 2>& sides_;
   const Clocks& clocks_;
   const Tolerance& tolerance_;
-  std::vector<double> last_places_;  // of each number
+  std::vector<double> last_places_;  // allowed deviation of each number
   std::vector<Difference> found_;
 };
 

@@ -12,12 +12,13 @@ namespace {
 
 using Kind = Difference::Kind;
 
-constexpr std::int64_t kShortest_ns = 100'000'000;  // minimum of a manoeuvre
-// The minimum of each behaviour; one is enough among many runs.
+constexpr std::int64_t kShortest_ns = 100'000'000;  // shortest manoeuvre
+// Minimum number of runs with each behaviour; one is enough among kManyRuns runs.
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
-/// Compares "comes 2.220 s after the one before" and "comes 2.180 s after the one before"
+/// Returns whether two texts agree within the tolerance, such as "comes 2.220 s after the one before" and
+/// "comes 2.180 s after the one before".
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
   if (a.form != b.form) return false;
@@ -26,7 +27,7 @@ bool is_same_way(const std::string& one, const std::string& other, const Toleran
   return std::fabs(x - y) <= 1e-9 * static_cast<double>(tolerance.time_ns) + tolerance.time * std::fmax(x, y);
 }
 
-/// Groups another place with the same one much later; and another manoeuvre with another speed.
+/// Groups a late place with a different place, and a different speed with a different manoeuvre.
 Kind sort_of(const Difference& d) {
   if (d.kind == Kind::time) return Kind::place;
   return d.kind == Kind::speed ? Kind::motors : d.kind;
@@ -108,8 +109,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Sums all tables with these totals that are at most as likely as this one. A behaviour that a target shows
-// with only one of its clocks counts as rare.
+// Sums the probabilities of all tables with these totals that are at most as likely as this table. A
+// behaviour that a target shows with only one of its clocks counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

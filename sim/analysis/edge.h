@@ -1,5 +1,5 @@
-// Decides whether a target, with its clock a little off, does what another target did.
-// docs/howto/comparing.md explains why that separates chance from a fault.
+// Decides whether a target with a slightly wrong clock behaves like another target.
+// docs/howto/comparing.md explains why this distinguishes chance from a fault.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,23 @@
 
 namespace robosim::analysis {
 
-/// Time for which a run must follow another one after a difference, to count as equal.
+/// Duration for which a run must follow another run after a difference, to count as equal.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
-/// Returns whether `mine` does as `other` where two targets differ, and for `behind_ns` more; or ends in the
-/// same way.
+/// Returns whether `mine` equals `other` until `behind_ns` after the difference. If a run ends earlier, both
+/// must end in the same way.
 bool does_as(const History& mine, const History& other, const Difference& found,
              std::int64_t behind_ns = kBehindEdge_ns);
 
-/// Returns whether a target's own difference resembles the one found, within 2 s of it. At any time, it may
-/// also be between the same two behaviours. These are the same two manoeuvres, or the same two times at
-/// places of one kind.
+/// Returns whether a target's own difference resembles `found`, within 2 s of it. At any other time, it must
+/// separate the same two behaviours: the same two manoeuvres, or the same two times at places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
-/// A condition that a run may meet or not.
+/// A condition on a run: the robot comes to a place by a certain time.
 struct ComesTo {
   std::string place;
-  std::size_t times = 1;   ///< number of occurrences …
-  std::int64_t by_ns = 0;  ///< … by then
+  std::size_t times = 1;   ///< number of visits …
+  std::int64_t by_ns = 0;  ///< … by this time
 };
 struct Moves {
   Manoeuvre manoeuvre = Manoeuvre::stands;
@@ -38,12 +37,12 @@ struct EndsAs {
   std::string verdict;
 };
 
-/// A difference reduced to a question that each run of either target answers.
+/// Reduces a difference to a condition that each run of either target meets or not.
 class Choice {
  public:
-  /// Returns nothing if there is none: a mean speed.
+  /// Returns nullopt if the difference, such as a mean speed, has no such condition.
   static std::optional<Choice> of(const Difference& found, const History& first, const History& second);
-  /// Returns whether a run behaves like the first one, where `first` and `second` part.
+  /// Returns whether a run behaves like `first` at the difference.
   bool is_as_first(const History& run) const;
 
  private:
@@ -51,22 +50,23 @@ class Choice {
   static std::optional<std::int64_t> time_at(const ComesTo& comes, const History& run);
 
   std::variant<ComesTo, Moves, EndsAs> what_;
-  bool of_first_ = true;  ///< true for the first; else for the second only
+  bool of_first_ = true;  ///< `first` meets the condition; otherwise only `second` does
 };
 
-/// The number of runs of a target, with clocks a little off, and how many of them behave like the first one.
+/// The number of a target's runs with slightly wrong clocks, and the number that behave like `first`.
 struct Share {
   int runs = 0, as_first = 0;
 };
 enum class Alikeness {
-  alike,  ///< both targets show both, equally often; or one shows its own with only one clock of a hundred
-  apart,  ///< one shows a behaviour that the other never or seldom shows
+  alike,  ///< both targets show both, equally often; or one behaviour shows with only one clock of a hundred
+  apart,  ///< one target shows a behaviour that the other never or seldom shows
   rare,   ///< too few runs: one of the two behaviours is rare
 };
-/// Uses Fisher's exact test, which reports equal targets as different in at most 1 of 20 pairs.
+/// Compares two shares by Fisher's exact test, which reports equal targets as different in at most 1 of 20
+/// pairs.
 Alikeness alikeness(const Share& one, const Share& other);
 
-/// Returns whether it is about the robot's place or time: not about its output, and without a known cause.
+/// Returns whether a difference concerns the robot's motion, not its output, and has no known cause.
 bool is_of_driving(const Difference& difference);
 
 }  // namespace robosim::analysis

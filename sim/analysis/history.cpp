@@ -6,7 +6,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr double kDriven = 0.02;  // of the full command
+constexpr double kDriven = 0.02;  // smallest share of the full command that counts as driving
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
@@ -49,7 +49,7 @@ void HistoryRecorder::add(const wire::Sample& sample) {
   const std::int64_t t_ns = sample.t_us * 1000;
   const Manoeuvre now = manoeuvre_of(sample.left, sample.right);
   auto& stretches = history_.stretches;
-  // A sample has the motors' commands of the previous tick.
+  // A sample carries the motor commands of the previous tick.
   if (stretches.empty() || stretches.back().manoeuvre != now) stretches.push_back({last_ns_, last_ns_, now});
   Stretch& stretch = stretches.back();
   const double before = static_cast<double>(stretch.duration_ns()),

@@ -1,5 +1,4 @@
-// The observable behaviour of a run, in a form that can be compared: the robot's places, its output, its
-// motors, and its end.
+// Records the observable behaviour of a run for comparison: the robot's places, output, motors and end.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace robosim::analysis {
 
-/// A moment, and its event: a place's name, a line.
+/// A time, and its text: a place's name or a line of output.
 struct TimedText {
   std::int64_t t_ns = 0;
   std::string text;
@@ -35,23 +34,23 @@ struct Stretch {
 
 struct History {
   std::string target;
-  std::vector<TimedText> places;   ///< in order; never the same one twice in a row
-  std::vector<TimedText> lines;    ///< from its serial port, without line ends; the last may be incomplete
+  std::vector<TimedText> places;   ///< in order; no place twice in a row
+  std::vector<TimedText> lines;    ///< from the serial port, without line ends; the last may be incomplete
   std::vector<Stretch> stretches;  ///< consecutive
   std::string verdict;
   std::string why;
   std::int64_t end_ns = 0;
-  /// From this time on the robot was off the line. Its later behaviour was chance, and is not stored.
+  /// Time at which the robot lost the line. Its later behaviour is chance and is not stored.
   std::optional<std::int64_t> lost_ns;
 };
 
-/// Replaces a place while the robot is off the line.
+/// Name of the place while the robot is off the line.
 inline constexpr const char* kOffTheLine = "off the line";
 
 /// Returns the robot's place: "" between two places, kOffTheLine off the line.
 using PlaceFinder = std::function<std::string(const wire::Sample&)>;
 
-/// Listens to a run with samples every 10 ms, serial text and notes.
+/// Records a run from its samples (every 10 ms), serial text and notes.
 class HistoryRecorder {
  public:
   HistoryRecorder(std::string target, PlaceFinder place);
@@ -72,7 +71,7 @@ class HistoryRecorder {
   std::int64_t last_ns_ = 0;
 };
 
-/// "stands", "drives ahead", "turns left on the spot" …
+/// Returns "stands", "drives ahead", "turns left on the spot" …
 const char* name_of(Manoeuvre manoeuvre);
 Manoeuvre manoeuvre_of(double left, double right);
 

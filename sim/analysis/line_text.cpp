@@ -11,7 +11,7 @@ namespace {
 constexpr double kFloat = 1e-5;  // relative error of a 32-bit float after some arithmetic
 constexpr double kInt = 65536.0, kLong = 4294967296.0;
 constexpr std::size_t kLongestShown = 60;
-constexpr std::size_t kHexDigits = 4, kBinaryDigits = 16;  // minimum of such a number
+constexpr std::size_t kHexDigits = 4, kBinaryDigits = 16;  // minimum digits of such a number
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hex(char c) { return is_digit(c) || (c >= 'A' && c <= 'F'); }
@@ -23,7 +23,7 @@ std::size_t end_of(const std::string& line, std::size_t at, Test test) {
   return at;
 }
 
-/// Returns the end of the upper-case hexadecimal word that begins at `at`; `at` if it is not one.
+/// Returns the end of the upper-case hexadecimal word at `at`; `at` itself if there is no such word.
 std::size_t end_of_hex(const std::string& line, std::size_t at) {
   const std::size_t end = end_of(line, at, is_hex);
   if (end - at < kHexDigits || (end < line.size() && is_word(line[end]))) return at;
@@ -45,7 +45,7 @@ bool extends(const Number& longer, const Number& shorter, char filler) {
          longer.text.find_first_not_of(filler) >= more;
 }
 
-/// Detects a negative number in HEX or BIN, with the digits of a wider type in front.
+/// Returns whether both are one negative number in HEX or BIN, printed as types of different widths.
 bool wider(const Number& a, const Number& b) {
   if (a.form != b.form || a.text.size() == b.text.size()) return false;
   const char filler = a.form == Number::Form::hexadecimal ? 'F' : '1';
@@ -70,7 +70,7 @@ LineText take_apart(const std::string& line) {
       if (fraction) number.form = Number::Form::fraction;
     }
     if (end == at) {
-      // Otherwise "# 1" and "1 2" would have one form, with one number and with two.
+      // Marks a literal #: otherwise "# 1" and "1 2" would have the same form.
       if (line[at] == '#')
         parts.form += "＃";
       else
@@ -98,7 +98,7 @@ std::string quoted(const std::string& text) {
   return "\"" + (text.size() > kLongestShown ? text.substr(0, kLongestShown) + "…" : text) + "\"";
 }
 
-/// Returns one unit of the last common digit: rounding may go either way.
+/// Returns one unit of the last common digit, as the tolerance for rounding.
 double last_place(const Number& a, const Number& b) {
   const auto decimals = [](const Number& n) { return n.text.size() - n.text.find('.') - 1; };
   return 1.001 * std::pow(10.0, -static_cast<double>(std::min(decimals(a), decimals(b))));

@@ -33,7 +33,7 @@ Likeness likeness(const Number& a, const Number& b, double tolerance);
 
 /// Returns "float formatting" or "width of long", for numbers whose likeness is `known`.
 std::string known_cause(const Number& a, const Number& b);
-/// Returns a clause if they differ by the overflow of a 16- or 32-bit integer; otherwise empty.
+/// Returns an explanation if the numbers differ by the overflow of a 16- or 32-bit integer; otherwise "".
 std::string width_cause(const Number& a, const Number& b);
 
 }  // namespace robosim::analysis

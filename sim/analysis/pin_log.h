@@ -1,5 +1,5 @@
-// Finds what firmware did around a moment, and the responsible lines of the sketch. Uses a run's pin and byte
-// events, which carry their source lines.
+// Finds the firmware's actions around a moment, and the responsible lines of the sketch. Uses a run's pin and
+// byte events, which carry their source lines.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,12 @@ class PinLog {
 
   void add(const wire::Event& event);
 
-  /// Returns them sorted by pin name.
+  /// Returns the stored uses, sorted by pin name.
   std::vector<PinUse> reads() const { return list(reads_); }
   std::vector<PinUse> writes() const { return list(writes_); }
-  /// Returns the last pin that the firmware drove before the moment.
+  /// Returns the last use of a pin that the firmware drove before the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
-  /// Returns the line of the sketch that printed character number `at` of the last line `text`.
+  /// Returns the sketch line that printed character `at` of the last output line equal to `text`.
   wire::SourceLine source_of(const std::string& text, std::size_t at) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr double kZ = 1.959963984540054;  // 97.5 % of a normal distribution lie below
+constexpr double kZ = 1.959963984540054;  // 97.5 % quantile of the normal distribution
 
 bool meets(const Demand& demand, std::int64_t successes, std::int64_t runs) {
   if (demand.sure) return wilson(successes, runs).low >= demand.rate;

@@ -1,5 +1,5 @@
-// Success rates: the share of runs that succeeded, where the true rate may lie, and when enough runs have
-// been made to decide.
+// Success rates: the share of successful runs, the interval of the true rate, and the number of runs needed
+// to decide.
 #pragma once
 
 #include <cstdint>
@@ -25,22 +25,22 @@ Interval wilson(std::int64_t successes, std::int64_t runs);
 struct Demand {
   double rate = 1.0;  ///< 0..1
   /// False: `rate` is the share of exactly these runs that must succeed.
-  /// True: these runs must show that the rate of all possible ones is not less; the interval's lower end
-  /// counts.
+  /// True: these runs must show that the rate of all possible runs is at least `rate`; the lower end of the
+  /// interval counts.
   bool sure = false;
 };
 
-/// Returns the smallest number of successes of `runs` that meets the demand; nullopt if not even `runs`
-/// would.
+/// Returns the smallest number of successes in `runs` that meets the demand; nullopt if all successes would
+/// not.
 std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
 
 /// Returns the smallest number of runs that meets the demand if all of them succeed; nullopt if no number
 /// does (a sure rate of 1).
 std::optional<std::int64_t> needed_runs(const Demand& demand);
 
-/// Counts runs, in a fixed order. It is decided as soon as the remaining runs can no longer change whether
-/// the demand is met. Stopping then saves runs and never changes the answer, however often one checks. (If
-/// one stops at a good interval after any run, the result is wrong more often than the interval admits.)
+/// Counts runs in a fixed order. The tally is decided once the remaining runs cannot change whether the
+/// demand is met. Stopping then saves runs and never changes the answer, however often the tally is checked.
+/// (Stopping at any good interval would give a wrong result more often than the interval admits.)
 class Tally {
  public:
   Tally(std::int64_t planned, std::optional<Demand> demand);
@@ -53,16 +53,16 @@ class Tally {
   double rate() const;
   Interval interval() const { return wilson(successes_, runs_); }
 
-  /// Returns whether enough have succeeded, whatever the others do. Without a demand: never.
+  /// Returns whether enough runs have succeeded, whatever the others do. False without a demand.
   bool met() const;
-  /// Returns whether too many have failed, whatever the others do. Without a demand: never.
+  /// Returns whether too many runs have failed, whatever the others do. False without a demand.
   bool missed() const;
   bool decided() const { return met() || missed(); }
 
  private:
   std::int64_t planned_;
   bool demanding_;
-  std::int64_t needed_;  ///< more than planned_: cannot be met
+  std::int64_t needed_;  ///< if greater than planned_, the demand cannot be met
   std::int64_t runs_ = 0;
   std::int64_t successes_ = 0;
 };
