@@ -164,7 +164,8 @@ Command parse_flash(const Words& words) {
   return flash;
 }
 
-/// Takes the action, which has to come first. Returns nothing if the help was asked for instead.
+/// Removes the action, which must be the first word, and returns it. Returns nullopt if the user requested
+/// help.
 std::optional<std::string> take_action(const std::string& command, Words& words,
                                        const std::vector<std::string>& actions) {
   if (words.empty())
@@ -177,7 +178,7 @@ std::optional<std::string> take_action(const std::string& command, Words& words,
   return action;
 }
 
-/// Describes a command that does nothing without an action.
+/// Returns the help of a command that requires an action.
 PrintText help_of_actions(const std::string& command, const std::string& summary, Command (*parse)(Words),
                           const std::vector<std::string>& actions) {
   CommandHelp help{command, summary, "", {}, {}, {}};
@@ -439,11 +440,11 @@ Command parse_man(const Words& words) {
   if (const auto help = options.parse(words)) return *help;
   if (!man.command.empty() && !man.out.empty())
     throw InputError("--out writes the pages of all commands; it excludes naming one");
-  if (!man.command.empty()) parse_arguments({man.command, "--help"});  // refuses unknown commands
+  if (!man.command.empty()) parse_arguments({man.command, "--help"});  // rejects unknown commands
   return man;
 }
 
-/// A command, and the task that it is for.
+/// A command and its group in the overview.
 struct Entry {
   const char* group;
   const char* name;

@@ -1,4 +1,4 @@
-// The command line, read into values. `robosim --help` lists the commands (sim/cli/help.h).
+// Parses the command line into values. `robosim --help` lists the commands (sim/cli/help.h).
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ namespace robosim::cli {
 
 /// `robosim run`. Names are as the user typed them; empty = not given.
 struct RunArguments : launch::Launch {
-  launch::Fleet fleet;              ///< several robots; without members it is a single one, as above
+  launch::Fleet fleet;              ///< several robots; without members, the single robot of the base class
   std::string script;               ///< a file
   std::vector<std::string> send;    ///< texts in scenario syntax, between its double quotes
   std::vector<std::string> record;  ///< files
   std::vector<std::string> plot;    ///< files
   std::string coverage;             ///< a folder; empty = lines are not counted
-  bool chip_only = false;           ///< without a named target, that of the robot's board, not the host
+  bool chip_only = false;           ///< the default target is the chip of the robot's board, not the host
   bool view = false;
   double speed = 1.0;   ///< of the view: simulated seconds per second of wall time; 0 = as fast as possible
   bool live = false;    ///< driven by requests on the standard input (run/live.h)
@@ -48,7 +48,7 @@ struct ReplayArguments {
 /// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
 struct SweepArguments {
   std::vector<std::string> sketches;
-  std::vector<std::string> maps;  ///< maps, robots and targets: empty = as `run` chooses
+  std::vector<std::string> maps;  ///< for maps, robots and targets, empty = the choice of `run`
   std::vector<std::string> robots;
   std::vector<std::string> targets;
   RunArguments each;  ///< common to all runs; its sketch, map, robot, target and seed are ignored
@@ -58,25 +58,25 @@ struct SweepArguments {
   std::string csv;       ///< a file; empty = none
   bool resume = false;
   std::optional<double> min_rate;
-  bool sure = false;        ///< the runs must prove it, see client::Demand
+  bool sure = false;        ///< the runs must prove min_rate, see analysis::Demand
   bool stop_early = false;  ///< skips runs that cannot change whether min_rate is met
   bool json = false;
-  Shard shard;                     ///< of the runs
-  std::vector<std::string> merge;  ///< tables of other shards: their runs are not repeated
+  Shard shard;                     ///< selects some of the runs
+  std::vector<std::string> merge;  ///< tables of other shards, whose runs are not repeated
 };
 
 /// `robosim report`
 struct ReportArguments {
-  std::string file;  ///< of sweep --csv, or JUnit's XML
+  std::string file;  ///< a table of sweep --csv, or a JUnit XML file
   std::string out = "report.html";
-  std::size_t runs = 40;  ///< at most this number of runs is repeated
+  std::size_t runs = 40;  ///< maximum number of repeated runs
   RunArguments each;      ///< for a table: see SweepArguments
 };
 
 /// `robosim compare`
 struct CompareArguments {
-  std::vector<std::string> targets;  ///< the others are compared to the first
-  std::string moves;                 ///< the one of several robots that runs on them; empty = all
+  std::vector<std::string> targets;  ///< all others are compared with the first
+  std::string moves;                 ///< with several robots: the robot that runs on the targets; empty = all
   RunArguments each;                 ///< its target and seed are ignored
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
@@ -101,7 +101,7 @@ struct FlashArguments {
   std::string environment;
   std::string robot;
   std::string port;
-  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: as the board has it
+  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the board's
   std::vector<std::string> libraries;
   bool dry_run = false;
 };
@@ -129,7 +129,7 @@ struct ImportArguments {
   std::string file;
   std::string out;       ///< a file; empty = standard output
   double pixel_m = 0.0;  ///< side of a picture's pixel; 0 = not given
-  double walls_m = 0.0;  ///< for a maze with walls, from cell to cell; 0 = lines
+  double walls_m = 0.0;  ///< cell pitch of a maze with walls; 0 = lines
 };
 
 /// `robosim map print`
@@ -152,15 +152,15 @@ struct ServeArguments {
 struct RobotArguments {
   std::string action;
   std::string robot;
-  bool full = false;  ///< show: including the robots that it is based on
+  bool full = false;  ///< for show: includes the robots that this robot is based on
 };
 
 /// `robosim wire`
 struct WireArguments {
   std::string sketch;
   std::string environment;
-  std::string board;         ///< empty = the project's, else the first one
-  std::string map = "oval";  ///< for trying the draft
+  std::string board;         ///< empty = the project's, otherwise the first one
+  std::string map = "oval";  ///< to try the draft on
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;
   std::string out;  ///< a file; empty = standard output
@@ -213,7 +213,7 @@ struct TestArguments {
 struct MutateArguments {
   std::string sketch;
   std::string checks;              ///< a file; empty = the sketch's checks.toml
-  std::vector<std::string> tests;  ///< programs of GoogleTest tests, instead of checks
+  std::vector<std::string> tests;  ///< GoogleTest programs, used instead of checks
   std::uint64_t seed = 1;
   std::size_t count = 20;  ///< number of bugs
   std::size_t jobs = 1;    ///< simultaneous runs
@@ -224,20 +224,20 @@ struct MutateArguments {
 /// `robosim hunt`
 struct HuntArguments {
   std::string sketch;
-  std::vector<std::string> maps;  ///< empty = as `run` chooses, or a suitable one
-  bool only_maps = false;         ///< draws no maps
+  std::vector<std::string> maps;  ///< empty = the choice of `run`, or a suitable map
+  bool only_maps = false;         ///< generates no maps
   std::string robot;
-  std::vector<std::string> targets;  ///< empty = the chip's, and the host
+  std::vector<std::string> targets;  ///< empty = the chip and the host
   RunArguments each;                 ///< see SweepArguments
-  std::uint64_t seed = 1;            ///< of the random choices
+  std::uint64_t seed = 1;            ///< of all random choices
   std::uint64_t runs = 400;
-  double minutes = 0.0;  ///< wall time after which no further run begins; 0 = no limit
+  double minutes = 0.0;  ///< wall time after which no run starts; 0 = no limit
   std::size_t jobs = 1;  ///< simultaneous runs
   std::string out;       ///< a folder; empty = hunt-SKETCH
   bool resume = false;
   bool stop_early = false;
-  Shard shard;                     ///< of the runs
-  std::vector<std::string> merge;  ///< folders of other shards; then there are no runs
+  Shard shard;                     ///< selects some of the runs
+  std::vector<std::string> merge;  ///< folders of other shards; if given, nothing is run
 };
 
 /// `robosim new`
@@ -258,10 +258,10 @@ using Command =
                  RobotArguments, CalibrateArguments, ServeArguments, TestArguments, MutateArguments,
                  HuntArguments, NewArguments, ManArguments, PrintText>;
 
-/// Describes all commands, by task.
+/// Describes all commands, grouped by task.
 std::vector<CommandGroup> command_groups();
 
-/// Reads the words after the program's name. Throws InputError.
+/// Parses the words after the program's name. Throws InputError.
 Command parse_arguments(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

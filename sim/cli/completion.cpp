@@ -9,7 +9,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Lists the words that a value may be; files may come in addition.
+/// Returns the possible words of a value; files may be possible, too.
 std::vector<std::string> words_of(const PossibleValues& values) {
   switch (values.kind) {
     case PossibleValues::Kind::sketch:
@@ -23,7 +23,7 @@ std::vector<std::string> words_of(const PossibleValues& values) {
   }
   std::vector<std::string> words;
   for (const std::string& word : values.words) {
-    // "laps:N" is completed as far as its parameter: "laps:".
+    // Completes "laps:N" as far as its parameter: "laps:".
     const std::size_t colon = word.find(':');
     words.push_back(word.substr(0, colon == word.npos ? colon : colon + 1));
     if (words.size() > 1 && words.back() == words[words.size() - 2]) words.pop_back();
@@ -38,7 +38,7 @@ bool takes_files(const PossibleValues& values) {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-/// Returns the commands with their actions, of which each has its own options: "run", "map check".
+/// Returns the commands without actions, and all actions: "run", "map check".
 std::vector<CommandHelp> leaves(const std::vector<CommandGroup>& groups) {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : groups) {
@@ -71,7 +71,7 @@ std::vector<std::string> action_names(const CommandHelp& command) {
   return names;
 }
 
-/// Doubles what ends a string in single quotes.
+/// Replaces each single quote by `quote`, for a string in single quotes.
 std::string quoted(const std::string& text, const char* quote) {
   std::string safe;
   for (const char c : text) {
@@ -173,7 +173,7 @@ complete -F _robosim robosim ./robosim
 
 // ---- zsh
 
-/// Escapes what _arguments takes for the end of an explanation.
+/// Escapes the characters that would end an explanation of _arguments.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : quoted(text, "'\\''")) {
@@ -267,7 +267,7 @@ std::string fish_text(const std::string& text) {
   return safe;
 }
 
-/// Returns fish's options for values: whether one is required, and the possible ones.
+/// Returns fish's options for a value: whether it is required, and its possible words.
 std::string fish_values(const PossibleValues& values) {
   const std::vector<std::string> words = words_of(values);
   const std::string list = words.empty() ? "" : fmt::format(" -a '{}'", fish_text(joined(words)));

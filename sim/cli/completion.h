@@ -1,4 +1,4 @@
-// Code that completes robosim's commands, options and values in a shell.
+// Generates code that completes robosim's commands, options and values in a shell.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// `robosim calibrate`: parameters of a robot file from logs of the real robot (docs/howto/calibrating.md).
+// `robosim calibrate`: computes parameters of a robot file from logs of the real robot
+// (docs/howto/calibrating.md).
 #pragma once
 
 #include <string>
@@ -11,8 +12,8 @@ namespace robosim::cli {
 /// Parses `words`, after "calibrate". Throws InputError.
 Command parse_calibrate(const std::vector<std::string>& words);
 
-/// Reports the results from the logs, and writes them if a file is named. Throws InputError; then nothing is
-/// written.
+/// Reports the results from the logs, and writes them if a file is named. Throws InputError before writing
+/// anything.
 int calibrate_command(const CalibrateArguments& arguments);
 
 }  // namespace robosim::cli

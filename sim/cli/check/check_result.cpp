@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kDetected = "detected: ";
 
-/// Returns "17.23", with enough digits to differ from the limit that it exceeds.
+/// Formats a value with enough digits to differ from the limit that it exceeds: "17.23".
 std::string beyond(double value, double limit) {
   const std::string text = figure_text(value);
   return text == figure_text(limit) ? fmt::format("{}", value) : text;
@@ -33,7 +33,7 @@ std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunR
   return std::nullopt;
 }
 
-/// Returns the first of `texts` that is missing in `all` after the previous one: "“b” by its serial port
+/// Returns the first of `texts` that does not follow the previous text in `all`: "“b” by its serial port
 /// after “a”".
 std::optional<std::string> missing_of(const std::vector<std::string>& texts, const std::string& all,
                                       const char* by) {

@@ -18,14 +18,14 @@ struct CheckResult {
   std::string where;  ///< "oval · uno5 · seeds 1..20"
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence about a failure
-  std::string replay;  ///< the command that repeats the first failed run; empty = there is none
-  /// `run` with the options of that run, and its trace hash.
+  std::string replay;  ///< the command that repeats the first failed run; empty if no run failed
+  /// The command without added options for detectors, and the trace hash of that run.
   std::string again, again_trace_hash;
   std::string serial;  ///< output of the sketch in that run
   std::size_t runs = 0;
   std::size_t passed = 0;
   double time_s = 0.0;                  ///< simulated, sum of all runs
-  std::optional<wire::RunResult> only;  ///< the result, if the check has one run
+  std::optional<wire::RunResult> only;  ///< the result, if the check has only one run
   std::vector<std::string> traces;      ///< trace hashes of all runs, in the order of the plan
 
   bool ok() const { return status == ExitStatus::ok; }
@@ -35,12 +35,12 @@ struct SketchResult {
   std::string name;    ///< for display: as the user named it, or the current folder's name
   std::string checks;  ///< the file
   std::vector<CheckResult> results;
-  /// The reason why there are none: a bad file, a sketch that does not compile.
+  /// The reason for missing results: a bad file, or a sketch that does not compile.
   struct Problem {
     ExitStatus status = ExitStatus::bad_input;
     Place place;
     std::string line;  ///< one line
-    std::string text;  ///< all of it
+    std::string text;  ///< the full text
   };
   std::optional<Problem> problem;
 

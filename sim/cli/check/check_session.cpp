@@ -29,7 +29,7 @@ std::string first_error(const std::string& text) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// Returns the place with which a compiler's message begins. The sketch's files are relative to its folder.
+/// Returns the place at the beginning of a compiler's message. The sketch's files are relative to its folder.
 Place place_in(const std::string& line, const fs::path& folder) {
   const std::size_t colon = line.find(':');
   if (colon == std::string::npos) return {};
@@ -64,7 +64,7 @@ std::string where_text(const SweepPlan& plan) {
   return text;
 }
 
-/// Describes a run of a check, by what differs between its runs.
+/// Describes a run by the values that differ between the runs of its check.
 std::string run_text(const SweepPlan& plan, std::size_t run) {
   std::string text = plan.seeds > 1 ? fmt::format("seed {}", plan.seed_of(run)) : "";
   if (plan.combinations.size() == 1) return text;
@@ -73,8 +73,8 @@ std::string run_text(const SweepPlan& plan, std::size_t run) {
                      in.target);
 }
 
-/// Throws InputError if a check needs more than an untrusted sketch gets. Unless `folder` is empty, all files
-/// that the check names must be in it.
+/// Restricts a check to the rights of an untrusted sketch. Throws InputError if it needs more. Unless
+/// `folder` is empty, all files that the check names must be in it.
 void confine(Check& check, const fs::path& folder) {
   SweepArguments& sweep = check.sweep;
   sweep.each.untrusted = sweep.each.chip_only = true;
@@ -107,7 +107,8 @@ double simulated_s(const SweepPlan& plan) {
   return sum_s;
 }
 
-/// Limits all runs of the checks that an untrusted sketch brings. An emulated Uno takes 100 s for them.
+/// Limits the total simulated time of the checks that an untrusted sketch brings. An emulated Uno needs 100 s
+/// for it.
 constexpr double kMostSimulated_s = 3600.0;
 
 analysis::Demand demand_of(const Check& check) {
@@ -194,7 +195,7 @@ void CheckSession::plan(const Check& check, bool limited) {
     result.why = error.what();
   } catch (const build::Interrupted&) {
     throw;
-  } catch (const std::exception& error) {  // one sketch does not take the others' results
+  } catch (const std::exception& error) {  // other sketches keep their results
     const std::string fault = system_error_of(error);
     result.status = fault.empty() ? ExitStatus::internal : ExitStatus::tool_missing;
     result.why = fault.empty() ? fmt::format("internal error: {}", error.what()) : fault;
@@ -207,7 +208,7 @@ client::Batch CheckSession::batch() {
           [this](std::size_t i, const client::Answer& answer) { answered(runs_[i], answer); },
           [this](std::size_t i) {
             Planned& planned = planned_[runs_[i].planned];
-            if (result_of(planned).status != ExitStatus::interrupted) return false;  // there is no result
+            if (result_of(planned).status != ExitStatus::interrupted) return false;  // an error occurred
             return !planned.check.sweep.stop_early ||
                    !planned.tallies[runs_[i].number / planned.plan.seeds].decided();
           }};
@@ -250,7 +251,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
   result.again_trace_hash = run_result.trace_hash;
   result.replay = result.again;
-  if (is_of_detectors(*why)) result.replay += " --sanitize";  // which `run` needs for detectors
+  if (is_of_detectors(*why)) result.replay += " --sanitize";  // `run` needs this option for detectors
 }
 
 void CheckSession::finish(Planned& planned) {

@@ -15,21 +15,21 @@ namespace robosim::cli {
 
 class CheckSession {
  public:
-  /// `untrusted`: the sketches are a stranger's. They run on chips. Their own checks are a stranger's, too,
-  /// and name no file outside of the sketch's folder.
+  /// `untrusted`: the sketches come from strangers. They run only on chips. Their own checks may only name
+  /// files in the sketch's folder.
   explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
       : planner_(planner), untrusted_(untrusted) {}
 
-  /// Reads the sketch's checks (`file`, or its checks.toml if that is empty) and compiles. An error in a
-  /// sketch or a file becomes its result.
+  /// Compiles the sketch and reads its checks from `file`, or from its checks.toml if `file` is empty. An
+  /// error in a sketch or a file becomes the sketch's result.
   void add(const std::string& sketch, const std::string& file);
 
-  /// Returns all runs of all checks. They are counted as they are handed out.
+  /// Returns all runs of all checks. Their answers are collected in this session.
   client::Batch batch();
   std::size_t runs() const { return runs_.size(); }
   std::size_t runs_ended() const { return ended_; }
 
-  /// Returns the results; checks with a missing run were interrupted.
+  /// Returns the results. A check with missing runs counts as interrupted.
   std::vector<SketchResult> results();
 
  private:
@@ -41,15 +41,15 @@ class CheckSession {
     SweepPlan plan;
     std::vector<analysis::Tally> tallies;
     bool late_only = true;      ///< all failed runs timed out
-    std::string first_failure;  ///< the reason
-    std::string first_name;     ///< the name of that run, if there are several: "seed 4"
+    std::string first_failure;  ///< the reason for the first failed run
+    std::string first_name;     ///< the name of that run, if the check has several: "seed 4"
   };
   struct Run {
     std::size_t planned;
     std::size_t number;
   };
 
-  /// `limited`: its runs, and those of the sketch's earlier checks, must not take too long.
+  /// `limited`: limits the simulated time of its runs together with the sketch's earlier checks.
   void plan(const Check& check, bool limited);
   void answered(const Run& run, const client::Answer& answer);
   void judge(Planned& planned, std::size_t run, const wire::RunResult& result);

@@ -53,7 +53,7 @@ constexpr Flag kFlags[] = {
 const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "toppled", "hung",
                                          "ended",   "crashed", "over_budget", "timeout"};
 
-/// Returns a value as typed after its flag.
+/// Returns a value as a user would type it after its flag.
 std::string word_of(const ConfigValue& value, const char* key) {
   if (value.kind == ConfigValue::Kind::integer) return std::to_string(value.integer);
   if (value.kind == ConfigValue::Kind::number) return fmt::format("{}", value.number);
@@ -63,7 +63,7 @@ std::string word_of(const ConfigValue& value, const char* key) {
   return word;
 }
 
-/// Returns a string or an array of them.
+/// Returns the words of a string or an array of strings.
 std::vector<std::string> words_of(const ConfigValue& value, const char* key) {
   if (value.kind != ConfigValue::Kind::array) return {word_of(value, key)};
   std::vector<std::string> words;
@@ -127,7 +127,7 @@ class CheckReader {
   }
 
  private:
-  /// Returns the argument of the flag: paths are relative to the file's folder.
+  /// Returns the argument of a flag. Paths in the file are relative to its folder.
   std::string flag_word(const std::string& word, Text text) const {
     if (text == Text::sent) return escaped(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
@@ -165,7 +165,7 @@ class CheckReader {
     }
   }
 
-  /// Returns `seed`, or 1 if there are no `seeds` either.
+  /// Returns `seed`; 1 if neither `seed` nor `seeds` is given; nullopt if `seeds` is given.
   std::optional<std::string> only_seed() {
     const ConfigValue* seed = reader_.find("seed");
     const ConfigValue* seeds = reader_.table().find("seeds");
@@ -181,7 +181,7 @@ class CheckReader {
     return word;
   }
 
-  /// Returns the place of the flag with which a message begins.
+  /// Returns the place of the key whose flag begins the message.
   Place place_of(const std::string& message) const {
     for (const Flag& flag : kFlags) {
       const std::string name = fmt::format("--{}", flag.key);

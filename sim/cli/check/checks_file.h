@@ -26,21 +26,21 @@ struct Check {
   std::string name;
   Place place;
   SweepArguments sweep;             ///< its runs, without sketches yet
-  std::string fleet;                ///< a file of several robots, run instead of the sketch; empty = none
+  std::string fleet;                ///< a file of several robots, which replaces the sketch; empty = none
   std::vector<std::string> expect;  ///< the verdicts that a run may end with
   std::vector<FigureLimit> limits;
   std::vector<std::string> serial;        ///< texts that the sketch must send, in this order
   std::vector<std::string> shows;         ///< texts that parts must show, in this order
   bool detect = true;                     ///< detectors must find nothing
   std::vector<std::string> stations;      ///< stations that must be visited, in any order
-  std::vector<TextAssertion> assertions;  ///< from the file
+  std::vector<TextAssertion> assertions;  ///< assertions of the whole file
 };
 
-/// Returns the file's assertions about all runs, if it exists. Throws InputError.
+/// Returns the file's assertions about all runs; none if the file does not exist. Throws InputError.
 std::vector<TextAssertion> text_assertions_in(const std::filesystem::path& file);
 
-/// Returns all checks of a file, in its order. The command line's own parser checks values of flags, so that
-/// a flag means the same in both. Paths are relative to the file's folder. Throws InputError.
+/// Returns all checks of a file, in its order. The command line's parser checks the values of flags, so a
+/// flag means the same in both. Paths are relative to the file's folder. Throws InputError.
 std::vector<Check> read_checks(const std::filesystem::path& file);
 /// `text` is the content of `file`.
 std::vector<Check> parse_checks(std::string_view text, const std::filesystem::path& file);

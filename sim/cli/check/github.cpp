@@ -16,7 +16,8 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// Escapes data for GitHub's commands; in properties ':' and ',' too.
+/// Escapes data for GitHub's workflow commands. `special`: characters to escape in addition, such as ":," in
+/// properties.
 std::string workflow_text(const std::string& text, const char* special) {
   std::string data;
   for (const char c : text) {

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Returns whether the program runs there: GITHUB_ACTIONS is "true".
+/// Returns whether the program runs in GitHub Actions: GITHUB_ACTIONS is "true".
 bool on_github();
 
 /// Returns a `::error file=…,line=…::…` for each failure, at its [[check]] or at the place in the sketch.

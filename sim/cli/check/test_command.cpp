@@ -21,7 +21,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Returns true if all runs ended.
+/// Makes the runs. Returns whether all of them ended.
 bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress) {
   if (session.runs() == 0) return true;
   client::Pool pool(std::min(jobs, session.runs()));
@@ -34,7 +34,7 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
   return pool.run(batch);
 }
 
-/// Warns of checks of everyone's sketches that leave the choice of a file to the sketch's author.
+/// Warns if checks for all sketches leave the choice of a file to a sketch's author.
 void warn_of_own_files(const std::string& checks) try {
   for (const Check& check : read_checks(checks)) {
     if (!check.fleet.empty()) continue;
@@ -47,7 +47,7 @@ void warn_of_own_files(const std::string& checks) try {
           checks, check.name, missing));
   }
 } catch (const InputError&) {
-  // each sketch's result has the message
+  // the result of each sketch contains the message
 }
 
 }  // namespace

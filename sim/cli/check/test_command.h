@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the process's exit status. Throws InputError for errors that are not a sketch's.
+/// Returns the process's exit status. Throws InputError for errors outside of sketches.
 int test_command(const TestArguments& arguments);
 
 }  // namespace robosim::cli

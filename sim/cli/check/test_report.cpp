@@ -30,11 +30,11 @@ std::string mark(const CheckResult& result) {
     case ExitStatus::timeout:
       return "FAILED";
     default:
-      return "ERROR";  // it could not run
+      return "ERROR";  // the check could not run
   }
 }
 
-// Names and texts come from sketches and their folders: each stays in its line, which is one of a report.
+// Keeps a name in one line, since it comes from a sketch or its folder.
 std::string shown_name(const CheckResult& result) { return in_one_line(result.name); }
 std::string shown_place(const CheckResult& result) { return in_one_line(result.where); }
 

@@ -13,18 +13,18 @@ namespace robosim::cli {
 struct TextAssertion {
   enum class When { never, sometimes, always };
   When when = When::never;
-  bool shown = false;  ///< by a display or a Bluetooth module; else sent by the serial port
+  bool shown = false;  ///< by a display or a Bluetooth module; otherwise sent by the serial port
   std::string words;
 
   bool is_in(const wire::RunResult& result) const;
-  /// Returns it as it was written: "serial: arrived".
+  /// Returns the assertion as written in the file: "serial: arrived".
   std::string text() const;
 };
 
 /// Reads the assertions of a file of checks; consumes its keys. Throws InputError.
 std::vector<TextAssertion> read_text_assertions(TableReader& file);
 
-/// Returns why a run breaks a never or always assertion, in one sentence; empty if it keeps it. A text of
+/// Returns why a run breaks a never or always assertion, in one sentence; empty if it does not. A text of
 /// `always` must appear by the end of a run.
 std::string why_broken(const TextAssertion& assertion, const wire::RunResult& result);
 

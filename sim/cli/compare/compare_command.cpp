@@ -22,10 +22,10 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // around a difference
+constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // period around a difference
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
-constexpr std::size_t kMostTicks = 10;  // at which the host is made to follow the other
-constexpr std::size_t kSaid = 3;        // lines before the different one
+constexpr std::size_t kMostTicks = 10;  // ticks at which the host is made to follow the other target
+constexpr std::size_t kSaid = 3;        // shown lines before the differing line
 
 class CompareCommand {
  public:
@@ -40,10 +40,11 @@ class CompareCommand {
     compared.sketch = title();
     const std::vector<Histories> histories = run_lanes(seed, compared);
     std::vector<Found> found = compare_with(0, histories, compared);
-    // A difference from a target that lacks something says nothing about the others.
+    // A difference from a target that lacks a feature reveals nothing about the others, so they are compared,
+    // too.
     if (lacks_something(compared.target_runs[0]))
       for (Found& one : compare_with(1, histories, compared)) found.push_back(std::move(one));
-    // The earliest, except those that say nothing about the sketch.
+    // Finds the earliest difference that is neither chance nor due to a missing feature.
     std::optional<Compared> on_edge;
     std::deque<analysis::History> more;
     while (!found.empty()) {
@@ -70,7 +71,7 @@ class CompareCommand {
   }
 
  private:
-  /// Returns a sketch, a file of several robots, or their number.
+  /// Returns the name of the sketch, the file of several robots, or the number of robots.
   std::string title() const {
     const launch::Fleet& fleet = target_runs_[0].fleet;
     if (fleet.members.empty()) return launch::title_of(target_runs_[0].run.members[0].sketch);
@@ -86,7 +87,7 @@ class CompareCommand {
     Pair pair;
   };
 
-  /// Compares the target runs after `first` with that one.
+  /// Compares target run `first` with each later one.
   std::vector<Found> compare_with(std::size_t first, const std::vector<Histories>& histories,
                                   Compared& compared) {
     std::vector<Found> found;
@@ -109,8 +110,8 @@ class CompareCommand {
     return found;
   }
 
-  /// Returns the next difference after the host has followed the other at a tick of its clock. `more` stores
-  /// its run.
+  /// Makes the host follow the other target at a tick of its clock, and returns the next difference. Stores
+  /// the host's history in `more`.
   std::optional<Found> behind_tick(const Compared& compared, const Found& at,
                                    std::deque<analysis::History>& more) {
     if (compared.edges.empty()) return std::nullopt;
@@ -160,7 +161,7 @@ class CompareCommand {
     return histories;
   }
 
-  /// Runs once more, to the difference only, with the sources of all events near it.
+  /// Repeats both runs up to the difference, and records the source lines of all events near it.
   void look_closer(Compared& compared, const Pair& pair) {
     const analysis::Difference& d = *compared.difference;
     std::vector<analysis::PinLog> pins;
@@ -240,7 +241,8 @@ class CompareCommand {
         .result;
   }
 
-  /// Makes the robots for the host, if the host is not a compared target; null if that is impossible.
+  /// Prepares the robots for the host, if the host is not a compared target. Returns null if that is
+  /// impossible.
   TargetRun* make_host() {
     try {
       if (!host_) host_ = target_run_of(arguments_, "host", progress_);

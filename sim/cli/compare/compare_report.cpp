@@ -122,7 +122,7 @@ Json json_of(const ComparedTarget& target_run) {
   return {{"target", target_run.target}, {"robots", std::move(robots)}};
 }
 
-/// Returns "where it is 0.26 ms late from 3.90 s on": only the last lateness counts here.
+/// Describes the last lateness: "where it is 0.26 ms late from 3.90 s on".
 std::string late_text(const std::vector<wire::Lateness>& late) {
   if (late.empty()) return "as it is";
   const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);

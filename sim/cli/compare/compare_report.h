@@ -19,11 +19,11 @@ namespace robosim::cli {
 struct ComparedSide {
   std::string target;
   std::int64_t t_ns = 0;
-  std::string text;         ///< its action
-  wire::SourceLine source;  ///< the sketch's line of that action; may be unknown
+  std::string text;         ///< the behaviour
+  wire::SourceLine source;  ///< the sketch's line with this behaviour; may be unknown
   std::vector<analysis::PinUse> reads;
   std::vector<analysis::PinUse> writes;
-  std::vector<std::string> said;   ///< its last lines before, and this one
+  std::vector<std::string> said;   ///< the last lines of output, ending with the differing line
   std::optional<Finding> finding;  ///< from a run with checks
 };
 
@@ -34,17 +34,18 @@ struct ComparedRun {
   wire::RunResult result;
 };
 
-/// A target whose behaviour changes if its clock is a little off: chance decides there.
+/// A target whose behaviour changes with a slightly wrong clock, so that chance decides.
 struct Edge {
   std::string target;
-  int ppm = 0;                  ///< the amount by which its clock was off …
+  int ppm = 0;                  ///< error of the clock …
   std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: unchanged; sides[1]: with that clock
-  bool does_as_other = true;    ///< there; else it differs from itself in a similar way
-  /// If both targets were tried with many clocks: their number, and how often it did as the other did.
+  bool does_as_other = true;    ///< with that clock; otherwise it differs from itself in a similar way
+  /// If both targets ran with many clocks: the number of clocks, and of runs that behaved like the other
+  /// target.
   int clocks = 0, as_other = 0;
-  /// For the host, if a tick of its clock decides: the lateness of its sketch when it does as either target.
-  /// Unchanged for at least one of them.
+  /// For the host, if a tick of its clock decides: the lateness with which its sketch behaves like each
+  /// target. At least one of them is the unchanged lateness.
   std::array<std::vector<wire::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
@@ -56,7 +57,7 @@ struct ComparedTarget {
   std::vector<ComparedRun> robots;
 };
 
-/// A known difference: its robot and its targets.
+/// A known difference, with its robot and targets.
 struct ComparedKnown {
   analysis::KnownDifference difference;
   std::string robot;  ///< empty for a single robot, also in the structures below
@@ -67,16 +68,16 @@ struct ComparedKnown {
 struct Compared {
   std::uint64_t seed = 1;
   std::string sketch;  ///< or the fleet's file
-  std::string moves;   ///< the one of several robots that runs on the targets; empty = all
+  std::string moves;   ///< with several robots: the robot that runs on the targets; empty = all
   std::vector<ComparedTarget> target_runs;
   std::vector<ComparedKnown> known;
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference
   std::array<ComparedSide, 2> sides;  ///< of the difference
-  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks: the targets are not the cause
+  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks; if any, the targets are not the cause
 
-  /// Features of the chip that this target lacks, and that the sketch used before the difference. Then the
-  /// difference is not the sketch's.
+  /// A target that lacks chip features, and the lacking features that the sketch used before the difference. If
+  /// there are any, the sketch is not the cause.
   std::string lacking;
   std::vector<wire::Lack> lacks;
 
@@ -84,7 +85,7 @@ struct Compared {
 };
 
 std::string compare_text(const Compared& compared);
-/// Returns the schema robosim.compare/1, in one line.
+/// Formats the comparison as robosim.compare/1, in one line.
 std::string compare_json(const Compared& compared);
 
 }  // namespace robosim::cli

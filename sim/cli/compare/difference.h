@@ -10,17 +10,17 @@
 
 namespace robosim::cli {
 
-/// Returns whether a robot's sketch has used a feature that this target run's target lacks.
+/// Returns whether a robot's sketch has used a feature that the target lacks.
 bool lacks_something(const ComparedTarget& target_run);
 
-/// For a robot in two target runs: sets the chip features that a side lacks, if the sketch had used them
-/// before the difference. Skipped if the difference has a named cause, or the checks have found one.
+/// Sets the chip features that one of two target runs lacks, if the robot's sketch used them before the
+/// difference. Sets nothing if the difference has a named cause, or if the checks have found a cause.
 void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& target_runs);
 
-/// Returns where the text of a side begins to differ from that of the other.
+/// Returns the index at which a side's text begins to differ from the other side's.
 std::size_t first_difference(const Compared& compared, std::size_t side, const std::string& text);
 
-/// Returns when the difference has shown, at the latest: a side may reach a missing place later.
+/// Returns the latest time at which the difference shows: a side may reach a missing place later.
 std::int64_t shows_by(const Compared& compared);
 
 }  // namespace robosim::cli

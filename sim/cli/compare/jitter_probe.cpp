@@ -11,17 +11,18 @@
 namespace robosim::cli {
 namespace {
 
-// A clock is off from the beginning on, or from this long before a difference until it shows.
+// The clock is wrong from this long before a difference, or from the start, until the difference shows.
 constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by up to twice that.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
-// For sides that both differ from themselves, but in several ways: measures how often they do each.
+// More clocks, for two sides that each differ from themselves in several ways: measures how often each
+// behaviour occurs.
 constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  1500, -1500,
                                       2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
-// If that is rare, these, and as many slow ones.
+// Range of fast clocks for a rare behaviour; equally many slow clocks are tried.
 constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
-// An Uno's millis() may lag by two of its ticks, 2.048 ms. Targets differ by some milliseconds in what they
-// do between two calls of delay(). Steps of a quarter of a tick.
+// An Uno's millis() may lag by two of its ticks, 2.048 ms. Between two calls of delay(), targets differ by
+// some milliseconds. The steps are a quarter of a tick.
 constexpr std::int64_t kLate_us[] = {260,   520,  -260,  780,   -520, 1040,  -780, 1300, -1040, 1560,
                                      -1300, 1820, -1560, -1820, 2080, -2080, 3000, 5000, 10000};
 constexpr std::int64_t kLateBefore_ns[] = {100'000'000, 1'500'000'000, 5'000'000'000};  // or from the start
@@ -39,8 +40,9 @@ std::vector<Edge> JitterProbe::find(const Compared& compared, const Pair& pair) 
   return find_of_ticks(compared, pair);
 }
 
-/// A behaviour of one target alone, such as by a race of its interrupts, is its own. So one side must do what
-/// the other did. The other must do so, too, or differ from itself in a similar way.
+/// Finds a clock for each side with which it behaves like the other side. One side, but not both, may instead
+/// differ from itself in a similar way. A behaviour of only one target, such as a race of its interrupts, is
+/// not chance.
 std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
   bool there = false;
@@ -54,8 +56,8 @@ std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pa
   return weigh(compared, pair);
 }
 
-/// If chance has decided from the beginning on, each side differs from itself in many ways. Then both must
-/// show both behaviours, about equally often, with varied clocks.
+/// Compares how often both sides show each behaviour with varied clocks. If chance decides from the start,
+/// each side differs from itself in many ways. Then both must show both behaviours, about equally often.
 std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair) {
   const auto choice = analysis::Choice::of(*compared.difference, *pair.histories[0], *pair.histories[1]);
   if (!choice) return {};
@@ -101,8 +103,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Returns where this target run, with its clock a little off, does as the other target run did. If it never
-/// does, returns where it differs from itself in a similar way.
+/// Returns a clock with which this target run behaves like the other. If there is no such clock, returns one
+/// with which it differs from itself in a similar way.
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(
@@ -128,12 +130,13 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
   return found;
 }
 
-/// Varying behaviour of one program on the host, delayed by a fraction of a millisecond, is not a target's.
-/// It must show both behaviours there. If a clock that is off also shows both, find_of_clocks() handles it.
+/// Finds out whether one program on the host shows both behaviours when it is delayed by a fraction of a
+/// millisecond. Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks()
+/// handles it.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};
-  std::size_t as = 0;  // the side whose lateness it already has
+  std::size_t as = 0;  // the side whose lateness the host has at first
   for (std::size_t side = 0; side < 2; ++side)
     if (pair.target_runs[side]->is_on_host(pair.robot))
       host = pair.target_runs[side], done[side] = true, as = side;
@@ -142,14 +145,14 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host does both when slightly later …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // Later output will be compared with the host's at the same lateness.
+  // Later output is compared again, with the host equally late.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<wire::Lateness>, 2> late{observed.late, observed.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
   std::optional<analysis::Difference> itself;
-  // A run of one behaviour must not show the other any more. Lines that come slightly closer may be a stream,
-  // which resembles much else.
+  // A run with one behaviour must not resemble the other behaviour. Lines that come slightly closer may be a
+  // stream, which resembles many others.
   const auto look = [&] {
     const analysis::History run = observer_.run(*host, observed);
     for (std::size_t side = 0; side < 2; ++side) {

@@ -1,4 +1,4 @@
-// Decides whether a difference is chance. Runs each target with its clock a little off, and the program on
+// Decides whether a difference is chance. Runs each target with a slightly wrong clock, and the program on
 // the host a fraction of a millisecond later. docs/howto/comparing.md explains the method.
 #pragma once
 
@@ -23,22 +23,22 @@ struct Pair {
   std::size_t robot = 0;
   std::array<TargetRun*, 2> target_runs{};
   std::array<const analysis::History*, 2> histories{};
-  std::array<std::vector<wire::Lateness>, 2> late{};  ///< of their sketches: on the host only
+  std::array<std::vector<wire::Lateness>, 2> late{};  ///< lateness of their sketches; only on the host
 };
 
 class JitterProbe {
  public:
-  /// `make_host` builds the robot for the host, if no target run has it there; null if that is impossible. It
-  /// is called at most once. All arguments must outlive this.
+  /// `make_host` builds the robot for the host if no target run has done so; it returns null if that is
+  /// impossible. It is called at most once. All arguments must outlive this object.
   JitterProbe(const Observer& observer, tui::Progress& progress, std::function<TargetRun*()> make_host)
       : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
 
-  /// Returns the edges for the difference in `compared`, whose sides are described. Empty: it is the
-  /// targets'. A difference is never chance if it has a named cause, or if the checks have found something.
+  /// Returns the edges for the difference in `compared`, whose sides must be described; empty if the targets
+  /// cause it. A difference is never chance if it has a named cause, or if the checks have found something.
   std::vector<Edge> find(const Compared& compared, const Pair& pair);
 
  private:
-  using FromStart = std::map<int, analysis::History>;  ///< by clock
+  using FromStart = std::map<int, analysis::History>;  ///< by the clock's error
 
   std::vector<Edge> find_of_clocks(const Compared& compared, const Pair& pair);
   std::vector<Edge> weigh(const Compared& compared, const Pair& pair);

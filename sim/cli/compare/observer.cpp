@@ -9,8 +9,8 @@
 namespace robosim::cli {
 namespace {
 
-// The robot's axle is this far from the square line, and the middle of its sensors from the line with its
-// bends.
+// A robot is off the line if its axle is farther than kOff_cells from the straight line, and its sensors'
+// middle farther than kOff_mm from the line with bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 
 }  // namespace

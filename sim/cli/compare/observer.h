@@ -1,5 +1,4 @@
-// Observes a robot for `robosim compare`: the places of the map in its order, and the events that a run must
-// report.
+// Observes a robot for `robosim compare`: finds the places that it reaches, and requests the events of a run.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +14,18 @@
 
 namespace robosim::cli {
 
-/// One robot of a target run, in one run.
+/// A robot of a target run, in one run.
 struct ObservedRobot {
   std::size_t robot = 0;
   std::uint64_t seed = 1;
   std::int64_t until_ns = 0;         ///< the latest end of the run; in whole milliseconds
-  std::vector<wire::Lateness> late;  ///< of its sketch
+  std::vector<wire::Lateness> late;  ///< lateness of its sketch
 };
 
 /// The deviation of a robot's clock in a run.
 struct ClockOffset {
   std::int64_t from_ns = 0;
-  int ppm = 0;  ///< too fast, from that time on
+  int ppm = 0;  ///< too fast, from from_ns on
 };
 
 class Observer {
@@ -36,12 +35,12 @@ class Observer {
   Observer(const Observer&) = delete;
 
   std::size_t robots() const { return places_.size(); }
-  /// The recorder must not outlive this.
+  /// The recorder must not outlive this observer.
   analysis::HistoryRecorder recorder_of(const TargetRun& target_run, std::size_t robot) const;
   static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
-  /// Runs a target run. With several robots, the others' clocks deviate in the other direction: which robot
-  /// comes first at a crossing may be chance, too.
+  /// Makes a run. With several robots, the others' clocks deviate in the other direction: the order of robots
+  /// at a crossing may be chance, too.
   analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
                         const ClockOffset& off = {}) const;
 
@@ -49,7 +48,7 @@ class Observer {
   std::string place_of(std::size_t robot, const wire::Sample& sample) const;
 
   grid::Map map_;
-  std::vector<grid::Places> places_;  ///< in the order of each robot, from its start on
+  std::vector<grid::Places> places_;  ///< by robot, in its order from its start
 };
 
 }  // namespace robosim::cli

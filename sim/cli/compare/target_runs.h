@@ -15,14 +15,14 @@ namespace robosim::cli {
 
 /// A target, its robots, and its runner.
 struct TargetRun {
-  std::string target;  ///< of the robots that run on it
+  std::string target;  ///< of the compared robots
   client::Runner runner;
   launch::Fleet fleet;        ///< without members for a single robot
   launch::PreparedFleet run;  ///< also for a single robot
 
-  /// Returns the name of one of its robots, by number.
+  /// Returns a robot's name by its number.
   const std::string& name(std::size_t robot) const;
-  /// Returns whether that robot's sketch runs on the host here.
+  /// Returns whether a robot's sketch runs on the host in this target run.
   bool is_on_host(std::size_t robot) const { return run.members[robot].target == "host"; }
   static std::string& script(wire::RunRequest& request, std::size_t robot);
   static std::vector<wire::Lateness>& late(wire::RunRequest& request, std::size_t robot);

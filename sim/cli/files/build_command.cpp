@@ -24,7 +24,7 @@ build::Warnings warnings_of(const std::string& level) {
   return build::Warnings::standard;
 }
 
-/// Returns the image and its products: in the cache, or in `folder` if it is given.
+/// Returns the files of the image: in the cache, or copied to `folder` if it is given.
 std::vector<fs::path> put_files(const build::Image& image, const std::string& folder) {
   std::vector<fs::path> files{image.image};
   files.insert(files.end(), image.products.begin(), image.products.end());
@@ -51,7 +51,7 @@ std::string host_sizes(const build::Image& image, const BoardSpec& board) {
       board.ram_bytes, board.chip->target);
 }
 
-// From this share of the RAM on Arduino warns.
+// Arduino warns above this share of the RAM.
 constexpr std::uint64_t kMuch_percent = 75;
 
 std::string chip_sizes(const build::Image& image, const BoardSpec& board) {
@@ -122,7 +122,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   if (!sketch.elf_target.empty())
     throw InputError({sketch.name, 0, 0}, "expected a sketch, got a compiled image; robosim run runs it");
   const launch::Choice choice = launch::choose_robot(arguments.robot, sketch, arguments.target);
-  // The robot is the same for all targets, so the always installed runner describes it.
+  // All targets have the same description, so the host's runner, which is always installed, provides it.
   client::Runner describer("host");
   const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
   launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)

@@ -21,26 +21,26 @@ std::string size_report(const build::Image& image, const std::string& target, co
 /// Returns a sentence for each way in which an image for a chip exceeds the robot's budget.
 std::vector<std::string> over_budget(const build::Image& image, const wire::RobotInfo& robot);
 
-/// An image, and its board and target.
+/// An image with its board and target.
 struct Built {
   build::Image image;
   const BoardSpec& board;
   wire::RobotInfo robot;
 };
 
-/// Selects whether another board may replace the robot's own if that has no chip of the target.
+/// Selects whether another board may replace the robot's own board if the target does not fit its chip.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard
 /// error. Throws InputError or ToolMissing.
 Built build_sketch(const BuildArguments& arguments, Boards boards);
 
-/// Reports on standard error how an image for a chip exceeds the robot's budget; returns `failed` if it does.
-/// Throws build::CompileError for an image that does not fit the chip at all.
+/// Reports on standard error how an image for a chip exceeds the robot's budget, and returns `failed` if it
+/// does. Throws build::CompileError for an image that does not fit the chip at all.
 ExitStatus check_size(const Built& built);
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard
-/// error, the report to standard output. Returns the exit status: 1 if it is over the budget. Throws
+/// error, the report to standard output. Returns the exit status: 1 if the image exceeds the budget. Throws
 /// InputError (build::CompileError also for an image that does not fit the chip) or ToolMissing.
 int build_command(const BuildArguments& arguments);
 

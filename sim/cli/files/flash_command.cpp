@@ -39,7 +39,8 @@ std::string command_line(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Leaves Ctrl-C, which reaches every process of the terminal, to avrdude: this process waits for its end.
+/// Ignores Ctrl-C while avrdude runs. It reaches every process of the terminal, and this process waits for
+/// avrdude's end.
 class LeftToAvrdude {
  public:
   LeftToAvrdude() {
@@ -55,7 +56,7 @@ class LeftToAvrdude {
   struct sigaction before_ {};
 };
 
-/// Runs it with this process's input, output and environment.
+/// Runs avrdude with this process's input, output and environment.
 Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   const LeftToAvrdude guard;
   ChildStart start;
@@ -65,8 +66,9 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   return Child(start).wait();
 }
 
-/// Starts the boot loader of a board whose USB the sketch itself serves. The port is opened with 1200 baud
-/// and closed, disappears, and returns as the boot loader's. If it cannot be opened, avrdude reports that.
+/// Starts the boot loader of a board whose sketch serves the USB itself: opens the port at 1200 baud and
+/// closes it. The port disappears, and returns with the boot loader. If it cannot be opened, avrdude reports
+/// that.
 void touch(const std::string& port) {
   const Descriptor line(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   termios settings{};
@@ -82,7 +84,7 @@ void await_boot_loader(const std::string& port) {
   constexpr int kLeaves = 20, kReturns = 80;
   for (int i = 0; i < kLeaves && fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
   for (int i = 0; i < kReturns && !fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
-  std::this_thread::sleep_for(5 * kLook);  // until it may be opened (udev)
+  std::this_thread::sleep_for(5 * kLook);  // until udev grants access
 }
 
 /// Returns a hint for boards that may have an older boot loader.
@@ -95,7 +97,7 @@ std::string older_boot_loaders() {
   return text;
 }
 
-/// Returns the board whose boot loader gets a finished image: that of a named robot, else of its project.
+/// Returns the board for a finished image: the board of a named robot, otherwise the project's board.
 const BoardSpec& board_of_image(const std::string& robot, const project::Project& project) {
   if (robot.empty() && project.board) return *project.board;
   if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());

@@ -1,4 +1,4 @@
-// Formats a map's graph as text, JSON and for Graphviz: `robosim map graph`.
+// Formats a map's graph as text, as JSON and for Graphviz: `robosim map graph`.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ class JsonLines;
 /// Returns a table of stations and one of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Returns the schema robosim.graph/1, see docs/reference/maps.md.
+/// Formats the graph as robosim.graph/1, see docs/reference/maps.md.
 std::string graph_json(const grid::Start& start, const grid::TrueGraph& graph);
 
-/// Adds its members `stations`, `junctions` and `unreachable`.
+/// Adds the graph's members `stations`, `junctions` and `unreachable`.
 void add_graph(JsonLines& lines, const grid::TrueGraph& graph);
 /// Returns only the tables of graph_text.
 std::string graph_tables(const grid::TrueGraph& graph);

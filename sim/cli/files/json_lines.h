@@ -14,8 +14,8 @@ class JsonLines {
   /// Adds a member in one line.
   void add(const char* key, const Json& value);
   void add_list(const char* key, const Json& array);
-  /// Begins a member that is an object, with the members of `head` in one line; further ones are added to it
-  /// until close().
+  /// Begins a member that is an object, with the members of `head` in one line. Until close(), new members
+  /// are added to this object.
   void open(const char* key, const Json& head);
   void close();
   /// Returns the whole object, with a line feed at its end.
