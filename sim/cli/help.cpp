@@ -19,13 +19,13 @@ constexpr const char* kExamples =
     "  robosim run my/Sketch --map my.map       run your own sketch on your own map\n"
     "\n";
 
-/// Counts characters, of which UTF-8 may need several bytes each.
+/// Counts the characters of UTF-8 text.
 std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Breaks a text into lines between words; every line but the first begins with `indent` spaces.
+/// Breaks a text into lines between words. Every line except the first begins with `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent) {
   std::string all;
   for (std::size_t at = 0; at < text.size();) {

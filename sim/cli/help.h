@@ -7,7 +7,7 @@
 
 namespace robosim::cli {
 
-/// Describes which values an argument or option takes, for completion.
+/// Describes the possible values of an argument or option, for completion.
 struct PossibleValues {
   enum class Kind { any, words, file, folder, sketch, map, robot };
   Kind kind = Kind::any;
@@ -25,12 +25,12 @@ struct PossibleValues {
 
 /// Describes one argument or option.
 struct OptionHelp {
-  std::string name;  ///< of an option "--map", of an argument "MAP"
-  std::string meta;  ///< what stands for the value, "MAP"; empty = a flag
+  std::string name;  ///< "--map" for an option, "MAP" for an argument
+  std::string meta;  ///< placeholder of the value, "MAP"; empty = a flag
   std::string what;
   PossibleValues values;
-  bool is_list = false;      ///< takes any number of words
-  bool is_required = false;  ///< of an argument
+  bool is_list = false;      ///< accepts any number of words
+  bool is_required = false;  ///< for an argument
 };
 
 /// Describes one command, or one action of a command: "map", "map check".
@@ -48,7 +48,7 @@ struct CommandGroup {
   std::vector<CommandHelp> commands;
 };
 
-/// A text to print instead of doing anything. The help of a command also carries what it was made of.
+/// A text to print instead of running a command. For a command's help, also contains its structured form.
 struct PrintText {
   std::string text;
   CommandHelp help = {};
@@ -77,14 +77,14 @@ inline constexpr const char* kNamingHelp =
 
 /// Returns "robosim run [OPTIONS] [SKETCH...]".
 std::string usage(const CommandHelp& command);
-/// Returns what stands behind a command's name in the overview: "[SKETCH]".
+/// Returns the arguments after a command's name in the overview: "[SKETCH]".
 std::string argument_list(const CommandHelp& command);
 
-/// Returns what `robosim COMMAND --help` prints.
+/// Returns the output of `robosim COMMAND --help`.
 std::string help_text(const CommandHelp& command);
-/// Returns what a bare `robosim` prints: examples, then the commands by task.
+/// Returns the output of a bare `robosim`: examples, then the commands by task.
 std::string overview(const std::vector<CommandGroup>& groups);
-/// Returns what `robosim --help` prints: the commands by task, then names and exit statuses.
+/// Returns the output of `robosim --help`: the commands by task, then names and exit statuses.
 std::string full_help(const std::vector<CommandGroup>& groups);
 
 }  // namespace robosim::cli

@@ -12,23 +12,23 @@
 
 namespace robosim::cli {
 
-/// Reads one file. Throws InputError.
+/// Reads a script file. Throws InputError.
 std::string script_text(const std::string& file);
 
 /// Returns the scenario's text: the file of --script, then a line for each --send. Throws InputError.
 std::string scenario_text(const RunArguments& arguments);
 
-/// Returns the launch, with that scenario.
+/// Returns the launch, with its scenario.
 launch::Launch launch_of(const RunArguments& arguments);
 
-/// The reports on standard error.
+/// Selects the reports on standard error.
 struct Says {
-  bool choices = true;   ///< automatic ones
-  bool warnings = true;  ///< of the compiler
+  bool choices = true;   ///< automatic choices
+  bool warnings = true;  ///< warnings of the compiler
 };
 launch::Listener listener_of(tui::Progress& progress, Says says = {});
 
-/// Returns the description of a run for recordings. `version`: the runner's.
+/// Returns the description of a run for recordings. `version`: the runner's version.
 record::RecordedRun recorded(const launch::Prepared& run, const std::string& version);
 record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
                              const std::string& version);

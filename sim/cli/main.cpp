@@ -95,6 +95,6 @@ int perform(int count, char** words) {
 
 int main(int count, char** words) {
   robosim::cli::open_standard_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is noticed when writing
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding a file size limit becomes a write error
   return robosim::cli::perform(count, words);
 }

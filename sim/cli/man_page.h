@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Returns robosim(1): what the program is, and its commands by task.
+/// Returns robosim(1): the program's description, and its commands by task.
 std::string man_page(const std::vector<CommandGroup>& groups);
 /// Returns robosim-COMMAND(1).
 std::string man_page(const CommandHelp& command);

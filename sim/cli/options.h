@@ -1,4 +1,4 @@
-// The options of one command, and the values that several commands read.
+// The options of one command, and values that several commands read.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,31 @@
 
 namespace robosim::cli {
 
-/// All options are read as text. The functions below check the allowed values afterwards, for uniform
-/// messages.
+/// Reads all options as text. The functions below check the allowed values afterwards, for uniform messages.
 class Options {
  public:
-  /// `summary` and `details`: as of CommandHelp.
+  /// `summary` and `details`: as in CommandHelp.
   Options(const std::string& command, const std::string& summary, const std::string& details = "");
 
-  /// `name`: as the usage shows it, "MAP" if it must be given and "[MAP]" if not.
+  /// `name`: as in the usage, "MAP" for a required argument and "[MAP]" for an optional one.
   void positional(const std::string& name, std::string& value, const char* what, PossibleValues values = {});
   void positionals(const std::string& name, std::vector<std::string>& values, const char* what,
                    PossibleValues possible = {});
   void text(const char* name, std::string& value, const char* meta, const char* what,
             PossibleValues values = {});
-  /// May be repeated.
+  /// Adds an option that may be repeated.
   void texts(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
              PossibleValues possible = {});
-  /// May be repeated, and each time be followed by several words.
+  /// Adds an option that may be repeated, with several words each time.
   void lists(const char* name, std::vector<std::string>& values, const char* meta, const char* what,
              PossibleValues possible = {});
   void flag(const char* name, bool& value, const char* what);
 
-  /// Reads the words into the values, or returns the help if it was asked for. Throws InputError.
+  /// Parses the words into the values; returns the help instead if the user requested it. Throws InputError.
   std::optional<PrintText> parse(std::vector<std::string> words);
 
  private:
-  /// Where an option's value goes.
+  /// The destination of an option's value.
   struct Taker {
     std::string* one = nullptr;
     std::vector<std::string>* several = nullptr;
@@ -51,7 +50,7 @@ class Options {
   std::vector<Taker> arguments_, options_;  ///< as in help_
 };
 
-// Meanings of options that many commands have.
+// Explanations of options that many commands have.
 constexpr const char* kProfileHelp =
     "simulate ideal (no noise) or typical hardware (default: typical); typical@1 is typical as it was before "
     "version 2";
@@ -77,7 +76,7 @@ PossibleValues goals();
 [[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed,
                                const std::string& hint = "");
 
-// These throw InputError.
+// Parse values. Throw InputError.
 std::int64_t simulated_time(const char* option, const std::string& text);
 std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
                            std::uint64_t most);

@@ -1,4 +1,4 @@
-// Writes to standard output, with its errors checked, and to standard error.
+// Writes to standard output, checking for errors, and to standard error.
 #pragma once
 
 #include <string_view>
@@ -13,11 +13,12 @@ void print(std::string_view text);
 /// Writes to standard error, through for_terminal(). If that fails, only the exit status remains.
 void complain(std::string_view text);
 
-// Write a screen with our own colours, in which foreign names and texts are escaped already.
+// Write a coloured screen in which foreign names and texts are already escaped.
 void print_coloured(std::string_view text);
 void complain_coloured(std::string_view text);
 
-/// Writes the sketch's output to standard output: on a terminal through for_terminal(), else byte by byte.
+/// Writes the sketch's output to standard output: on a terminal through for_terminal(), otherwise byte by
+/// byte.
 class SerialPrinter {
  public:
   void add(std::string_view text);

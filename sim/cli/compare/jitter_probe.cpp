@@ -130,8 +130,8 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
   return found;
 }
 
-/// Finds out whether one program on the host shows both behaviours when it is delayed by a fraction of a
-/// millisecond. Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks()
+/// Finds out whether one program on the host, delayed by a fraction of a millisecond, shows both behaviours.
+/// Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks()
 /// handles it.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;

@@ -9,8 +9,8 @@
 namespace robosim::cli {
 namespace {
 
-// A robot is off the line if its axle is farther than kOff_cells from the straight line, and its sensors'
-// middle farther than kOff_mm from the line with bends.
+// Distances beyond which a robot is off the line: of its axle from the straight line, and of its sensors'
+// middle from the line with bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 
 }  // namespace

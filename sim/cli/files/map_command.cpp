@@ -29,8 +29,8 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::size_t kListed = 20;  // at most this number of stations or bends is listed, others are counted
-constexpr double kRoom_m = 0.08;     // next to a path: half the width of a medium stock robot, and a margin
+constexpr std::size_t kListed = 20;  // maximum number of listed stations or bends; others are counted
+constexpr double kRoom_m = 0.08;     // next to a path: half a medium stock robot's width, and a margin
 
 struct Survey {
   grid::Map map;
@@ -45,7 +45,7 @@ Survey survey(const std::string& name, const std::string& start) {
   return s;
 }
 
-// Returns the texts of the first kListed items, and the number of the others.
+// Returns the texts of the first kListed items, and the number of remaining items.
 template <typename Items, typename Text>
 std::string list(const Items& items, Text text) {
   std::string line;
@@ -110,7 +110,7 @@ std::string describe_path(const grid::PathSurvey& path) {
 // Rounds metres for display: to a micrometre.
 double shown(double m) { return std::round(m * 1e6) / 1e6; }
 
-// Counts the cells that the legend makes a surface.
+// Counts the cells to which the legend assigns a surface.
 std::ptrdiff_t surface_cells(const grid::Map& map) {
   return std::count_if(map.surface_of_cell.begin(), map.surface_of_cell.end(),
                        [](std::uint8_t surface) { return surface != 0; });

@@ -12,8 +12,8 @@
 namespace robosim::cli {
 
 /// Reads each map (a path, or the name of a sample) and reports size, line, start, goal, stations, and
-/// oddities. Errors go to `errors`, and the other maps are still checked. `start` as on the command line; ""
-/// = the map's. `json`: the report as one JSON object each. Returns ok, or bad_input if any map is invalid.
+/// oddities. Errors go to `errors`, and the other maps are still checked. `start`: as on the command line; ""
+/// = the map's. `json`: reports one JSON object for each map. Returns ok, or bad_input if any map is invalid.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
                       std::ostream& errors, bool json = false);
 
@@ -24,7 +24,7 @@ ExitStatus show_map(const std::string& map, const std::string& start, const grid
 /// Returns the true graph of one map as text, JSON or for Graphviz. Throws InputError.
 std::string graph_of_map(const MapArguments& arguments);
 
-/// Runs one of them, with the process's own streams and its terminal's width. Returns the exit status. Throws
+/// Runs the action, with the process's streams and its terminal's width. Returns the exit status. Throws
 /// InputError.
 int map_command(const MapArguments& arguments);
 int generate_command(const GenerateArguments& arguments);

@@ -8,8 +8,8 @@
 
 namespace robosim::cli {
 
-/// Writes `count` maps, of seeds seed, seed + 1, …, as FOLDER/FAMILY-STATIONS-SEED.map. If any of these files
-/// already exists, none is written. Throws InputError.
+/// Writes `count` maps, with seeds seed, seed + 1, …, as FOLDER/FAMILY-STATIONS-SEED.map. Writes nothing if
+/// any of these files already exists. Throws InputError.
 ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out);
 
 }  // namespace robosim::cli

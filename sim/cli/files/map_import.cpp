@@ -48,7 +48,7 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
                                         : course::import_course(text, file.string(), name, arguments.walls_m);
   for (const std::string& remark : imported.remarks) complain(fmt::format("robosim: note: {}\n", remark));
   const std::string written = grid::write_map(imported.map);
-  // A map that cannot be read again is not written.
+  // Refuses to write a map that cannot be read again.
   try {
     grid::parse_map(written, file.string());
   } catch (const InputError& error) {

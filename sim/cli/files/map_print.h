@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Writes the PDF, and reports its content. Nothing is overwritten. Throws InputError.
+/// Writes the PDF, and reports its content. Never overwrites a file. Throws InputError.
 ExitStatus print_map(const PrintArguments& arguments, std::ostream& out);
 
 int print_command(const PrintArguments& arguments);

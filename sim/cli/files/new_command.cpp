@@ -27,7 +27,7 @@ fs::path template_folder() {
   return fs::is_directory(installed, error) ? installed : data_folder() / "sim/cli/files/new";
 }
 
-/// Checks a name by the Arduino IDE's rules for sketches: it becomes the names of the folder and the .ino.
+/// Checks a name by the Arduino IDE's rules for sketches, because the folder and the .ino get this name.
 void check_name(const std::string& name) {
   const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
   const auto may_follow = [&](unsigned char c) { return is_plain(c) || c == '-' || c == '.'; };

@@ -5,8 +5,8 @@
 
 namespace robosim::cli {
 
-/// Makes the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). The
-/// project's name replaces NAME in their names and texts. Nothing is overwritten. Throws InputError.
+/// Creates the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). The
+/// project's name replaces NAME in their names and texts. Never overwrites a file. Throws InputError.
 int new_command(const NewArguments& arguments);
 
 }  // namespace robosim::cli

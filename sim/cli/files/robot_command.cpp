@@ -41,7 +41,7 @@ void show(const std::string& robot) {
                                          : launch::stock_robot_folder() / (robot + ".toml")));
 }
 
-/// Formats a pin for display: "D5 (PD5)" for its number; that of a shift register unchanged.
+/// Formats a pin for display: "D5 (PD5)" for a pin number; a shift register's pin stays unchanged.
 std::string pin_name(const BoardSpec& board, const std::string& pin) {
   const std::optional<std::uint64_t> number = parse_unsigned(pin);
   if (!number || *number >= board.pin_count) return pin;

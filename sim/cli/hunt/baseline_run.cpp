@@ -1,4 +1,4 @@
-// The baseline run without any disturbance, and the sketch's purpose derived from it.
+// Finds the baseline run, which has no disturbance, and derives the sketch's purpose from it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +11,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
-constexpr double kWayAgain = 1.5,
-                 kWayOn_s = 15.0;  // added to a multiple of the way's time, for most runs
+constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // for most runs' limit: factor, and additional time
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 
@@ -44,7 +43,7 @@ bool Hunt::find_baseline() {
   std::vector<std::optional<wire::RunResult>> results;
   if (!campaign_.run(test_cases, results)) return false;
   if (std::none_of(results.begin(), results.end(), reached)) {
-    // Robots that are still on their way may need longer.
+    // Gives robots that are still on their way more time.
     std::vector<TestCase> slow;
     for (std::size_t i = 0; i < test_cases.size(); ++i)
       if (results[i] && results[i]->verdict == "timeout" && results[i]->metrics.distance_m > kMoved_m) {
@@ -66,7 +65,7 @@ bool Hunt::find_baseline() {
   baseline_ = {*results[*best], campaign_.robot()};
   baseline_case_ = test_cases[*best];
   if (!campaign_.maps_are_given()) {
-    // It is meant for all on which it reaches its goal, and does not collide.
+    // Keeps all maps on which the robot reaches its goal without additional collisions.
     std::vector<std::size_t> kept{baseline_case_.map};
     for (std::size_t i = 0; i < test_cases.size(); ++i)
       if (reached(results[i]) && results[i]->metrics.collisions <= baseline_.result.metrics.collisions &&
@@ -85,7 +84,8 @@ bool Hunt::find_baseline() {
   return feel() && hear() && tour();
 }
 
-/// A read of a whole port includes the bumper's pin. So whether the sketch uses it is tested by pressing it.
+/// Finds out whether the sketch uses a bumper, by pressing it. Reading the pin proves nothing, because a read
+/// of a whole port includes it.
 bool Hunt::feel() {
   const auto& unused = baseline_.result.usage.unused;
   std::vector<TestCase> pressed;
@@ -104,7 +104,7 @@ bool Hunt::feel() {
   return true;
 }
 
-/// Collects its output, also after its goal: messages may come then.
+/// Collects the sketch's output, also after the goal, since messages may follow it.
 bool Hunt::hear() {
   if (!hears(campaign_.space())) return true;
   TestCase test_case = baseline_case_;
@@ -116,7 +116,8 @@ bool Hunt::hear() {
   return true;
 }
 
-/// A follower of loops that turns at a line's end may tour one floor without being meant for others.
+/// Finds out on which maps the sketch reliably reaches its goal. A loop follower that turns at a line's end
+/// may tour one floor by luck.
 bool Hunt::tour() {
   HuntSpace& space = campaign_.space();
   for (std::size_t map = 1; map < space.maps.size() && !campaign_.maps_are_given() && space.draws_maps;

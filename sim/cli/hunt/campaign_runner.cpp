@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The default maps: a loop, and for sketches that navigate, a tree.
+/// The default maps: a loop, and a tree for sketches that navigate.
 constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60;
 
@@ -73,12 +73,12 @@ void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& prog
     targets.push_back(launch::chip_target(launch, describe));
     if (sketch.elf_target.empty() && targets.front() != "host") targets.push_back("host");
   }
-  // The chip without checks is compared to the host without checks.
+  // The host without checks is the counterpart of a chip without checks.
   const bool has_twin = targets.size() > 1 && targets.front() != "host" &&
                         std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
     for (const bool checked : {false, true}) {
-      // If a chip runs, too, only the checks are useful on the host.
+      // Next to a chip, only a build with checks is useful on the host.
       if (checked && (!sketch.elf_target.empty() || target == "stm32")) continue;
       if (!checked && target == "host" && targets.size() > 1) continue;
       launch.target = target;
@@ -101,7 +101,7 @@ void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& prog
       space_.host_counterpart = space_.builds.size();
       space_.builds.push_back({"host", false});
     } catch (const build::CompileError&) {
-      // The compile error for the host is reported already.
+      // The compile error for the host has already been reported.
     }
   }
   look_at_robot(arguments, describer);

@@ -1,4 +1,4 @@
-// Makes a hunt's runs: a sketch compiled for each of its builds, test cases written as files.
+// Makes the runs of a hunt: compiles a sketch for each build, and writes test cases as files.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace robosim::cli {
 
 class CampaignRunner {
  public:
-  /// Compiles. Throws InputError, ToolMissing and wire::RunnerError.
+  /// Compiles the sketch. Throws InputError, ToolMissing and wire::RunnerError.
   CampaignRunner(const HuntArguments& arguments, tui::Progress& progress);
 
   HuntSpace& space() { return space_; }
@@ -30,20 +30,21 @@ class CampaignRunner {
   const std::vector<std::string>& left_out() const { return left_out_; }
   /// Returns the fingerprint of everything that affects the runs.
   std::string fingerprint() const;
-  /// Returns whether the user has chosen the maps; else the first map is a guess, and others are possible.
+  /// Returns whether the user has chosen the maps. Otherwise the maps are guesses, and others are possible.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
-  /// Returns the names of the others, for which the sketch is apparently not meant.
+  /// Returns the names of the dropped maps, for which the sketch is apparently not meant.
   const std::vector<std::string>& left_maps() const { return left_maps_; }
 
-  /// Returns the script of a test case: the user's, then the test case's.
+  /// Returns the script of a test case: the user's script, then the test case's own.
   std::string script_of(const TestCase& test_case) const { return script_ + script_text(test_case, space_); }
-  /// Returns the request of a test case. Writes missing files of the test case to `folder`: world.map,
+  /// Returns the request of a test case. Writes its own map and robot to `folder`, as world.map and
   /// robot.toml.
   wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
 
-  /// Runs test cases. Sets the results, in their order; none for an impossible test case. `ran`: the sketch's
-  /// lines that ran, for test cases on a chip without checks. Returns false if it was interrupted.
+  /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`:
+  /// receives the sketch's lines that ran, for test cases on a chip without checks. Returns false if it was
+  /// interrupted.
   bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }
@@ -52,7 +53,7 @@ class CampaignRunner {
   const std::string& refusal() const { return refusal_; }
 
  private:
-  /// One run: of a test case, or of the test cases of a family.
+  /// A run of one test case, or of all test cases of a family.
   struct Task {
     std::size_t first = 0, count = 1;
   };

@@ -1,7 +1,7 @@
-// Compares runs of the same test case that should be alike. One is on the host and one on the board's chip.
-// Or both are on the chip, one with its clock near a wrap. If they always part at the same place, the sketch
-// depends on something that it should not. Examples are the width of an int, the content of flash, the time
-// since power-on.
+// Compares two runs of a test case that should be alike: on the host and on the board's chip, or on the chip
+// with and without a clock near its wrap. If they always diverge in the same way, the sketch depends on
+// something that it should not. Examples are the width of an int, the content of flash, and the time since
+// power-on.
 #pragma once
 
 #include <optional>
@@ -14,30 +14,30 @@
 
 namespace robosim::cli {
 
-/// Where two runs part: the first difference.
+/// The first difference between two runs.
 struct Divergence {
-  std::string ours, other;                ///< their actions: `says "at 3"`
-  std::string form;                       ///< of both, without numbers
-  std::vector<double> of_ours, of_other;  ///< the numbers, if those differ
+  std::string ours, other;                ///< behaviour of each run: `says "at 3"`
+  std::string form;                       ///< form of both lines, without numbers
+  std::vector<double> of_ours, of_other;  ///< the numbers, if they differ
 };
 
-/// Returns where two runs part. Frequent lines are compared separately, times are not compared. `numbers`:
-/// whether a number counts that is more than twice the other. Otherwise one chip is compared to itself, and a
-/// line's frequency counts if it is more than five times the other.
+/// Returns the first difference between two runs. Compares frequent lines separately, and ignores times.
+/// `numbers`: a number counts if it is more than twice the other. Otherwise a chip is compared with itself:
+/// then a line's frequency counts if it is more than five times the other.
 std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
-/// Returns whether two pairs of runs part in the same way. Numbers that vary each time are chance.
+/// Returns whether two pairs of runs diverge in the same way. Numbers that vary each time count as chance.
 bool is_same(const Divergence& a, const Divergence& b);
 
-/// Returns the test case that should be alike.
+/// Returns the test case whose run should be like that of `test_case`.
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space);
-/// Returns the test case with other noise, a little later. It has more time if one of the two may only be
-/// slow. A difference by chance would not repeat there.
+/// Returns the test case with other noise and slightly later stimuli, to rule out chance. Gives it more time,
+/// in case one of the two runs is only slow.
 TestCase tried_again(const TestCase& test_case, const HuntSpace& space, int time);
 inline constexpr int kTriedAgain = 3;
 
 Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, const HuntSpace& space);
 
-/// Runs the counterparts of those test cases that have one and ran without a fault, and adds their symptoms.
+/// Runs the counterparts of test cases that need one and ran without a fault, and adds their symptoms.
 /// Returns false if it was interrupted.
 bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase>& test_cases,
                             const std::vector<std::optional<wire::RunResult>>& results,

@@ -22,7 +22,7 @@ std::string in_quotes(const std::string& text) { return fmt::format("\"{}\"", es
 
 std::string seconds(double s) { return fmt::format("{:g}s", std::ceil(s * 10.0) / 10.0); }
 
-/// Returns a path that is valid everywhere; names stay.
+/// Makes a path absolute; returns a name unchanged.
 std::string from_everywhere(const std::string& name) {
   return launch::is_path(name) ? fs::absolute(name).lexically_normal().string() : name;
 }

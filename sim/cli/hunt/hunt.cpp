@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kAtOnce = 4;      // smaller test cases that are tried simultaneously
-constexpr std::size_t kMostTries = 80;  // of smaller test cases
+constexpr std::size_t kAtOnce = 4;      // simultaneously tried test cases while shrinking
+constexpr std::size_t kMostTries = 80;  // tried test cases while shrinking
 constexpr std::size_t kMostAlike = 5;   // findings of one kind
 constexpr double kBehind_s = 1.0;
 
@@ -55,7 +55,7 @@ bool Hunt::look(const std::vector<TestCase>& test_cases, std::vector<std::option
   return run_differential_tests(campaign_, test_cases, results, found);
 }
 
-/// Returns whether it would be a finding of its own.
+/// Returns whether a symptom would be a new finding.
 bool Hunt::is_news(const Symptom& symptom, const std::set<std::string>& needs) const {
   return !has_enough_of(symptom) &&
          std::none_of(findings_.begin(), findings_.end(),
@@ -83,7 +83,7 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
   if (has_enough_of(finding.symptom)) return true;
   listener_.seen(finding.symptom, row.run);
   if (!shrink(finding)) return false;
-  // After shrinking it may equal a known one.
+  // After shrinking, the finding may equal a known one.
   if (is_known(finding, row)) return true;
   row.finding = findings_.size() + 1;
   keep(finding, row.finding, campaign_, arguments_, out_);
@@ -124,7 +124,7 @@ bool Hunt::shrink(HuntFinding& finding) {
       }
     }
   }
-  // The board is a chip's: if it fails there, too, that is reported.
+  // Prefers the chip, which the board has, if the test case also fails there.
   if (finding.test_case.build == space.host_counterpart) {
     TestCase on_chip = finding.test_case;
     on_chip.build = 0;
@@ -152,7 +152,7 @@ void Hunt::tell(const HuntFinding& finding) {
   listener_.found(findings_.back(), findings_.size());
 }
 
-/// Classifies a symptom and, if it is a finding, finds its smallest test case. Returns none if that was
+/// Classifies a symptom and, if it is a finding, finds its smallest test case. Returns nullopt if it was
 /// interrupted.
 std::optional<HuntRow> Hunt::take(const TestCase& test_case, const wire::RunResult& result,
                                   const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
@@ -234,7 +234,7 @@ bool Hunt::make_round() {
   return true;
 }
 
-/// Checks what no single run shows.
+/// Checks requirements that only all runs together can show.
 void Hunt::look_back() {
   const auto add_plain = [&](Symptom symptom) {
     HuntFinding finding{std::move(symptom), baseline_case_, {}, baseline_.result.time_s};
@@ -274,7 +274,7 @@ bool Hunt::go() {
   return true;
 }
 
-/// Adds a row of another machine, whose finding has its files in `files`. It may equal a known finding.
+/// Adds a row of another machine. The files of its finding are in `files`. The finding may equal a known one.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();
@@ -287,7 +287,7 @@ void Hunt::adopt(HuntRow& row, const fs::path& files) {
 bool Hunt::merge(const std::vector<HuntPart>& parts) {
   if (!find_baseline()) return false;
   for (const HuntPart& part : parts) {
-    std::vector<std::size_t> ours;  // the number here for each of its findings
+    std::vector<std::size_t> ours;  // this hunt's number for each finding of the part
     for (HuntRow row : part.rows) {
       if (row.fresh) {
         adopt(row, part.folder / std::to_string(row.finding));

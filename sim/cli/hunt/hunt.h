@@ -1,5 +1,5 @@
-// The hunt itself: draws test cases in rounds, groups failures by cause, and shrinks them. The findings
-// depend only on the seed and the number of runs, not on the number of simultaneous runs.
+// Runs a hunt: draws test cases in rounds, groups failures by cause, and shrinks them. The findings depend
+// only on the seed and the number of runs, not on the number of simultaneous runs.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace robosim::cli {
 /// Receives progress reports.
 struct HuntListener {
   std::function<void(const std::string& sentence)> progress;
-  /// Called for a new symptom; its smallest test case, which is searched next, decides whether it is a
+  /// Called for a new symptom. The search for its smallest test case follows, and decides whether it is a
   /// finding.
   std::function<void(const Symptom& symptom, std::uint64_t run)> seen;
   std::function<void(const HuntFinding& finding, std::size_t number)> found;
@@ -29,10 +29,10 @@ class Hunt {
   Hunt(CampaignRunner& campaign, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
        HuntListener listener);
 
-  /// Continues until enough runs were made, or time is up. Returns false if it was interrupted.
+  /// Hunts until enough runs were made, or time is up. Returns false if it was interrupted.
   bool go();
   /// Alternative to go(): merges the findings of other machines, and evaluates them together. Returns false
-  /// as go() does.
+  /// if it was interrupted.
   bool merge(const std::vector<HuntPart>& parts);
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
@@ -40,8 +40,8 @@ class Hunt {
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Baseline& baseline() const { return baseline_; }
-  /// Returns a remark on something odd that is not a finding, such as a sketch that waits for an input. Empty
-  /// = nothing.
+  /// Returns a remark on something odd that is not a finding, such as a sketch that waits for an input;
+  /// otherwise "".
   std::string remark() const;
   const TestCase& plain_world() const { return baseline_case_; }
 
@@ -57,7 +57,8 @@ class Hunt {
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  /// Sets the symptoms of the test cases; nothing for impossible ones. Returns false if it was interrupted.
+  /// Runs the test cases and sets their symptoms; impossible test cases have no result. Returns false if it
+  /// was interrupted.
   bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
   std::vector<Symptom> symptoms(const wire::RunResult& result, const TestCase& test_case) const;
@@ -80,10 +81,10 @@ class Hunt {
   std::vector<Noted> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
-  std::uint64_t reached_ = 0;    ///< the number of runs that reached their goal, among those with a goal
-  std::set<std::string> heard_;  ///< promised texts of `sometimes`
+  std::uint64_t reached_ = 0;    ///< number of runs that reached their goal, among those with a goal
+  std::set<std::string> heard_;  ///< texts of `sometimes` that have occurred
   double simulated_s_ = 0.0;
-  std::int64_t until_us_ = 0;  ///< wall time; 0 = for ever
+  std::int64_t until_us_ = 0;  ///< wall time of the end; 0 = no limit
 };
 
 }  // namespace robosim::cli

@@ -38,7 +38,8 @@ fs::path folder_for(const HuntArguments& arguments) {
   return folder;
 }
 
-/// Includes the `never` and `always` assertions, so that the checks keep them.
+/// Returns the checks of the findings. Repeats the `never` and `always` assertions, so that the checks
+/// include them.
 std::string checks_text(const std::vector<HuntFinding>& findings, const CampaignRunner& campaign) {
   std::string text;
   for (const auto& [key, when] :

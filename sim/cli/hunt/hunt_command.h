@@ -1,4 +1,5 @@
-// `robosim hunt`: searches for bugs automatically: random worlds, inputs and faults (docs/howto/hunting.md).
+// `robosim hunt`: searches for bugs automatically, with random worlds, inputs and faults
+// (docs/howto/hunting.md).
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kLongestWord = 24;
 constexpr std::string_view kInclude = "#include", kOfEeprom = "EEPROM.read(";
 
-/// Returns whether the text after `text` is printed: print("…"), println(F("…")).
+/// Returns whether the string after `text` is printed: print("…"), println(F("…")).
 bool is_printed(std::string_view text) {
   const auto drop = [&](std::string_view end) {
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -31,7 +31,7 @@ bool may_be_sent(const std::string& word) {
 
 void add_words(const std::string& source, std::vector<std::string>& words) {
   const auto add = [&](const std::string& literal) {
-    // Several words may be concatenated, with a 0 after each; other escapes separate words, too.
+    // Splits the literal at escapes: it may contain several words, with a 0 after each.
     std::string word;
     for (std::size_t i = 0; i < literal.size(); ++i) {
       if (literal[i] != '\\') {

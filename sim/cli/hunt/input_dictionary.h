@@ -8,11 +8,11 @@ namespace robosim::cli {
 
 /// Returns whether the source reads input, from a serial port or another stream.
 bool reads_input(std::string source);
-/// Returns whether it uses the EEPROM.
+/// Returns whether the source uses the EEPROM.
 bool uses_eeprom(const std::string& source);
-/// Adds quoted texts that are not printed.
+/// Adds the source's quoted texts that are not printed.
 void add_words(const std::string& source, std::vector<std::string>& words);
-/// Returns whether it fits in a line of a script, and is no longer than commands usually are.
+/// Returns whether a word fits in a line of a script, and is not longer than usual commands.
 bool may_be_sent(const std::string& word);
 
 }  // namespace robosim::cli

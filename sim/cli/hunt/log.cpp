@@ -73,7 +73,7 @@ std::string header(const std::string& from, const std::string& part) {
   return json.dump() + "\n";
 }
 
-/// Returns a discarded value if it is not JSON.
+/// Parses a line; returns a discarded value if it is not JSON.
 Json parsed(std::string_view line) {
   return is_within_json_limits(line) ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded);
 }

@@ -41,7 +41,7 @@ bool is_robots(const std::string& event) {
   for (const char* const begin : {"station ", "lap ", "collision "})
     if (event.starts_with(begin)) return true;
   const bool was_done = event.starts_with("fault") || event.starts_with("\"");
-  return !was_done && event.find(": ") != std::string::npos;  // a part or the rules report it
+  return !was_done && event.find(": ") != std::string::npos;  // reported by a part or the rules
 }
 
 std::string place_of(const wire::Crash& crash) {
@@ -52,7 +52,7 @@ std::string place_of(const wire::Crash& crash) {
 Symptom crashed(const wire::RunResult& result) {
   const wire::Crash& crash = *result.crash;
   const std::string place = place_of(crash);
-  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors find these, too
+  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors also find these
     return {"crashed", crash.check + " " + place, result.why, false};
   return {"crashed", fmt::format("{} {}", place.empty() ? without_numbers(crash.reason) : "crashed", place),
           result.why, false};
@@ -149,7 +149,7 @@ std::vector<Symptom> warned_in(const std::string& messages) {
 
 std::optional<Symptom> failed_assertion(const wire::RunResult& result,
                                         const std::vector<TextAssertion>& assertions) {
-  // A run that ended early has broken none of the others.
+  // A run that ended early has not broken any `always` assertion.
   const bool whole = result.verdict == "reached" || result.verdict == "timeout" || result.verdict == "ended";
   for (const TextAssertion& assertion : assertions) {
     if (assertion.when == TextAssertion::When::always && !whole) continue;

@@ -10,7 +10,7 @@
 
 namespace robosim::cli {
 
-/// The baseline run, to which others are compared.
+/// The baseline run, with which other runs are compared.
 struct Baseline {
   wire::RunResult result;
   wire::RobotInfo robot;
@@ -20,14 +20,14 @@ struct Baseline {
 };
 /// Returns whether the sketch has set the pins of a motor.
 bool has_motors(const wire::RunResult& result, const wire::RobotInfo& robot);
-/// Returns whether it reads the line at all.
+/// Returns whether the sketch reads the line at all.
 bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot);
 
 /// The kind of a detector's finding.
 inline constexpr const char* kDetected = "detected";
-/// Farther than a robot moves that only twitches.
+/// A robot that only twitches moves less than this.
 inline constexpr double kMoved_m = 0.1;
-/// The trait of a run that moved so far.
+/// The trait of a run in which the robot moved farther than kMoved_m.
 inline constexpr const char* kDrives = "drives";
 /// The kind of a compiler warning.
 inline constexpr const char* kWarned = "warned";
@@ -36,21 +36,20 @@ inline constexpr const char* kUnlike = "unlike";
 
 struct Symptom {
   std::string kind;      ///< "crashed", "lost", "late" …
-  std::string group;     ///< equal for an apparently equal cause: the kind, and where in the sketch
+  std::string group;     ///< equal for apparently equal causes: the kind, and the place in the sketch
   std::string sentence;  ///< what happened
-  /// The robot's behaviour, not a provable fault in the program. If the baseline has it, too, other runs are
-  /// nothing new.
-  /// it, too, others tell nothing new.
+  /// Means the robot's behaviour, not a provable fault in the program. If the baseline run has the same
+  /// behaviour, other runs show nothing new.
   bool is_behaviour = false;
 };
 
-/// Returns simulated seconds after which a robot with its baseline speed would long have arrived. 0 =
-/// unknown.
+/// Returns the simulated time in seconds after which a robot with its baseline speed would long have arrived;
+/// 0 = unknown.
 double longest_wait_s(const TestCase& test_case, const HuntSpace& space, const Baseline& baseline);
 
-/// Returns whether the robot's behaviour in this test case says anything about the sketch. It does not with
-/// checks, which change its timing. Nor after a power cycle, which restarts it anywhere, or a manual move,
-/// which puts it anywhere. Nor if it tours one floor by luck.
+/// Returns whether the robot's behaviour in this test case is evidence of a fault. Excludes builds with
+/// checks, which change the timing. Excludes power cycles and manual moves, after which the robot may be
+/// anywhere. Excludes robots that tour one floor by luck.
 bool tells_behaviour(const TestCase& test_case, const HuntSpace& space);
 
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase& test_case,
@@ -58,21 +57,21 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase&
 /// Returns the detectors' findings, one by one.
 std::vector<Symptom> detected_in(const wire::RunResult& result);
 
-/// Returns the compiler's warnings in `messages` on code that is hardly ever intended. Examples: an = in a
+/// Returns the compiler's warnings in `messages` about code that is rarely intended. Examples: an = in a
 /// condition, an if without a body, a constant that does not fit.
 std::vector<Symptom> warned_in(const std::string& messages);
 
 /// Returns a broken `never` or `always` assertion of checks.toml.
 std::optional<Symptom> failed_assertion(const wire::RunResult& result,
                                         const std::vector<TextAssertion>& assertions);
-/// Returns the `sometimes` assertions that were kept.
+/// Returns the `sometimes` assertions that the run satisfied.
 std::vector<std::string> passed_assertions(const wire::RunResult& result,
                                            const std::vector<TextAssertion>& assertions);
 
-/// Returns traits of a run, in words that repeat in a similar run: places that it reached, its output without
-/// numbers. After a run with a new trait, similar runs are worthwhile.
+/// Returns traits of a run, in words that repeat in a similar run: reached places, and output without
+/// numbers. A run with a new trait is worth varying.
 std::vector<std::string> traits_of(const wire::RunResult& result);
-/// Returns when the first of these traits, of an event or of a sent line, was seen.
+/// Returns the moment of the first of these traits that is an event or a sent line.
 Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result);
 
 }  // namespace robosim::cli

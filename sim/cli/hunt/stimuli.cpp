@@ -13,7 +13,7 @@ namespace {
 using worlds::RandomSource;
 
 constexpr int kMostStimuli = 4;
-constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages
+constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // numbers of messages
 constexpr std::size_t kLongMessage = 80;
 constexpr int kSoon_ms = 2'000;
 constexpr int k16Bits_ms = 1 << 16, kAround_ms = 6'000;
@@ -24,7 +24,8 @@ void in_order(std::vector<Stimulus>& stimuli) {
                    [](const Stimulus& a, const Stimulus& b) { return a.at_ms < b.at_ms; });
 }
 
-/// Draws words. The first is one of the sketch's own in half of the cases, since commands begin with one.
+/// Draws words. In half of the cases, the first is a word of the sketch, since commands begin with such
+/// words.
 std::string some_words(const HuntSpace& space, const RandomSource& rng) {
   std::string text = pick(rng, space.words);
   if (space.own_words > 0 && chance(rng, 50))
@@ -190,7 +191,7 @@ void block(TestCase& test_case, const HuntSpace& space, const RandomSource& rng)
 
 void draw_late_stimuli(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   if (space.buttons.empty() && !hears(space)) return;
-  if (space.for_ms < k16Bits_ms - kAround_ms) return;  // shorter runs are requested
+  if (space.for_ms < k16Bits_ms - kAround_ms) return;  // the requested runs are shorter
   const bool presses = !space.buttons.empty() && (!hears(space) || chance(rng, 50));
   Stimulus stimulus = presses ? pressing(space, rng) : saying(space, rng);
   stimulus.at_ms = k16Bits_ms - 500 - rng(kAround_ms);

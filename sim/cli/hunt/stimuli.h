@@ -16,7 +16,7 @@ const T& pick(const worlds::RandomSource& rng, const std::vector<T>& from) {
   return from[static_cast<std::size_t>(rng(static_cast<int>(from.size())))];
 }
 
-/// Returns what may start a sketch: nothing, a button, the same button twice.
+/// Returns the openings that may start a sketch: nothing, a button, the same button twice.
 std::vector<std::vector<Stimulus>> openings(const HuntSpace& space);
 /// Returns the beginnings of the sketch's lines, up to their first number; the last line last.
 std::vector<std::string> beginnings_of(const std::string& serial);
@@ -25,23 +25,23 @@ std::vector<std::string> beginnings_of(const std::string& serial);
 void draw_stimuli(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Returns whether the sketch can receive messages.
 bool hears(const HuntSpace& space);
-/// Draws the opening, and many messages in sequence. They often start where the sketch has sent something,
-/// most often the last thing, after which it may wait for them.
+/// Draws the opening, and a sequence of many messages. The sequence often starts after an output of the
+/// sketch, mostly the last one: the sketch may then wait for messages.
 void draw_talk(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Puts an obstacle on the line from the beginning, for longer than most runs.
 void block(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Repeats one input just before and twice after millis() exceeds 65,535, to expose 16-bit timestamps and
-/// durations. They fail on a chip only.
+/// durations. Such code fails only on a chip.
 void draw_late_stimuli(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Adds a stimulus within two seconds after the moment.
 void add_stimulus_after(TestCase& test_case, const Moment& moment, const HuntSpace& space,
                         const worlds::RandomSource& rng);
-/// Adds one after `test case.branch_point`, as its last stimulus.
+/// Adds a stimulus after `test_case.branch_point`, as the last one.
 void branch(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Adds a stimulus.
 void add_stimulus(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 
-/// Returns the line of a script.
+/// Returns a stimulus as a line of a script.
 std::string script_line(const Stimulus& stimulus);
 
 }  // namespace robosim::cli

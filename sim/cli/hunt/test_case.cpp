@@ -24,9 +24,9 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by when it has met the obstacle
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // the robot has met the obstacle
 
-/// Returns a distance of landmarks that is wide enough for the bends of the map that it should resemble.
+/// Returns a distance between landmarks that leaves room for bends like those of the map.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
@@ -46,7 +46,8 @@ void draw_map(TestCase& test_case, const HuntSpace& space, const RandomSource& r
   if (like.networks) test_case.network = network_like(like, 1 + rng(most_pieces), rng);
 }
 
-/// Many sketches read their buttons at power-on; the button is released long before the robot starts.
+/// Holds a button at power-on, when many sketches read their buttons. Releases it long before the robot
+/// starts.
 void hold_a_button_at_power_on(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   const std::string kind = "press " + pick(rng, space.buttons);
   const int first_ms = space.opening.empty() ? kAfterHeld_ms : space.opening.front().at_ms;
@@ -55,27 +56,27 @@ void hold_a_button_at_power_on(TestCase& test_case, const HuntSpace& space, cons
   test_case.stimuli.insert(test_case.stimuli.begin(), {0, kind + fmt::format(" {}ms", kHeldFor_ms), kind});
 }
 
-/// Draws a clock just before the milliseconds, or microseconds, overflow.
+/// Draws a clock just before its milliseconds or microseconds overflow.
 void draw_clock(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   const std::int64_t wrap =
       pick<std::int64_t>(rng, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,
                                kPast_ms + kInt_ms, kPast_ms + 2 * kInt_ms});
   int runs_ms = rng(std::min<int>(span_ms(test_case, space) / 2, static_cast<int>(kInt_ms)));
-  // In half of the cases a little after a stimulus.
+  // In half of the cases, the overflow shortly follows a stimulus.
   if (!test_case.stimuli.empty() && chance(rng, 50))
     if (const Stimulus& stimulus = pick(rng, test_case.stimuli); stimulus.after.empty())
       runs_ms = std::min(stimulus.at_ms + rng(kAfterStimulus_ms), static_cast<int>(kInt_ms));
   test_case.clock_ms = wrap - 1 - runs_ms;
 }
 
-/// Its clock wraps to 0 while an obstacle blocks it.
+/// Draws an obstacle that blocks the robot while its clock wraps to 0.
 void draw_wrap_while_blocked(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   block(test_case, space, rng);
   test_case.is_long = true;
   test_case.clock_ms = kMillisWrap_ms - std::min(space.for_ms / 2, kBlockedAfter_ms + rng(kBlockedFor_ms));
 }
 
-/// Draws a pair of test cases without faults.
+/// Draws a test case without faults that is compared with a counterpart.
 TestCase pair(const HuntSpace& space, const RandomSource& rng) {
   TestCase test_case;
   test_case.differential =
@@ -90,7 +91,7 @@ TestCase pair(const HuntSpace& space, const RandomSource& rng) {
     if (hears(space) && chance(rng, 80)) draw_talk(test_case, space, rng);
     if (test_case.differential == Differential::host && chance(rng, hears(space) ? 15 : 60))
       draw_late_stimuli(test_case, space, rng);
-    // A power cut splits a text elsewhere if something takes a millisecond longer.
+    // If anything takes a millisecond longer, a power cut splits a text at another place.
     if (test_case.differential == Differential::host)
       std::erase_if(test_case.stimuli, [](const Stimulus& stimulus) { return stimulus.kind == kPowerOff; });
     if (test_case.differential == Differential::clock) draw_clock(test_case, space, rng);
@@ -123,7 +124,7 @@ TestCase fresh(const HuntSpace& space, const RandomSource& rng) {
   return test_case;
 }
 
-/// Drops obstacles that were on a line of another map.
+/// Drops obstacles that are not on a line of the test case's map.
 void drop_obstacles(TestCase& test_case, const HuntSpace& space) {
   const std::vector<grid::CellAt> line = cells_with_line(test_case, space);
   std::erase_if(test_case.stimuli, [&](const Stimulus& stimulus) {
@@ -161,8 +162,8 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
   return test_case;
 }
 
-/// Most test cases run on the host, which is many times as fast as a chip. The robot's behaviour is only
-/// judged without checks.
+/// Draws a build. Most test cases run on the host, which is many times as fast as a chip. The robot's
+/// behaviour is only judged without checks.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSource& rng) {
   if (!space.host_counterpart)
     return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
@@ -173,7 +174,7 @@ std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSo
   return pick(rng, builds);
 }
 
-/// Draws the test cases one by one, by a number that determines them.
+/// Draws the random numbers of one test case. They depend only on the seed and the test case's number.
 class Dice {
  public:
   Dice(std::uint64_t seed, const char* what, std::uint64_t number)
@@ -199,7 +200,7 @@ TestCase draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std
   return test_case;
 }
 
-/// Turns the last test cases of a round into a family, if there is a chip, and a moment to branch from.
+/// Turns the last test cases of a round into a family. Requires a chip, and a moment to branch from.
 void draw_family(std::vector<TestCase>& test_cases, const HuntSpace& space, const std::vector<Noted>& noted,
                  std::uint64_t seed, const std::vector<std::uint64_t>& runs) {
   std::vector<std::size_t> chips;

@@ -1,4 +1,4 @@
-// The test cases of a hunt: how they are drawn, and how they are shrunk.
+// Draws and shrinks the test cases of a hunt.
 #pragma once
 
 #include <algorithm>
@@ -32,16 +32,16 @@ inline constexpr const char* kPowerOff = "power off";
 inline constexpr const char* kUsedEeprom = "an EEPROM that another sketch has filled";
 inline constexpr const char* kObstacle = "an obstacle";
 inline constexpr const char* kHeld = "a held wheel";
-inline constexpr const char* kTwisted = "a twist";  ///< it is turned aside, against its motors
+inline constexpr const char* kTwisted = "a twist";  ///< the robot is turned aside, against its motors
 
-/// Later than the one-time actions of a sketch after power-on. A multiple of 2^16, so that a clock of 16 bits
-/// starts at 0 here, too.
+/// A time by which a sketch's one-time actions after power-on are past. It is a multiple of 2^16, so that a
+/// 16-bit clock also starts at 0.
 inline constexpr std::int64_t kPast_ms = 4 << 16;
 
-/// The reason for a second run that is compared: see differential_testing.h.
+/// The kind of a second run for comparison: see differential_testing.h.
 enum class Differential : std::uint8_t { none, host, clock };
 
-/// The moment when a run showed something new: a time, or after an output of the sketch. Empty = unknown.
+/// The moment at which a run showed something new: a time, or an output of the sketch. Empty = unknown.
 struct Moment {
   int at_ms = -1;
   std::string after = {};
@@ -54,18 +54,18 @@ struct TestCase {
   std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
   std::optional<worlds::Track> track;
   std::optional<worlds::LineNetwork> network;
-  worlds::RobotVariant robot;  ///< without levels it is the robot in its file
+  worlds::RobotVariant robot;  ///< without levels, the robot of the file
   std::uint64_t seed = 1;
   worlds::FaultPlan faults;
   std::vector<Stimulus> stimuli;
   int later_ms = 0;  ///< delay of its opening relative to the baseline: the robot waits first
   std::int64_t clock_ms = 0;
-  std::uint64_t family = 0;  ///< of test cases that are equal up to `branch_point`, then each has its last
-                             ///< stimulus; 0 = no family. On a chip they are one run that branches
-                             ///< (wire::Ways)
+  std::uint64_t family = 0;  ///< number of a family; 0 = no family. Its test cases are equal up to
+                             ///< `branch_point` and differ in the last stimulus. On a chip, a family is
+                             ///< one run that branches (wire::Ways)
   Moment branch_point = {};
-  bool to_goal = true;   ///< ends there; else it runs until its time is up
-  bool is_long = false;  ///< takes the maximum time of a run
+  bool to_goal = true;   ///< ends at the goal; otherwise when its time is up
+  bool is_long = false;  ///< lasts for the maximum time of a run
   int least_ms = 0;      ///< minimum duration
   double for_s = 60.0;
 
@@ -74,7 +74,7 @@ struct TestCase {
 
 /// The possible choices.
 struct HuntSpace {
-  /// A build: its target, and whether the sketch checks itself.
+  /// A build: its target, and whether the sketch is compiled with checks.
   struct Build {
     std::string target;
     bool checked = false;
@@ -82,43 +82,43 @@ struct HuntSpace {
   struct Map {
     std::string name;
     std::string goal;                       ///< empty = the map's
-    bool tracks = false, networks = false;  ///< the kind of maps drawn like this one
-    int cycles = 0;                         ///< of its network, approximately
+    bool tracks = false, networks = false;  ///< the kind of random maps that resemble this map
+    int cycles = 0;                         ///< approximate number of cycles of its network
     double cell_mm = 100.0, corner_mm = 0.0;
-    std::vector<grid::CellAt> line = {};  ///< its cells with line, except the start
-    bool tours = true;                    ///< the sketch reaches its goal on similar ones, too
+    std::vector<grid::CellAt> line = {};  ///< cells with line, except the start
+    bool tours = true;                    ///< the sketch also reaches its goal on similar maps
   };
   std::vector<Build> builds;
-  std::optional<std::size_t> host_counterpart;  ///< the build to which chips are compared, the last one
+  std::optional<std::size_t> host_counterpart;  ///< the last build, with which chips are compared
   std::vector<Map> maps;
   bool draws_maps = true;
-  std::string robot;  ///< the base of its variants: a name or a path
+  std::string robot;  ///< the base of the variants: a name or a path
   std::vector<worlds::Figure> figures;
   worlds::Breakable parts;
   worlds::FaultLimits limits;
-  std::vector<std::string> buttons;  ///< and keys
+  std::vector<std::string> buttons;  ///< buttons and keys
   std::vector<std::pair<std::string, std::string>>
       listeners;                   ///< parts that receive messages, and their types
   std::vector<std::string> words;  ///< words that may be sent; empty = none
-  std::size_t own_words = 0;       ///< the number of the sketch's own among them, at the end
-  std::vector<Stimulus> opening;   ///< what starts it
-  std::vector<std::string> said;   ///< the sketch's output in the baseline run: the beginnings of its lines,
+  std::size_t own_words = 0;       ///< number of the sketch's own words, at the end of `words`
+  std::vector<Stimulus> opening;   ///< stimuli that start the robot
+  std::vector<std::string> said;   ///< beginnings of the sketch's lines in the baseline run;
                                    ///< the last line last
-  bool uses_eeprom = false;        ///< it uses the EEPROM
-  bool feels = false;              ///< a bumper changes its behaviour, so that obstacles are useful
+  bool uses_eeprom = false;        ///< the sketch uses the EEPROM
+  bool feels = false;              ///< a bumper changes the sketch's behaviour, so that obstacles are useful
   std::vector<TextAssertion> assertions;
-  int for_ms = 60'000;    ///< maximum of a run
-  int usual_ms = 60'000;  ///< of most runs
+  int for_ms = 60'000;    ///< maximum duration of a run
+  int usual_ms = 60'000;  ///< maximum duration of most runs
 };
 
-/// Returns the approximate duration of its run.
+/// Returns the approximate duration of a test case's run.
 inline int span_ms(const TestCase& test_case, const HuntSpace& space) {
   return std::max(test_case.least_ms, test_case.is_long ? space.for_ms : space.usual_ms);
 }
-/// Returns the stimuli that start it there.
+/// Returns the stimuli that start the robot in this test case.
 std::vector<Stimulus> opening_of(const TestCase& test_case, const HuntSpace& space);
 
-/// Returns the number of builds that are drawn.
+/// Returns the number of builds that test cases may draw.
 inline std::size_t drawn_builds(const HuntSpace& space) {
   return space.builds.size() - (space.host_counterpart ? 1 : 0);
 }
@@ -129,30 +129,30 @@ struct Noted {
   Moment moment = {};
 };
 
-/// Draws a test case for each run, by its number and the hunt's seed. Half of the test cases are variations
-/// of one in which something new was seen. A fifth of these branch from it: they are equal up to the moment,
-/// and then have another stimulus. So do the last ones of a whole round on a chip, all from one moment.
+/// Draws a test case for each run, determined by the run's number and the hunt's seed. Half of the test cases
+/// are variations of a noted one. A fifth of these branch from it: they are equal up to the noted moment, and
+/// then have another stimulus. On a chip, the last test cases of a whole round all branch from one moment.
 std::vector<TestCase> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                  const std::vector<std::uint64_t>& runs);
-inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< test cases
+inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< numbers of test cases
 
 /// Draws this number of test cases without stimuli, each on another network similar to the map.
 std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
                                     std::size_t count);
 
-/// Returns the test cases that are simpler by a step; the much simpler ones first. Repeated calls end after
-/// finitely many steps.
+/// Returns the test cases that are simpler by one step, beginning with the largest steps. Repeated calls end
+/// after finitely many steps.
 std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space);
 
 /// Returns the differences from the baseline: "another map", "chassis track", "fault noisy", "press start".
-/// Its opening does not count.
+/// The opening does not count.
 std::set<std::string> needs_of(const TestCase& test_case, const HuntSpace& space);
 
-/// Returns the cells of its map that have line, except the start.
+/// Returns the cells of the test case's map that have line, except the start.
 std::vector<grid::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space);
 std::vector<grid::CellAt> cells_with_line(const grid::Map& map);
 
-/// Return the contents of files. The map's is empty if none is drawn; the robot's if it is unchanged.
+/// Return the contents of files. The map is empty if none is drawn; the robot is empty if it is unchanged.
 std::string map_text(const TestCase& test_case, const HuntSpace& space);
 std::string robot_text(const TestCase& test_case, const HuntSpace& space);
 std::string script_text(const TestCase& test_case, const HuntSpace& space);

@@ -36,7 +36,7 @@ build::ParseContext read(const launch::Launch& launch, tui::Progress& progress) 
                                      .wanted);
 }
 
-/// Reads the sketch's source, as the first check builds it.
+/// Parses the sketch's source as the first check builds it.
 build::ParseContext read(const std::string& sketch, const Check& check, tui::Progress& progress) {
   launch::Launch launch = launch_of(check.sweep.each);
   launch.sketch = sketch;
@@ -47,7 +47,7 @@ build::ParseContext read(const std::string& sketch, const Check& check, tui::Pro
   return read(launch, progress);
 }
 
-/// Reads it as built by default, or, if it is for an AVR alone, for that.
+/// Parses the sketch's source as built by default, or for an AVR if it only compiles there.
 build::ParseContext read(const std::string& sketch, tui::Progress& progress) {
   launch::Launch launch;
   launch.sketch = sketch;

@@ -14,16 +14,16 @@ namespace robosim::cli {
 struct Mutant {
   mutate::Mutation mutation;
   Trial trial;
-  bool observed = true;  ///< one of its runs differs from the unchanged sketch's
+  bool observed = true;  ///< a run differs from the unchanged sketch's run
 };
 
 struct MutationResult {
   std::string sketch;
-  std::string checks;  ///< their file, or the programs of tests
+  std::string checks;  ///< the file of the checks, or the test programs
   std::string asked;   ///< "check" or "test"
   std::uint64_t seed = 1;
   std::size_t places = 0;        ///< number of possible mutations
-  std::size_t not_compiled = 0;  ///< drawn, and skipped
+  std::size_t not_compiled = 0;  ///< number of drawn mutations that do not compile
   std::vector<Mutant> mutants;   ///< in the order of drawing
   std::vector<Mutant> controls;
   bool complete = true;  ///< not interrupted
@@ -32,12 +32,12 @@ struct MutationResult {
   std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
   std::size_t unobserved() const;
   std::size_t brittle() const;  ///< controls that failed
-  /// Returns the share of mutants found among those that some run could show; 1 if there are none.
+  /// Returns the share of found mutants among those that a run can show; 1 if there are no such mutants.
   double score() const;
 };
 
 std::string mutation_text(const MutationResult& result);
-/// Returns the schema robosim.mutate/1, docs/howto/mutation.md.
+/// Formats the result as robosim.mutate/1, see docs/howto/mutation.md.
 std::string mutation_json(const MutationResult& result);
 
 }  // namespace robosim::cli

@@ -12,7 +12,7 @@
 
 namespace robosim::cli {
 
-/// The result of a changed sketch.
+/// The result of testing a changed sketch.
 struct Trial {
   enum class Ending {
     passed,
@@ -30,7 +30,7 @@ struct Trial {
 /// A copy of the sketch's folder, in which one file at a time is changed.
 class Workbench {
  public:
-  /// `folder` holds the sketch; `path` is the folder, or a file in it.
+  /// `folder` contains the sketch; `path` is the folder, or a file in it.
   Workbench(const std::filesystem::path& folder, const std::filesystem::path& path);
 
   /// Tests the copy at the path `sketch`.
@@ -39,7 +39,7 @@ class Workbench {
   Trial try_unchanged(const Ask& ask) const { return ask(sketch_); }
   Trial try_with(const mutate::Mutation& mutation, const Ask& ask) const;
 
-  /// Return the folders of the original and the copy, without links.
+  /// Return the folders of the original and the copy, with links resolved.
   const std::filesystem::path& original() const { return original_; }
   const std::filesystem::path& copy() const { return copy_; }
   /// Returns a folder for files that tests need.

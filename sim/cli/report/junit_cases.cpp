@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kMostMessage_bytes = 4000;
 
-/// Returns the part of a test's output that explains its failure. For GoogleTest it is between the case's
-/// begin and end, else the end of the output.
+/// Returns the part of a test's output that explains its failure. For GoogleTest, this is the text between
+/// the case's begin and end; otherwise the end of the output.
 std::string why_in(std::string_view printed) {
   const std::size_t failed = printed.find("\n[  FAILED  ]");
   if (failed != printed.npos) {
@@ -41,7 +41,7 @@ class Reader {
       if (reader.text_ && reader.text_->size() < kMostText)
         reader.text_->append(text, static_cast<std::size_t>(size));
     });
-    // A document type's declarations could make a small file expand to a huge one.
+    // Rejects a document type, because its declarations could expand a small file to a huge one.
     XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, auto...) {
       static_cast<Reader*>(self)->refused_ = "document types are not supported";
       XML_StopParser(static_cast<Reader*>(self)->parser_.get(), XML_FALSE);
@@ -62,7 +62,7 @@ class Reader {
 
  private:
   int line() const {
-#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // which deprecates the other
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // deprecates the other function
     return static_cast<int>(XML_GetCurrentLineNumber64(parser_.get()));
 #else
     return static_cast<int>(XML_GetCurrentLineNumber(parser_.get()));
@@ -139,9 +139,9 @@ class Reader {
   std::unique_ptr<std::remove_pointer_t<XML_Parser>, Free> parser_;
   std::vector<JunitCase> cases_;
   std::string refused_;
-  bool open_ = false;              ///< a case
+  bool open_ = false;              ///< whether a case is open
   std::string failure_, printed_;  ///< of the case
-  std::string* text_ = nullptr;    ///< the target of the present text
+  std::string* text_ = nullptr;    ///< destination of the current text
 };
 
 }  // namespace

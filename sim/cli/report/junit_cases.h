@@ -1,5 +1,5 @@
 // Reads test reports in JUnit's XML, as written by robosim test --junit, ctest --output-junit and GoogleTest:
-// the cases, and how each ended. A document type is refused.
+// the cases and their results. Rejects a document type.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,21 @@ namespace robosim::cli {
 
 struct JunitCase {
   enum class Ending { passed, failed, skipped };
-  std::string group;  ///< of a class: the owner of the sketch
+  std::string group;  ///< for a class: the owner of the sketch
   std::string name;
   Ending ending = Ending::passed;
   double time_s = 0.0;
-  std::string message = {};                ///< of a failure; may have several lines
+  std::string message = {};                ///< of a failure; may contain several lines
   std::optional<double> off_line_mm = {};  ///< for a check of one run: the largest cross-track error
   std::string again = {};                  ///< the command that repeats the failed run of a check
-  std::string trace_hash = {};             ///< its trace hash
+  std::string trace_hash = {};             ///< the trace hash of that run
 };
 
 /// Reads the cases. Throws InputError with file and line.
 std::vector<JunitCase> read_junit(std::string_view text, const std::string& file);
 
-/// Returns the page that the harness has saved of a C++ test's failed run, by its message; empty if none.
+/// Returns the page of a C++ test's failed run that the harness has saved, as named in the message; empty
+/// without one.
 std::string kept_page(const std::string& message);
 
 }  // namespace robosim::cli

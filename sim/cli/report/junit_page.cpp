@@ -10,7 +10,7 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::size_t kMostColumns = 12;  // of checks; more are reported in words
+constexpr std::size_t kMostColumns = 12;  // columns of checks; more checks are described in words
 
 /// Numbers of cases, grouped by name, in the order of the names' first use.
 struct Table {
@@ -24,7 +24,7 @@ struct Table {
   }
 };
 
-/// Counts the cases that ended so.
+/// Counts the cases with this result.
 std::size_t count(const std::vector<JunitCase>& cases, const std::vector<std::size_t>& numbers,
                   JunitCase::Ending ending) {
   return static_cast<std::size_t>(std::count_if(numbers.begin(), numbers.end(),
@@ -103,7 +103,7 @@ std::string checks_table(const std::vector<JunitCase>& cases, const Table& check
   return body + "</table></div>\n";
 }
 
-/// Used if there are too many checks for a table.
+/// Returns a histogram of all times, used if there are too many checks for a table.
 std::string times_of_all(const std::vector<JunitCase>& cases) {
   std::vector<double> times;
   for (const JunitCase& one : cases) times.push_back(one.time_s);
@@ -138,7 +138,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     passed += cases[i].ending == JunitCase::Ending::passed;
     failed += cases[i].ending == JunitCase::Ending::failed;
   }
-  // Tests of C++ have different names; checks of a class have equal ones.
+  // The tests of C++ programs have different names; the checks of a class have equal names.
   const bool columns =
       checks.names.size() <= kMostColumns && groups.names.size() > 1 && checks.names.size() < cases.size();
   std::string body =

@@ -11,10 +11,10 @@ namespace robosim::cli {
 
 std::string page_of(const std::string& title, const std::string& body);
 
-/// Returns a bar, and "3/4".
+/// Returns a bar with its numbers: "3/4".
 std::string share_bar(std::size_t good, std::size_t all);
 
-/// Returns a histogram of values, in equal parts of 0..most.
+/// Returns a histogram of values, with bins of equal width in 0..most.
 std::string bars(const std::vector<double>& values, double most, const std::string& unit);
 
 double most_of(const std::vector<double>& values);
@@ -22,7 +22,7 @@ double most_of(const std::vector<double>& values);
 /// Returns the text, as a link if the run has a replay.
 std::string linked(const ReportExtras& extras, std::size_t run, const std::string& markup);
 
-/// Draws where robots left the line, and lists the runs that are missing and why.
+/// Draws the places where robots left the line. Lists the missing runs and their reasons.
 std::string places_left(const ReportExtras& extras);
 
 }  // namespace robosim::cli

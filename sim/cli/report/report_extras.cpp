@@ -27,7 +27,7 @@ class Replays {
   explicit Replays(const std::string& page)
       : beside_(fs::path(page).parent_path()), folder_(fs::path(page).stem().string() + "-runs") {}
 
-  /// Returns the link. `number`: of the run, for a name that exists already.
+  /// Writes a replay and returns its link. `number`: the run's number, which makes an existing name unique.
   std::string write(const std::string& title, std::size_t number, const std::string& recording) {
     std::string name;
     for (const char c : title) {
@@ -46,7 +46,7 @@ class Replays {
   std::set<std::string> names_;
 };
 
-/// Returns the worst of each combination, then the others that failed.
+/// Returns the worst run of each combination, then the other failed runs.
 std::vector<std::size_t> worth_looking_at(const std::vector<SweptRun>& runs) {
   std::vector<std::size_t> order;
   for (const auto& combination : combinations_of(runs)) order.push_back(worst_of(runs, combination));
@@ -57,7 +57,7 @@ std::vector<std::size_t> worth_looking_at(const std::vector<SweptRun>& runs) {
   return order;
 }
 
-/// Returns the first of each sketch that failed, then the others.
+/// Returns the first failed case of each sketch, then the other failed cases.
 std::vector<std::size_t> worth_looking_at(const std::vector<JunitCase>& cases) {
   std::vector<std::size_t> order, others;
   std::set<std::string> groups;
@@ -68,8 +68,8 @@ std::vector<std::size_t> worth_looking_at(const std::vector<JunitCase>& cases) {
   return order;
 }
 
-/// Returns the page that a test has saved under a path relative to its working folder. Looks for it from
-/// here, and from the XML's folder upwards, since ctest runs in the build's folder.
+/// Returns the page that a test has saved under a path relative to its working folder. Searches the current
+/// folder, then the XML's folder and its parents, because ctest runs in the build folder.
 fs::path found(const fs::path& named, const fs::path& xml) {
   std::error_code error;
   if (named.is_absolute() || fs::is_regular_file(named, error)) return named;
@@ -94,7 +94,7 @@ std::optional<std::string> made_again(Rerun& again, const SweptRun& run, const R
   launch.map = run.map;
   launch.robot = run.robot;
   launch.target = run.target;
-  // A table names default files in the sketch's folder by their name there.
+  // A table names default files in the sketch's folder relative to it.
   const fs::path folder = launch::choose_sketch(run.sketch, launch.environment, launch.untrusted).folder;
   std::error_code error;
   for (std::string* name : {&launch.map, &launch.robot})
@@ -221,7 +221,7 @@ std::vector<std::vector<std::size_t>> combinations_of(const std::vector<SweptRun
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination) {
   const auto badness = [&](std::size_t i) {  // smaller is worse
     const SweptRun& run = runs[i];
-    if (run.verdict == "error") return std::tuple(2, 0.0, 0.0, 0.0);  // there is nothing to show
+    if (run.verdict == "error") return std::tuple(2, 0.0, 0.0, 0.0);  // there is no run to show
     if (run.reached()) return std::tuple(1, -run.time_s, 0.0, -run.cross_track_max_mm);
     return std::tuple(0, run.laps + run.stations, run.distance_m, -run.cross_track_max_mm);
   };

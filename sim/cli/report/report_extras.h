@@ -1,4 +1,4 @@
-// Additions of a report to its table: replays, and where robots left the line.
+// Adds replays, and the places where robots left the line, to a report's table.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace robosim::cli {
 
-/// Where the robots of a map's runs left the line; maps of equal text count as one.
+/// The places where robots left the line of a map; maps with equal text count as one.
 struct LeftOn {
   std::string map;  ///< its name
   record::FloorShapes floor;
@@ -23,13 +23,13 @@ struct LeftOn {
 };
 
 struct ReportExtras {
-  std::map<std::size_t, std::string> replays;  ///< by the number of a run: a link from the page
+  std::map<std::size_t, std::string> replays;  ///< links from the page, by a run's number
   std::vector<LeftOn> left;
-  std::size_t other = 0;      ///< runs with another result when they were repeated
-  std::size_t not_made = 0;   ///< failed, too, but there were enough
+  std::size_t other = 0;      ///< number of runs with a different result when repeated
+  std::size_t not_made = 0;   ///< number of failed runs beyond the maximum to repeat
   std::size_t written = 0;    ///< number of `replays` for this page
-  std::string cannot;         ///< why runs cannot be repeated: the first reason
-  std::size_t cannot_be = 0;  ///< and their number
+  std::string cannot;         ///< the first reason why a run cannot be repeated
+  std::size_t cannot_be = 0;  ///< number of such runs
 
   void add(const RecordingExtract& extract);
 
@@ -37,18 +37,18 @@ struct ReportExtras {
   std::map<std::string, std::size_t> places_;  ///< index in `left`, by the map's text
 };
 
-/// For a table: repeats runs, the worst of each combination first, and that one gets its replay.
+/// For a table: repeats runs, the worst of each combination first. The worst runs get a replay.
 ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportArguments& arguments);
 
-/// For tests: repeats the failed ones of robosim test, for each sketch the first one first, and they get
-/// their replays. Those in C++ have saved theirs.
+/// For tests: repeats failed checks of robosim test, beginning with the first of each sketch, and adds their
+/// replays. C++ tests have saved their own replays.
 ReportExtras extras_of_cases(const std::vector<JunitCase>& cases, const ReportArguments& arguments);
 
 /// Returns a link to a file, from a page in `folder`.
 std::string link_to(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// Returns the run of a combination that is worth examining. Of failed runs it is the one with the fewest
-/// laps and stations, then the shortest distance. If none has failed it is the slowest, then the one with the
+/// Returns the worst run of a combination. Among failed runs, this is the run with the fewest laps and
+/// stations, then the shortest distance. Without failed runs, it is the slowest run, then the one with the
 /// largest cross-track error.
 std::size_t worst_of(const std::vector<SweptRun>& runs, const std::vector<std::size_t>& combination);
 

@@ -1,4 +1,4 @@
-// Repeats a run for a report: its recording, and where its robot left the line.
+// Repeats a run for a report, to get its recording and the places where its robot left the line.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct RecordingExtract {
   std::string map;       ///< its name
   std::string map_text;  ///< empty, without `floor`, if the map is too large to be drawn
   std::optional<record::FloorShapes> floor;
-  std::vector<std::array<double, 2>> left_mm;  ///< x, y: where no sensor had seen the line for 20 ms
+  std::vector<std::array<double, 2>> left_mm;  ///< x, y where no sensor had seen the line for 20 ms
 };
 
 RecordingExtract extract_of(const record::Recording& recording);
@@ -29,9 +29,9 @@ RecordingExtract extract_of(const record::Recording& recording);
 class Rerun {
  public:
   Rerun();
-  /// Returns the bytes of a .rec; nothing if the run differs. Throws InputError, ToolMissing.
+  /// Returns the bytes of a .rec; nullopt if the run differs. Throws InputError, ToolMissing.
   std::optional<std::string> operator()(launch::Launch launch, const std::string& trace_hash);
-  /// Repeats a run of several robots; `common`: what their requests have in common.
+  /// Repeats a run of several robots. `common`: the common part of their requests.
   std::optional<std::string> operator()(launch::Fleet fleet, wire::RunRequest common,
                                         const std::string& trace_hash);
 

@@ -1,4 +1,4 @@
-// Reads how often the lines of a sketch ran on a chip: the file that a runner writes
+// Reads the line counts of a sketch on a chip from the file that a runner writes
 // (wire::RunRequest::counters).
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace robosim::cli {
 
-/// Returns counts by file and line, and removes the file; without one there are no lines.
+/// Returns counts by file and line, and removes the file. Returns no counts without a file.
 std::map<std::pair<std::string, int>, double> take_line_counts(const std::filesystem::path& file);
 
 }  // namespace robosim::cli

@@ -21,10 +21,11 @@ namespace {
 
 using cells::Ending;
 
-// A scan takes two moves for each of the line's cells and some for its ends; with noise it may get lost.
+// Returns a limit well above a scan's two moves for each line cell, and some for the ends. With noise, the
+// robot may get lost.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
-// Records moves, if they must be printed, and passes them on.
+// Records moves if they must be printed, and forwards them.
 class Tape final : public cells::MoveWatcher {
  public:
   explicit Tape(cells::MoveWatcher* next, bool wanted) : next_(next), wanted_(wanted) {}
@@ -84,7 +85,7 @@ std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& gr
   return routes;
 }
 
-/// Does everything from the start to the report. `library`: the user's own algorithm, if any; `progressed`
+/// Runs the algorithm and prints the report. `library`: the user's own algorithm, if any; `progressed`
 /// receives its moves.
 int run_on(const grid::Map& map, const grid::Start& start, const ClassicArguments& arguments,
            const std::filesystem::path& library, cells::MoveWatcher* progressed) {

@@ -1,4 +1,4 @@
-// `robosim classic`: the robot on cells.
+// `robosim classic`: runs the robot on cells.
 #pragma once
 
 #include "sim/cli/arguments.h"

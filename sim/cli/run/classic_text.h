@@ -12,10 +12,10 @@
 namespace robosim::cli {
 
 struct TapedMove {
-  cells::CellPose pose;  ///< pose and sense are those before the move
+  cells::CellPose pose;  ///< pose and sense before the move
   cells::Sense sense;
   cells::Move move;
-  double clock;  ///< after it
+  double clock;  ///< after the move
 };
 
 struct ClassicReport {
@@ -29,7 +29,7 @@ struct ClassicReport {
 };
 
 std::string classic_text(const ClassicReport& report);
-/// Returns the schema robosim.classic/1, see docs/reference/classic.md.
+/// Formats the report as robosim.classic/1, see docs/reference/classic.md.
 std::string classic_json(const ClassicReport& report);
 
 }  // namespace robosim::cli

@@ -26,15 +26,17 @@ namespace {
 constexpr std::int64_t kMillisecond = 1'000'000, kSecond = 1'000 * kMillisecond;
 constexpr std::int64_t kMillisWrap = (std::int64_t{1} << 32) * kMillisecond;
 constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
-// A clock that is lower by this wraps neither in the run, nor does micros(), and millis() % 1000 is equal.
+// With a clock lower by this, neither millis() nor micros() wraps during the run, and millis() % 1000 is
+// equal.
 constexpr std::int64_t kLower = 2000 * kSecond;
-// Values that a clock also passes without a wrap: one digit more and one bit more, also of the seconds.
+// Values other than a wrap that change a clock's length: one more digit and one more bit, also of the
+// seconds.
 struct Step {
-  std::int64_t to, beside;  ///< a clock higher or lower by this passes none
+  std::int64_t to, beside;  ///< a clock higher or lower by this passes no such value
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Clocks that pass nothing. Each diverts a robot whose path depends on a microsecond, unless by chance it
-// does not.
+// Number of clocks that pass no such value. Each normally diverts a robot whose path depends on a
+// microsecond.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
@@ -42,7 +44,7 @@ constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
 constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
-// A pin that is driven this much more often is driven differently.
+// A pin counts as driven differently if it is driven this much more often.
 constexpr int kFewChanges = 8, kManyTimes = 8;
 constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
@@ -97,15 +99,15 @@ bool differ(const Look& a, const Look& b, std::int64_t moment) {
          changes_more(a, b, moment) || changes_more(b, a, moment);
 }
 
-/// Returns whether a sketch ignores the time since power-on.
+/// Returns whether two results are so similar that the sketch ignores the time since power-on.
 bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
   const double far = a.metrics.distance_m, other = b.metrics.distance_m;
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
 }
 
-/// Returns whether it has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds or
-/// minutes. With it goes so much other output that it may wait for the serial port. After 0 that number has
-/// one digit, and takes less time.
+/// Returns whether the sketch has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds
+/// or minutes. Requires so much output that the sketch may wait for the serial port. After the wrap, the
+/// number has one digit and takes less time.
 bool prints_clock(const Look& look, std::int64_t clock) {
   constexpr std::int64_t kUnits[] = {1000,    kMillisecond, 10 * kMillisecond, 100 * kMillisecond,
                                      kSecond, 60 * kSecond};
@@ -131,9 +133,9 @@ bool prints_clock(const Look& look, std::int64_t clock) {
   return false;
 }
 
-/// Returns whether the sketch's behaviour changes with another clock, or with one that has a digit or a bit
-/// more. One more microsecond is enough for that. Then a change after a wrap proves nothing. `usual` is its
-/// run with `clock`, which passes nothing.
+/// Returns whether the sketch's behaviour also changes without a wrap: with another clock, or with a clock
+/// that has one more digit or bit. One more microsecond is enough for that. Then a change after a wrap proves
+/// nothing. `usual`: the run with `clock`, which passes no such value.
 bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
                std::int64_t moment) {
   for (int i = 1; i <= kOtherClocks; ++i)
@@ -144,7 +146,7 @@ bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Lo
   });
 }
 
-/// Returns moments shortly after the sketch has driven a pin, before a long pause: it may wait there.
+/// Returns moments shortly after the sketch has driven a pin, before a long pause in which it may wait.
 std::vector<std::int64_t> moments_in(const Look& usual) {
   std::vector<std::int64_t> changes;
   for (const auto& [pin, times] : usual.changes) changes.insert(changes.end(), times.begin(), times.end());
@@ -163,7 +165,7 @@ std::vector<std::int64_t> moments_in(const Look& usual) {
   return moments;
 }
 
-/// Returns how often lines ran until shortly after the moment.
+/// Returns the line counts until shortly after the moment.
 std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire::RunRequest request,
                                                     std::int64_t clock, std::int64_t moment) {
   const fs::path file = fs::temp_directory_path() / fmt::format("robosim-lines-{}", ::getpid());

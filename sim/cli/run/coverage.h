@@ -8,8 +8,8 @@
 
 namespace robosim::cli {
 
-/// Returns the folder of --coverage, else the environment's $ROBOSIM_COVERAGE, else empty. The environment is
-/// for whole test suites: it does not apply to runs that cannot be counted (on a chip).
+/// Returns the folder of --coverage, otherwise $ROBOSIM_COVERAGE, otherwise empty. The environment variable
+/// is for whole test suites, so it does not apply to runs that cannot be counted (on a chip).
 std::string coverage_folder(const std::string& option, const std::string& target);
 
 /// A file in the folder for a run's counters, until the end of the scope. Throws InputError if that fails.
@@ -20,10 +20,10 @@ class CounterFile {
   CounterFile(const CounterFile&) = delete;
   CounterFile& operator=(const CounterFile&) = delete;
 
-  /// Adds the run to the folder and returns the report: the lines that never ran, over all runs there.
+  /// Adds the run to the folder, and returns the report: the lines that none of the folder's runs reached.
   std::string keep(const build::Request& request, const build::Image& image,
                    const std::string& description) const;
-  /// Makes the page of all runs there, if its tool is installed, and returns its place.
+  /// Makes the page of all runs in the folder, if its tool is installed, and returns its place.
   std::string make_page() const;
   const std::filesystem::path& path() const { return path_; }
 

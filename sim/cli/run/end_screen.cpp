@@ -14,7 +14,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr int kWidest_columns = 78;
-// Above this size a picture of the map takes longer than the run.
+// Drawing a map above this size takes longer than the run.
 constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The size of the screen that ends a run, and the map on it.
+// The screen that ends a run: its size, and the map on it.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ ScreenSize screen_size();
 /// Throws InputError if --view has no terminal.
 void check_view(const RunArguments& arguments);
 
-/// Returns the map of a run, as its seed draws it.
+/// Returns the map of a run, as drawn by its seed.
 grid::Map map_of(const wire::RunRequest& request);
 /// Returns the map for pictures; null if it is too large for one.
 std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request);

@@ -11,7 +11,7 @@
 
 namespace robosim::cli {
 
-/// Gives a robot of the fleet the common settings that it does not have itself.
+/// Copies the common settings to each robot of the fleet that does not have its own.
 void fill_up(launch::Fleet& fleet, const RunArguments& all);
 
 /// "A=uno5" is for A; a path may contain = after its first '/' or '.'.
@@ -23,15 +23,15 @@ Named named(const std::string& word);
 
 class FleetOptions {
  public:
-  /// `compares`: its --target is the command's own.
+  /// `compares`: the command handles --target itself.
   FleetOptions(Options& options, RunArguments& run, bool compares = false);
-  /// Call it after options.parse(): distributes the given values. Throws InputError.
+  /// Distributes the given values. Call it after options.parse(). Throws InputError.
   void finish();
   /// Throws InputError if no robot has this name.
   void check_known(const char* option, const std::string& name);
 
  private:
-  /// One option, and the target of its value.
+  /// An option, and the destination of its value.
   struct Given {
     const char* option;  ///< empty = the sketch
     std::string& (*of)(launch::Launch&);

@@ -1,4 +1,5 @@
-// The sketch's tests in C++, for what checks.toml cannot say. CMakeLists.txt says how to run them.
+// Tests the sketch in C++, for requirements that checks.toml cannot express. CMakeLists.txt shows how to run
+// the tests.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;
