@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-// Meanings of options that may also be given for one robot of several.
+// Explanations of options that may also be given for one of several robots.
 constexpr const char* kStartHelp = "start in this cell (column, row) with the heading N, S, E or W";
 constexpr const char* kGoalHelp =
     "pursue this goal: tour, laps:N, station:NAME, still, none, or a competition's "
@@ -17,7 +17,7 @@ constexpr const char* kScriptHelp = "apply this script during the run: buttons, 
 
 class RunOptions {
  public:
-  /// Both outlive this.
+  /// Both must outlive this object.
   RunOptions(Options& options, RunArguments& run) : options_(options), run_(run) {}
   RunOptions(const RunOptions&) = delete;
   RunOptions& operator=(const RunOptions&) = delete;

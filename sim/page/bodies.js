@@ -1,4 +1,5 @@
-// Robots on the floor, as seen from above. `ctx` draws millimetres of the floor, y north; `px` is a pixel in them.
+// Draws robots on the floor, seen from above. `ctx` draws in mm of the floor, y north; `px` is a pixel's size
+// in mm.
 
 import { seen, style } from './colours.js';
 
@@ -25,19 +26,19 @@ export function drawBody(ctx, px, pose, robot, colour) {
   });
 }
 
-/** Where its steered wheels are, and how they are turned to the left, rad; none where it has none. */
+/** Returns the places of a robot's steered wheels, and their angles to the left in rad; [] without such wheels. */
 export function steeredWheels(run, t) {
   const { steering, track } = run.robot ?? {};
   const reading = steering && run.at(steering.servo, t);
   if (reading === undefined) return [];
   const { base, wheels, middle, ratio, limit } = steering;
   const turned = Math.min(Math.max((reading - middle) * ratio, -limit), limit) * Math.PI / 180;
-  // All axles point to one centre, beside the driven one.
+  // All axles point to one centre, on the line of the driven axle.
   const angle = (y) => Math.abs(turned) < 1e-6 ? 0 : Math.atan(base / (base / Math.tan(turned) - y));
   return (wheels === 2 ? [track / 2, -track / 2] : [0]).map((y) => ({ x: base, y, angle: angle(y) }));
 }
 
-/** With its wheels, and what each sensor sees. */
+/** Draws a robot with its wheels, and the reading of each sensor. */
 export function drawRobot(ctx, px, run, t) {
   const pose = run.pose(t), { robot } = run;
   drawBody(ctx, px, pose, robot, style('robot'));
@@ -52,7 +53,7 @@ export function drawRobot(ctx, px, run, t) {
       ctx.fillStyle = style('wheel');
       ctx.fillRect(-wheel / 2, side * track - width / 2, wheel, width);
       const speed = run.at(`wheel_${name}_mm_s`, t) ?? 0;
-      // Where the wheel would be in a tenth of a second.
+      // Shows the way of the wheel in a tenth of a second.
       ctx.fillStyle = style('robot');
       ctx.fillRect(0, side * track - 1.2 * px, 0.1 * speed, 2.4 * px);
     }

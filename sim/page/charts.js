@@ -1,4 +1,4 @@
-// Curves over time, all in one window of time, which wheels zoom and drags scrub.
+// Draws curves over time, all in one time span. The mouse wheel zooms the span, and drags scrub.
 
 import { seen, series, style } from './colours.js';
 import { extent, indexAt, valueAt } from './run.js';
@@ -7,7 +7,7 @@ import { sized } from './view.js';
 
 const LEFT = 46, RIGHT = 8, LEAST_S = 0.002;
 
-/** The span of time that charts and pins show. */
+/** The time span that charts and pins show. */
 export class Span {
   constructor(player) {
     this.player = player;
@@ -28,21 +28,21 @@ export class Span {
     this.from = Math.min(Math.max(from, 0), Math.max(duration - this.seconds, 0));
     for (const listener of this.listeners) listener();
   }
-  /** Moves so that the player's moment is seen. */
+  /** Moves the span so that it contains the shown time. */
   follow() {
     const { t } = this.player;
     if (t < this.from || t > this.to) this.set(this.seconds, t - (this.player.playing ? 0.1 : 0.5) * this.seconds);
   }
 }
 
-/** Number with three digits or so. */
+/** Formats a number with about three digits. */
 export function short(value) {
   if (value === undefined || Number.isNaN(value)) return '';
   const size = Math.abs(value);
   return value.toFixed(size >= 100 || value === 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
 }
 
-/** A canvas over time with a head that shows the moment; zooms and scrubs. */
+/** A canvas over time, with a head at the shown time. Handles zooming and scrubbing. */
 export class Track {
   constructor(parent, span, height, label, left = LEFT) {
     this.span = span;
@@ -69,7 +69,7 @@ export class Track {
     for (const name of ['pointerup', 'pointercancel']) this.canvas.addEventListener(name, () => { dragging = false; });
     this.canvas.addEventListener('wheel', (e) => {
       if (!e.ctrlKey && !e.shiftKey && Math.abs(e.deltaY) < Math.abs(e.deltaX)) return;
-      if (!e.ctrlKey && !e.altKey && !e.shiftKey) return;  // else the list scrolls
+      if (!e.ctrlKey && !e.altKey && !e.shiftKey) return;  // lets the list scroll
       e.preventDefault();
       span.zoom(Math.exp((e.deltaY || e.deltaX) * 0.002), this.timeAt(e.offsetX));
     }, { passive: false });
@@ -85,7 +85,7 @@ export class Track {
     this.head.style.transform = `translateX(${x}px)`;
   }
 
-  /** Draws values as a line, or as steps; the least and most in a pixel are seen, however many there are. */
+  /** Draws values as a line or as steps. If there are many values, draws the minimum and maximum in each pixel. */
   curve(ctx, times, values, yOf, steps) {
     const { from, to } = this.span;
     const first = indexAt(times, from), last = Math.min(indexAt(times, to) + 1, times.length - 1);
@@ -125,7 +125,7 @@ export class Track {
   }
 }
 
-/** Several signals of one unit in one picture, with what they are now beside their names. */
+/** A chart of several signals with one unit. Shows their current values next to their names. */
 export class Chart {
   constructor(parent, span, title, signals, others = [], onClose) {
     Object.assign(this, { signals, others, span });
@@ -155,7 +155,7 @@ export class Chart {
     this.measure();
   }
 
-  /** What is the least and the most. */
+  /** Finds the minimum and maximum of all signals. */
   measure() {
     const ranges = [...this.signals, ...this.others].map((s) => extent(s.values));
     this.least = Math.min(...ranges.map((r) => r.least));
@@ -202,7 +202,7 @@ export class Chart {
   }
 }
 
-/** The line sensors as stripes: pale where what they see is light, dark orange where it is dark. */
+/** Shows the line sensors as stripes: pale for a light surface, dark orange for a dark one. */
 export class SensorStripes {
   constructor(parent, span, run) {
     Object.assign(this, { span, run });

@@ -1,5 +1,6 @@
-// Colours that the colour-blind tell apart: Okabe and Ito's for series, a stretch of plasma (van der Walt and
-// Smith) for what is more or less. Plasma's ends are left out: they would drown in line or floor.
+// Colours that colour-blind people can distinguish: Okabe and Ito's for series, and a part of plasma (van der
+// Walt and Smith) for magnitudes. Plasma's ends are omitted: they would be invisible on the line or the
+// floor.
 
 const SERIES = {
   light: ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#b07a00', '#2f9bd8', '#7a5195', '#6f6f00'],
@@ -10,7 +11,7 @@ export function series(i) { return SERIES[document.documentElement.dataset.theme
 const PLASMA = [[84, 2, 163], [126, 3, 168], [156, 23, 158], [182, 48, 139], [204, 71, 120], [222, 95, 101],
   [237, 121, 83], [248, 149, 64], [253, 180, 47]];
 
-/** share: 0..1 */
+/** Returns the colour of a magnitude. share: 0..1 */
 export function more(share) {
   const at = Math.min(Math.max(share, 0), 1) * (PLASMA.length - 1);
   const i = Math.min(Math.floor(at), PLASMA.length - 2), part = at - i;
@@ -19,13 +20,13 @@ export function more(share) {
 
 export const GRADIENT = `linear-gradient(to right, ${[0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => more(i / 8)).join(', ')})`;
 
-/** What a line sensor reads: 0 nothing of the line, 1 all of it. */
+/** Returns the colour of a line sensor's reading: 0 = no line, 1 = only line. */
 export function seen(level) {
   const mix = (from, to) => Math.round(from + Math.min(Math.max(level, 0), 1) * (to - from));
   return `rgb(${mix(255, 230)} ${mix(255, 110)} ${mix(255, 0)})`;
 }
 
-/** The kinds of things that happen, with a colour and a shape each. */
+/** The kinds of events, each with a colour and a shape. */
 export const MARKS = {
   landmark: { colour: '#0072b2', shape: 'circle', label: 'stations, laps' },
   line: { colour: '#cc79a7', shape: 'diamond', label: 'line left, found' },
@@ -37,7 +38,7 @@ export const MARKS = {
   end: { colour: '#222', shape: 'flag', label: 'the end' },
 };
 
-/** A colour of the page's style, as it is now: light or dark. */
+/** Returns a colour of the page's current style, light or dark. */
 export function style(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }

@@ -1,10 +1,10 @@
-// The robots of one run: whose signals, pins and serial text are shown beside the floor.
+// Selects the robot of a run whose signals, pins and serial text are shown next to the floor.
 
 import { LiveRun } from './live.js';
 import { shared } from './recording.js';
 import { runOf } from './run.js';
 
-/** Of a recording: a run for each robot, all as long as the longest. */
+/** Returns a run for each robot of a recording, all with the duration of the longest. */
 export function runsOf({ header, streams, others }) {
   const runs = [{ header, streams }, ...others].map((one, number) => runOf(one, number));
   const duration = Math.max(...runs.map((run) => run.duration));
@@ -12,13 +12,13 @@ export function runsOf({ header, streams, others }) {
   return runs;
 }
 
-/** The same of what begins a run that is watched, and of its first `paused`. */
+/** Returns a run for each robot of a live run, from its header and its first `paused`. */
 export function liveRunsOf(header, state) {
   const all = [header, ...(header.others ?? [])];
   return all.map((own, number) => new LiveRun({ ...shared(header), ...own }, number === 0 ? state : state.others[number - 1], number));
 }
 
-/** The list of robots, where there are several; keys and clicks on the floor choose, too. */
+/** A list to choose one of several robots. Keys and clicks on the floor also choose. */
 export class Chooser {
   /** `chosen(number)` is called for each choice. */
   constructor(box, runs, chosen) {
@@ -27,7 +27,7 @@ export class Chooser {
     for (const { number, name } of runs) this.select.append(new Option(name, number));
     this.select.addEventListener('change', () => this.choose(Number(this.select.value)));
   }
-  /** Of numbers beyond the last it begins anew. */
+  /** Chooses a robot. Numbers beyond the last wrap around. */
   choose(number) {
     const { runs } = this;
     this.number = (number + runs.length) % runs.length;
@@ -39,7 +39,7 @@ export class Chooser {
     const run = this.runs.find((one) => one.name === name);
     if (run) this.choose(run.number);
   }
-  /** The robot on which x, y of the floor is, at t. */
+  /** Chooses the robot that covers x, y of the floor at t. */
   chooseAt(x, y, t) {
     const reach = ({ robot }) => Math.max(...(robot.outline ?? [[60, 0]]).map(([forward, left]) => Math.hypot(forward, left)));
     const hit = this.runs.find((run) => { const pose = run.pose(t); return Math.hypot(pose.x - x, pose.y - y) < reach(run); });

@@ -1,4 +1,4 @@
-// The floor with what is on it: the map's own geometry, the trail, the robot with wheels and sensors.
+// Draws the floor: the map's geometry, the trail, and the robot with wheels and sensors.
 
 import { drawBody, drawRobot } from './bodies.js';
 import { drawMark, more, series, style } from './colours.js';
@@ -20,16 +20,17 @@ export function areaOf(runs) {
   return { x, y, width: most(xs) + 150 - x, height: most(ys) + 150 - y };
 }
 
-// Of a run with more samples than LONG the trail is drawn from the last LATELY on, and the rest as a thin line.
+// In a run with more samples than LONG, draws the last LATELY samples as the trail. The others become a thin
+// line.
 const LONG = 30_000, LATELY = 12_000;
-// Of more robots the others' trails are drawn of so many seconds.
+// With more robots than CROWD, draws the other robots' trails for the last CROWD_S seconds only.
 const CROWD = 12, CROWD_S = 3;
 
-/** Of a robot that is not looked at. */
+/** Returns the colour of a robot that is not selected. */
 const colourOf = ({ number }) => series(1 + number % 7);
 
 export class FloorPicture {
-  /** `whenLoaded` is called when there is more to be drawn: the picture of a floor that is one. */
+  /** `whenLoaded` is called once the picture of the floor, if it has one, can be drawn. */
   constructor(canvas, runs, whenLoaded) {
     this.canvas = canvas;
     this.runs = runs;
@@ -65,7 +66,7 @@ export class FloorPicture {
     }
   }
 
-  /** The value at the colours' end. */
+  /** Returns the value at the end of the colour scale. */
   get most() {
     const values = this.run.columns[this.colourBy];
     if (!values) return 1;
@@ -81,7 +82,7 @@ export class FloorPicture {
     ctx.translate(view.width / 2, view.height / 2);
     ctx.scale(view.scale, -view.scale);
     ctx.translate(-view.x, -view.y);
-    this.px = 1 / view.scale;  // a pixel, mm
+    this.px = 1 / view.scale;  // size of a pixel, mm
     if (this.run.floor) this.drawFloor(this.run.floor);
     this.drawChanges(t);
     if (this.run.floor) this.drawLights(this.run.floor, t);
@@ -123,7 +124,7 @@ export class FloorPicture {
     ctx.fill(this.dark);
     this.drawAreas(floor, false);
     ctx.fillStyle = style(paint);
-    ctx.lineCap = ctx.lineJoin = 'round';  // as the simulation measures: all that is within half a line's width
+    ctx.lineCap = ctx.lineJoin = 'round';  // as in the simulation: all within half a line's width
     for (const { path, width, colour = style(paint), worn } of this.lines) {
       ctx.lineWidth = width;
       ctx.strokeStyle = colour;
@@ -142,7 +143,7 @@ export class FloorPicture {
     ctx.restore();
     ctx.fillStyle = '#8a4b08';
     for (const [x, y] of floor.obstacles) ctx.fillRect(x - 0.35 * floor.cell, y - 0.35 * floor.cell, 0.7 * floor.cell, 0.7 * floor.cell);
-    ctx.strokeStyle = style('wall');  // beyond it everything is wall
+    ctx.strokeStyle = style('wall');  // everything outside is wall
     ctx.lineWidth = 2 * this.px;
     ctx.strokeRect(-this.px, -this.px, floor.width + 2 * this.px, floor.height + 2 * this.px);
   }
@@ -164,7 +165,8 @@ export class FloorPicture {
     ctx.restore();
   }
 
-  /** Calls visit for each sample that is drawn until t, from number `first` on: those a pixel or more apart. */
+  /** Calls visit for the samples to draw until t, from index `first`: those at least a pixel apart. Returns the last
+   *  piece. */
   walk(run, t, visit, first = 0) {
     const { x_mm: x, y_mm: y } = run.columns;
     const last = indexAt(run.t, t);
@@ -179,10 +181,10 @@ export class FloorPicture {
     return [x[at], y[at], now.x, now.y];
   }
 
-  /** From which sample on the trail is drawn: all of it, or lately. */
+  /** Returns the index of the trail's first sample. */
   trailBegins(run, t) { return run.t.length > LONG ? Math.max(indexAt(run.t, t) - LATELY, 0) : 0; }
 
-  /** All that a long run has driven, but each place once: an hour's laps would take seconds to paint. */
+  /** Returns the path of a long run, with each place only once: an hour's laps would take seconds to paint. */
   wholeTrail() {
     const { run, px } = this;
     const { x_mm: x, y_mm: y } = run.columns;
@@ -233,7 +235,7 @@ export class FloorPicture {
     });
   }
 
-  /** All robots but the one that is looked at. */
+  /** Returns all robots except the selected one. */
   get peers() { return this.runs.filter((run) => run !== this.run); }
 
   /** Shows another robot's sensors, trail and graph. */
@@ -275,7 +277,7 @@ export class FloorPicture {
     ctx.stroke(path);
   }
 
-  /** The graph that the sketch has told until then. */
+  /** Draws the graph that the sketch has reported until t. */
   drawTold(t) {
     const { ctx, view } = this, { nodes = [], edges = [] } = this.run.told ?? {};
     const at = (node) => view.toScreen(node.x, node.y);
@@ -312,7 +314,7 @@ export class FloorPicture {
     for (const { name, x, y } of run.started.stations) {
       const at = [(x + 0.5) * cell, height - (y + 0.5) * cell];
       let [px, py] = view.toScreen(...at);
-      // A robot that stands there is not covered: its name is above it.
+      // Puts the name above a robot that stands at the station, so that it does not cover the robot.
       const on = robots.find((robot) => Math.hypot(robot.x - at[0], robot.y - at[1]) < robot.size + 10 * this.px);
       if (on) py = view.toScreen(on.x, on.y + on.size)[1] - 12;
       const width = Math.max(ctx.measureText(name).width + 10, 20);
@@ -335,7 +337,7 @@ export class FloorPicture {
     }
   }
 
-  /** What scripts have changed of the world. */
+  /** Draws the changes of the world by scripts. */
   drawChanges(t) {
     const { ctx, run } = this;
     const now = (run.changes ?? []).filter(({ from, to }) => from <= t && t < to);
@@ -351,7 +353,8 @@ export class FloorPicture {
       }
   }
 
-  /** The room's lights: a patch of sun, a lamp where it hangs, daylight in the corner; those that are off are hollow. */
+  /** Draws the room's lights: a patch of sun, a lamp at its place, daylight in the corner. Lights that are off are
+   *  hollow. */
   drawLights(floor, t) {
     const { ctx, px } = this;
     let everywhere = 0;
@@ -378,7 +381,7 @@ export class FloorPicture {
 
   drawScale() {
     const { ctx, view } = this;
-    const room = Math.min(Math.max(view.width - 290, 40), 110);  // beside what colours the trail
+    const room = Math.min(Math.max(view.width - 290, 40), 110);  // next to the trail's colour scale
     const aim = room / view.scale, ten = 10 ** Math.floor(Math.log10(aim));
     const length = [5, 2, 1].map((k) => k * ten).find((mm) => mm <= aim);
     const text = length >= 1000 ? `${length / 1000} m` : `${length} mm`;

@@ -1,11 +1,11 @@
-// What happened, and what the sketch sent, as lists that go along with the moment.
+// Lists of events and of the sketch's output, which follow the shown time.
 
 import { MARKS } from './colours.js';
 import { timeText } from './timeline.js';
 
 const ROW_PX = 26;
 
-/** A list of any length: only the rows in sight are in the page. */
+/** A list of any length, of which only the visible rows are in the page. */
 export class TimedList {
   constructor(element, rows, player, nothing) {
     Object.assign(this, { element, rows, player, now: -2 });
@@ -20,7 +20,7 @@ export class TimedList {
     });
   }
 
-  /** Others in their place. */
+  /** Replaces the rows. */
   show(rows) {
     this.rows = rows;
     this.count = undefined;
@@ -28,7 +28,7 @@ export class TimedList {
     this.grow();
   }
 
-  /** There may be more rows. */
+  /** Updates the list after rows have been added. */
   grow() {
     if (this.count === this.rows.length) return;
     this.count = this.rows.length;
@@ -37,7 +37,7 @@ export class TimedList {
     this.draw();
   }
 
-  /** How many are not after the moment. */
+  /** Returns the number of rows that are not after the shown time. */
   passed() {
     let low = 0, high = this.rows.length;
     while (low < high) {

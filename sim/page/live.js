@@ -1,13 +1,13 @@
-// A run that is still going on, as it comes in lines of `robosim run --live`; and what moves the moment meanwhile. It is
-// asked like any other run, and grows.
+// A run in progress, read from the lines of `robosim run --live`, and its player. The run has the interface
+// of any other run, and grows.
 
 import { Player } from './player.js';
 import { bytesOfBase64, column } from './recording.js';
 import { changesBy, KIND, Run, toldGraph } from './run.js';
 
-const LATELY_S = 10;  // of plots and pins
+const LATELY_S = 10;  // span of plots and pins
 
-/** Numbers that become more. `all` is those that are there. */
+/** A growing array of numbers. `all` contains the numbers so far. */
 class Growing {
   constructor() { this.buffer = new Float64Array(1024); this.all = this.buffer.subarray(0, 0); }
   push(values) {
@@ -38,7 +38,7 @@ class GrowingStream {
 }
 
 export class LiveRun extends Run {
-  /** `header`: as a recording's; `state`: the first `paused`, of the robot of that number. */
+  /** `header`: as in a recording; `state`: the first `paused` of robot `number`. */
   constructor(header, state, number = 0) {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;
@@ -62,7 +62,7 @@ export class LiveRun extends Run {
     this.signals.push({ name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), steps: Boolean(steps), get t() { return t(); }, get values() { return values(); } });
   }
 
-  /** A line of the run's; gives what has to be drawn anew: '' is the moment alone. */
+  /** Adds a line of the run. Returns what must be redrawn: 'pins', or '' if only the shown time changes. */
   take({ event, paused, result, ...line }) {
     if (event === 'columns') {
       this.sources.push(...(line.sources ?? []));
@@ -93,7 +93,7 @@ export class LiveRun extends Run {
     return '';
   }
 
-  /** The last row is where it stands, between two samples. */
+  /** Removes the last row, which is the robot's state between two samples. */
   dropNow() {
     if (this.hasNow) for (const growing of Object.values(this.now.of)) growing.drop();
     this.hasNow = false;
@@ -148,14 +148,14 @@ export class LiveRun extends Run {
   }
 }
 
-/** Play and pause are asked of the run itself; whoever looks back stops it. */
+/** Sends play and pause as requests to the run. The run stops if the user looks back. */
 export class LivePlayer extends Player {
   constructor(run) {
     super(run);
     this.follows = true;
-    this.ask = () => {};  // a request, by the owner of the connection
+    this.ask = () => {};  // sends a request; set by the owner of the connection
   }
-  /** The run has gone on. */
+  /** Follows the run after it has grown. */
   grow() { if (this.follows) this.t = this.run.duration; }
   seek(t) {
     super.seek(t);
@@ -184,7 +184,7 @@ export class LivePlayer extends Player {
   }
 }
 
-/** Feeds a page with the lines of its run: draws once a frame, and what is much work ten times a second. */
+/** Passes the lines of a run to its page. Redraws once per frame, and expensive parts ten times a second. */
 export class LiveFeed {
   constructor(page) {
     Object.assign(this, { page, due: false, drawn: 0, pins: false });
@@ -201,7 +201,7 @@ export class LiveFeed {
     if (this.due) return;
     this.due = true;
     requestAnimationFrame((now) => this.draw(now));
-    // A page that is not seen gets no frames, and those who ask it what it shows want to know.
+    // A hidden page gets no frames, but its state may be queried.
     setTimeout(() => this.draw(performance.now()), 100);
   }
 

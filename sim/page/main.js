@@ -1,4 +1,4 @@
-// Puts the page together.
+// Assembles the page.
 
 import { Chart, SensorStripes, Span } from './charts.js';
 import { drawMark, GRADIENT, MARKS } from './colours.js';
@@ -21,7 +21,7 @@ const make = (tag, properties = {}, ...children) => {
   return element;
 };
 
-/** What is beside the floor's numbers: where the pin leads. */
+/** Returns a function that describes the parts on a pin. */
 function uses(run) {
   const of = new Map();
   for (const { name, pins } of run.robot.parts)
@@ -33,7 +33,7 @@ function uses(run) {
 }
 
 class Page {
-  /** A run for each robot. */
+  /** `runs`: a run for each robot. */
   constructor(runs) {
     this.runs = runs;
     const run = this.run = runs[0];
@@ -55,10 +55,10 @@ class Page {
     new ResizeObserver(() => { this.timeline.draw(); this.drawTracks(); }).observe($('plots').parentElement);
     this.view.fit();
     this.redraw();
-    this.player.seek(run.duration);  // all that was driven is the best first look; play begins at 0
+    this.player.seek(run.duration);  // shows the whole trail at first; play begins at 0
   }
 
-  /** All that is of one robot. */
+  /** Shows everything about the selected robot. */
   showRun() {
     const { run } = this;
     this.charts = [];
@@ -72,7 +72,7 @@ class Page {
     this.wiring = new Wiring($('wiring'), run, this.player);
   }
 
-  /** Of several robots another one's plots, pins and serial text are shown. */
+  /** Selects the robot whose plots, pins and serial text are shown. */
   lookAt(number) {
     const run = this.run = this.player.run = this.runs[number];
     this.floor.lookAt(run);
@@ -84,7 +84,7 @@ class Page {
     this.redraw();
     this.player.tell();
     $('happened').textContent = `robot ${run.name}`;
-    this.onLookAt?.();  // whoever has put the page into another
+    this.onLookAt?.();  // notifies the page that contains this one
   }
 
   showTitle() {
@@ -197,13 +197,13 @@ class Page {
     let pressed = null;
     $('floor').addEventListener('pointerdown', (e) => { pressed = e; });
     $('floor').addEventListener('click', (e) => {
-      if (pressed && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) > 4) return;  // it was dragged
+      if (pressed && Math.hypot(e.clientX - pressed.clientX, e.clientY - pressed.clientY) > 4) return;  // a drag
       this.chooser.chooseAt(...view.toFloor(e.offsetX, e.offsetY), player.t);
     });
     document.addEventListener('keydown', (e) => this.key(e));
     $('other-file').addEventListener('change', ({ target }) => {
       if (target.files[0]) this.open(target.files[0]);
-      target.value = '';  // the same file may be chosen again
+      target.value = '';  // so that the same file can be chosen again
     });
     document.addEventListener('dragover', (e) => e.preventDefault());
     document.addEventListener('drop', (e) => {
@@ -263,7 +263,7 @@ class Page {
     this.redraw();
   }
 
-  /** run.html#t=3.2&tab=pins&theme=dark&span=0.5&robot=B shows that moment so. */
+  /** Applies the parameters of a link: run.html#t=3.2&tab=pins&theme=dark&span=0.5&robot=B */
   goTo(where) {
     if (where.has('robot')) this.chooser.chooseByName(where.get('robot'));
     if (where.has('theme')) this.setTheme(where.get('theme'));
@@ -272,7 +272,7 @@ class Page {
     if (Number(where.get('span')) > 0) this.span.set(Number(where.get('span')));
   }
 
-  /** Another run over this one. What is no such run leaves the page as it was. */
+  /** Lays another run over this one. An invalid file leaves the page unchanged. */
   async open(file) {
     const { over = [null] } = this;
     try {
@@ -284,7 +284,7 @@ class Page {
     }
   }
 
-  /** `others`: its robots, or null. */
+  /** Compares with another run. `others`: its robots, or null for no comparison. */
   compare(others, name) {
     this.over = [others, name];
     this.others = others;
@@ -301,7 +301,7 @@ class Page {
     this.redraw();
   }
 
-  /** The robot of the other run that has the name of this one. */
+  /** Returns the other run's robot with the same name, otherwise its first robot. */
   otherOf(run) { return this.others.find(({ name }) => name === run.name) ?? this.others[0]; }
 
   drawFloor() {
@@ -329,7 +329,7 @@ class Page {
     this.redraw();
   }
 
-  /** The run has gone on. */
+  /** Redraws after the run has grown. */
   grow() {
     for (const chart of this.charts) chart.measure?.();
     for (const list of [this.serial, this.events]) list.grow();
@@ -338,7 +338,7 @@ class Page {
     this.drawTracks();
   }
 
-  /** The moment has changed. */
+  /** Updates the page after the shown time has changed. */
   move() {
     const { player, run, span } = this;
     $('time').textContent = timeText(player.t);
@@ -347,7 +347,7 @@ class Page {
     play.setAttribute('aria-label', player.playing ? 'pause' : 'play');
     $('speed').value = player.speed;
     this.now.move(player.t);
-    // Read out where somebody steps, not all the way along.
+    // Screen readers announce events while the user steps, but not while the run plays.
     $('happened').setAttribute('aria-live', player.playing ? 'off' : 'polite');
     this.tellHappened(run.events.findLast((e) => e.t <= player.t)?.text ?? '');
     span.follow();
@@ -380,8 +380,8 @@ function complain(error) {
   if (!known) throw error;
 }
 
-/** A page without a recording waits for whoever has opened it to show a run that goes on: robosimLive(recording, paused)
- *  gives { page, feed }. */
+/** In a page without a recording, lets the opening page show a live run: robosimLive(recording, paused) returns
+ *  { page, feed }. */
 function awaitRun() {
   $('subtitle').textContent = 'waiting for the run …';
   window.robosimLive = (header, state) => {
@@ -405,7 +405,7 @@ async function begin() {
       await page.open(new File([bytesOfBase64(over)], name));
     }
     page.goTo(new URLSearchParams(location.hash.slice(1)));
-    window.robosim = page;  // for tests, and for the curious at the console
+    window.robosim = page;  // for tests, and for users at the console
   } catch (error) {
     $('subtitle').textContent = '';
     complain(error);

@@ -1,4 +1,4 @@
-// Numbers and lamps of the moment.
+// Shows measurements and lamps at the shown time.
 
 import { short } from './charts.js';
 import { seen } from './colours.js';

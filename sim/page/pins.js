@@ -1,4 +1,5 @@
-// The board's pins as a logic analyser shows them: levels, PWM as grey with its duty, volts as curves.
+// Shows the board's pins like a logic analyser: levels, PWM as areas with the duty cycle as height, volts as
+// curves.
 
 import { series, style } from './colours.js';
 import { short, Track } from './charts.js';
@@ -16,7 +17,7 @@ export function pinText(pin, t) {
   return pin.tone[i] > 0 ? `${pin.tone[i]} Hz` : `PWM ${Math.round(100 * pin.duty[i])} %`;
 }
 
-/** The line of the sketch that has driven the pin as it is now: "Blink.ino:12 in loop()"; '' where none is known. */
+/** Returns the sketch line that set the pin's current state: "Blink.ino:12 in loop()"; '' if unknown. */
 export function sourceText(pin, t, sources) {
   const i = indexAt(pin.t, t);
   if (!pin.source || !pin.t.length || pin.t[i] > t) return '';
@@ -47,7 +48,7 @@ export class PinRow {
     if (pin.source) box.append(this.source);
   }
 
-  /** Whoever points at an edge means its moment. */
+  /** Returns the time of an edge near t; otherwise t. */
   changeNear(t) {
     const { t: times } = this.pin, i = indexAt(times, t);
     const near = [times[i], times[i + 1]].filter((at) => Math.abs(this.track.xOf(at) - this.track.xOf(t)) <= NEAR_PX);
@@ -103,7 +104,7 @@ export class PinRow {
         ctx.globalAlpha = 1;
       }
       const share = { [LOW]: 0, [HIGH]: 1, [FLOATING]: 0.5, [PULSING]: duty[i] }[level[i]];
-      // Thousands of changes in one pixel are one stroke from the lowest to the highest.
+      // Draws many changes in one pixel as one stroke from the lowest to the highest.
       if (Math.floor(stop) === x) {
         low = Math.min(low, share);
         high = Math.max(high, share);
@@ -126,7 +127,7 @@ export class PinRow {
   }
 }
 
-/** What time it is, below the pins. */
+/** The time axis below the pins. */
 export class PinAxis {
   constructor(parent, span) {
     const box = Object.assign(document.createElement('section'), { className: 'pin axis' });
@@ -141,7 +142,7 @@ export class PinAxis {
   move() { this.track.moveHead(); }
 }
 
-/** Which part is on which pin, as a table: what the robot's file says, and what the sketch did there. */
+/** A table of pins: the parts on each pin by the robot's file, and the sketch's use of the pin. */
 export class Wiring {
   constructor(panel, run, player) {
     Object.assign(this, { panel, run, player, cells: [] });

@@ -1,4 +1,4 @@
-// The moment that is shown, and what moves it. Everything else listens.
+// The shown time, and the functions that change it. All other parts listen to changes.
 
 const SPEEDS = [1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8, 16, 32, 64];
 
@@ -19,14 +19,14 @@ export class Player {
     this.tell();
   }
 
-  /** A millisecond is what a simulation takes at a time. */
+  /** Moves by milliseconds, which are the simulation's ticks. */
   step(ms) {
     this.pause();
     this.seek((Math.round(this.t * 1000) + ms) / 1000);
   }
 
-  /** To the next event, or the one before; gives all that happened then. After the last one it goes to the end, but where a
-   *  kind is given it stays. */
+  /** Moves to the next or previous event, of `kind` if given. Returns all events of that time. Without such an event,
+   *  moves to the end or the start of the run, or stays if `kind` is given. */
   stepEvent(direction, kind) {
     this.pause();
     const events = this.run.events.filter((e) => !kind || e.kind === kind);

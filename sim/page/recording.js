@@ -1,9 +1,9 @@
-// Reads a recording (docs/reference/recordings.md has the format): a line that says what it is, then, compressed, a line
-// of JSON and the columns that it lists.
+// Reads a recording (docs/reference/recordings.md describes the format): a line that identifies the format,
+// then compressed data. The data is a line of JSON, and the columns that it lists.
 
 const MAGIC = 'robosim.rec/1\n';
 
-/** Something is wrong with a file; its message is a sentence for people. */
+/** An error in a file. Its message is a sentence for the user. */
 export class BadFile extends Error {}
 
 export function bytesOfBase64(text) {
@@ -27,8 +27,8 @@ async function inflated(bytes) {
   }
 }
 
-/** Whole numbers, of which differences are kept in groups of seven bits (sim/wire/columns.h). `before`: where the numbers
- *  before these have ended, and these will. */
+/** Decodes whole numbers, stored as differences in groups of seven bits (sim/wire/columns.h). `before`: the state
+ *  after the previous numbers, which is updated. */
 export function column(bytes, at, { bytes: size, order, scale, name }, count, before = { last: 0, change: 0 }) {
   const values = new Float64Array(count);
   const end = at + size;
@@ -39,7 +39,7 @@ export function column(bytes, at, { bytes: size, order, scale, name }, count, be
     if (at >= end) throw bad();
     let byte = bytes[at++], d;
     if (byte < 128) {
-      d = (byte >> 1) ^ -(byte & 1);  // nearly all of them
+      d = (byte >> 1) ^ -(byte & 1);  // the most frequent case
     } else {
       let z = byte & 127;
       for (let factor = 128; byte > 127; factor *= 128) {
@@ -58,7 +58,7 @@ export function column(bytes, at, { bytes: size, order, scale, name }, count, be
   return values;
 }
 
-/** Whether there are as many numbers as rows. */
+/** Returns whether a column has as many numbers as rows. */
 function isWhole(bytes, at, { bytes: size }, count) {
   const end = at + size;
   let numbers = 0;
@@ -67,17 +67,17 @@ function isWhole(bytes, at, { bytes: size }, count) {
   return numbers === count && (size === 0 || bytes[end - 1] < 128);
 }
 
-/** A property that is made when somebody asks for it. */
+/** Defines a property that is computed on first access. */
 export function lazily(object, name, make) {
   const set = (value) => Object.defineProperty(object, name, { value, writable: true, enumerable: true, configurable: true });
   Object.defineProperty(object, name, { get: () => set(make())[name], set, enumerable: true, configurable: true });
 }
 
-/** The columns of a stream, its rows in the order of time. An hour's are millions of numbers, of which few are looked at:
- *  each column is read when it is. */
+/** Returns the columns of a stream, with its rows in the order of time. Each column is decoded on first access: an
+ *  hour has millions of numbers, of which few are used. */
 function streamOf(bytes, at, count, columns) {
   const stream = {};
-  let rows;  // their numbers; null = they are in order
+  let rows;  // indices in the order of time; null = already in order
   const inOrder = (values) => (rows ? Float64Array.from(rows, (i) => values[i]) : values);
   const order = () => {
     if (rows !== undefined) return;
@@ -104,13 +104,13 @@ function streamOf(bytes, at, count, columns) {
   return stream;
 }
 
-/** Whether all is there that a robot is drawn by. */
+/** Returns whether a header has everything that is needed to draw its robot. */
 function isRobot({ result, started, robot_info: robot, streams }) {
   const isStream = ({ name, columns }) => Array.isArray(columns) && (name !== 'samples' || ['t_us', 'x_mm', 'y_mm', 'yaw_rad'].every((one) => columns.some((column) => column.name === one)));
   return Number.isFinite(result?.time_s) && [started?.readings, robot?.sensors, streams].every(Array.isArray) && streams.every(isStream);
 }
 
-/** { header, streams: Map of name to { columnName: Float64Array, text? }, others: the same of further robots } */
+/** Returns { header, streams: Map of name to { columnName: Float64Array, text? }, others: the same for more robots }. */
 export async function readRecording(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length));
   if (begins !== MAGIC) {
@@ -140,10 +140,10 @@ export async function readRecording(bytes) {
   return { header, streams, others };
 }
 
-/** What a recording says once for all its robots. */
+/** Returns the part of a header that all robots share. */
 export function shared({ robosim, map, map_text, floor, notes }) { return { robosim, map, map_text, floor, notes }; }
 
-/** The recording inside another page of ours. */
+/** Returns the recording in another page of Robosim. */
 export function bytesOfPage(html) {
   const found = /<script id="recording"[^>]*>([^<]*)(<\/script>)?/.exec(html);
   if (!found) throw new BadFile('This page has no recording of Robosim.');

@@ -1,9 +1,9 @@
-// A run that can be asked: where was the robot at a time, what happened, which signals are there? Made of a
-// recording, or of a table that somebody else's robot has logged. Times are seconds.
+// A run that can be queried: the robot's pose at a time, the events, the signals. It is made from a
+// recording, or from a table that another robot has logged. Times are in seconds.
 
 import { BadFile, lazily } from './recording.js';
 
-/** The last index whose time is not after t; 0 before the first. */
+/** Returns the last index whose time is not after t; 0 before the first time. */
 export function indexAt(times, t) {
   let low = 0, high = times.length - 1;
   while (low < high) {
@@ -14,9 +14,9 @@ export function indexAt(times, t) {
   return low;
 }
 
-const extents = new WeakMap();  // an hour's take milliseconds, and are asked for in each picture
+const extents = new WeakMap();  // a cache: an hour's values take milliseconds, in every frame
 
-/** The least and the most of values, 0 among them. */
+/** Returns the minimum and maximum of the values and 0. */
 export function extent(values) {
   let known = extents.get(values);
   if (known) return known;
@@ -36,26 +36,26 @@ export const KIND = {
   fault_began: 'fault', fault_ended: 'fault', power_lost: 'fault', power_back: 'fault', part_told: 'told',
 };
 
-// Nothing drives so far, so fast: it was lifted and put there.
+// A robot that moves this far and this fast was moved manually.
 const CARRIED_MM = 150, CARRIED_MM_S = 10000;
 
 export class Run {
   constructor(title, t, columns) {
     this.title = title;
     this.t = t;
-    this.columns = columns;  // name to Float64Array; x_mm and y_mm are among them
+    this.columns = columns;  // by name, each a Float64Array; x_mm and y_mm always exist
     this.duration = t.length ? t[t.length - 1] : 0;
     this.signals = [];
     this.events = [];
     this.lines = [];  // of the serial port: { t, text }
     this.pins = [];   // { name, t, level, duty, tone, source }
-    this.sources = [];  // lines of the sketch that drove pins; a pin's `source` counts them from 1
+    this.sources = [];  // lines of the sketch that drove pins; a pin's `source` is an index from 1
     this.sensors = [];
     for (const [name, unit] of [['x_mm', 'mm'], ['y_mm', 'mm'], ['yaw_rad', 'rad'], ['speed_mm_s', 'mm/s']])
       this.addSignal(name, unit);
   }
 
-  /** `from`: its times and values, which are read when they are looked at. */
+  /** Adds a signal. `from`: its times and values, which are read on first access. */
   addSignal(name, unit, label, steps = false, from = { times: () => this.t, values: () => this.columns[name], count: name in this.columns ? this.t.length : 0 }) {
     if (!from.count) return;
     const signal = { name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), steps };
@@ -66,7 +66,7 @@ export class Run {
 
   signal(name) { return this.signals.find((s) => s.name === name); }
 
-  /** Was it carried from sample i to the next? */
+  /** Returns whether the robot was moved manually from sample i to the next. */
   carried(i) {
     if (this.hand?.[i + 1]) return true;
     const { x_mm: x, y_mm: y } = this.columns;
@@ -74,7 +74,7 @@ export class Run {
     return far > CARRIED_MM && far > CARRIED_MM_S * (this.t[i + 1] - this.t[i]);
   }
 
-  /** A column between samples. */
+  /** Returns the value of a column at t, interpolated between samples. */
   at(name, t) {
     const values = this.columns[name];
     if (!values) return undefined;
@@ -91,7 +91,7 @@ export class Run {
 
   pose(t) { return { x: this.at('x_mm', t), y: this.at('y_mm', t), yaw: this.at('yaw_rad', t) ?? this.course(t) }; }
 
-  /** Where a robot heads of which only places are known. */
+  /** Returns the heading of a robot of which only places are known. */
   course(t) {
     const { x_mm: x, y_mm: y } = this.columns;
     const i = Math.min(indexAt(this.t, t), x.length - 2);
@@ -100,22 +100,23 @@ export class Run {
     return 0;
   }
 
-  /** What a reading was at the last sample. */
+  /** Returns a reading at the last sample before t. */
   reading(name, t) { return this.columns[name]?.[indexAt(this.t, t)]; }
 
   addEvent(t, kind, text) { this.events.push({ t, kind, text }); }
   sortEvents() { this.events.sort((a, b) => a.t - b.t); }
 }
 
-/** What a signal was then: as its curve is drawn. */
+/** Returns the value of a signal at t, as its curve is drawn. */
 export function valueAt({ t: times, values, steps }, t) {
   const i = indexAt(times, t);
   if (steps || i + 1 >= values.length || t <= times[i]) return values[i];
   return values[i] + (t - times[i]) / (times[i + 1] - times[i]) * (values[i + 1] - values[i]);
 }
 
-/** The graph that the sketch has told, as ours do while they scan: "found station 2", "found junction 1". A node is where
- *  the robot was then; an edge is what it has driven between two of them. { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
+/** Returns the graph that the sketch has reported in lines such as "found station 2" or "found junction 1". A node is
+ *  the robot's place at that time; an edge is the robot's way between two nodes.
+ *  { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
 export function toldGraph(run) {
   const nodes = [], edges = [];
   const { cell = 0, height = 0, junctions = [] } = run.floor ?? {};
@@ -144,7 +145,7 @@ export function toldGraph(run) {
   return { nodes, edges };
 }
 
-/** How far apart two robots are at equal times, as a signal. */
+/** Returns the distance between two robots at equal times, as a signal. */
 export function apart(run, other) {
   const t = run.t.filter((at) => at >= other.t[0] && at <= other.duration);
   const values = t.map((at) => {
@@ -154,7 +155,7 @@ export function apart(run, other) {
   return { name: 'apart_mm', unit: 'mm', label: 'apart', t, values, steps: false };
 }
 
-/** `number`: of the robot. */
+/** Returns the run of one robot. `number`: the robot's number. */
 export function runOf({ header, streams }, number = 0) {
   const samples = streams.get('samples') ?? { t_us: new Float64Array() };
   const { result, started, robot_info: robot } = header;
@@ -202,8 +203,8 @@ export function runOf({ header, streams }, number = 0) {
   return run;
 }
 
-/** What scripts have changed of the world, each { verb, argument, from, to } in seconds: an obstacle with its `disc`, and
- *  `moves` if it does; a shut door, paint or bare floor with its `box`; a light that is switched `on` or off. */
+/** Returns the changes of the world by scripts, each { verb, argument, from, to } in seconds. An obstacle has a
+ *  `disc`, and `moves` if it moves. A shut door, paint and bare floor have a `box`. A light has `on`. */
 export function changesBy(notes) {
   const all = [];
   const end = (t, what) => { for (const one of all) if (one.to > t && what(one)) one.to = t; };
@@ -213,7 +214,7 @@ export function changesBy(notes) {
       end(t, (one) => one.disc && one.argument === argument);
       if (disc) add({ disc, moves });
     } else if (box) {
-      const isDoor = part !== '';  // also where it is as before again: verb `restore`
+      const isDoor = part !== '';  // also for the verb `restore`, which undoes a change
       end(t, (one) => one.box && one.argument === argument && (one.verb === 'door') === isDoor);
       if (isDoor ? part === 'shut' : verb !== 'restore') add({ verb: isDoor ? 'door' : verb, box });
     } else if (verb === 'light' || verb === 'restore') {
@@ -223,20 +224,20 @@ export function changesBy(notes) {
   return all;
 }
 
-/** Where an obstacle is that a script has put: [x, y]. */
+/** Returns the place of a script's obstacle at t: [x, y]. */
 export function placeOf({ disc: [x, y], moves, from }, t) {
   if (!moves) return [x, y];
   const share = Math.min((t - from) / moves[2], 1);
   return [x + share * (moves[0] - x), y + share * (moves[1] - y)];
 }
 
-/** Whether the map's light of that number, from 1, is on. */
+/** Returns whether the map's light `number`, from 1, is on at t. */
 export function isLit(changes, number, t) {
   const last = changes.findLast((one) => one.verb === 'light' && one.from <= t && (one.argument === 'all' || Number(one.argument) === number));
   return last?.on ?? true;
 }
 
-/** For each sample, whether a script's hand moved the robot to there. */
+/** Returns for each sample whether a script moved the robot there. */
 function handOf(t, notes) {
   const acts = notes.filter(({ verb }) => ['place', 'lift', 'lower', 'sweep'].includes(verb));
   if (!acts.length) return undefined;
@@ -266,7 +267,7 @@ function addSerial(run, serial) {
 const TIME = { t: 1, t_s: 1, time: 1, time_s: 1, seconds: 1, t_ms: 1e3, time_ms: 1e3, millis: 1e3, t_us: 1e6, micros: 1e6, t_ns: 1e9 };
 const PLACE = { x_mm: 1, x: 1, x_cm: 10, x_m: 1000, y_mm: 1, y: 1, y_cm: 10, y_m: 1000 };
 
-/** A log of a robot, as a table: t, x and y, and any other columns. */
+/** Returns the run in a robot's log, a table of t, x, y and any other columns. */
 export function runOfTable(text, title) {
   const rows = text.split(/\r?\n/).filter((row) => row.trim() && !row.startsWith('#'));
   const separator = rows[0]?.includes(';') ? ';' : rows[0]?.includes('\t') ? '\t' : ',';

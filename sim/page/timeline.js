@@ -1,4 +1,4 @@
-// The whole run on one line: how far off the line it was, and a mark for each thing that happened. Drags scrub.
+// Shows the whole run on one line: the cross-track error, and a mark for each event. Drags scrub.
 
 import { drawMark, MARKS, style } from './colours.js';
 import { extent } from './run.js';
@@ -12,9 +12,9 @@ export function timeText(t, digits = 3) {
   return `${whole}:${(t - 60 * whole).toFixed(digits).padStart(digits ? digits + 3 : 2, '0')}`;
 }
 
-const envelopes = new WeakMap();  // of values, the last
+const envelopes = new WeakMap();  // the last envelope for each array of values
 
-/** The least and the most of a signal in each pixel of a width; NaN where there is none. */
+/** Returns the minimum and maximum of a signal in each pixel of a width; NaN in pixels without a value. */
 export function envelope(times, values, from, to, width, first, last) {
   const key = `${from} ${to} ${width} ${first} ${last}`, known = envelopes.get(values);
   if (known?.key === key) return known;
@@ -61,7 +61,7 @@ export class Timeline {
   xOf(t) { return MARGIN + t / Math.max(this.run.duration, 1e-9) * this.width; }
   timeAt(x) { return Math.min(Math.max((x - MARGIN) / this.width, 0), 1) * this.run.duration; }
 
-  /** The mark near a pixel. */
+  /** Returns the event whose mark is near a pixel. */
   eventAt(x, y) {
     if (y > 22) return undefined;
     let best, distance = 7;
@@ -88,7 +88,7 @@ export class Timeline {
     ctx.fillRect(MARGIN, top, this.width, bottom - top);
     this.drawError(ctx, top, bottom);
     this.drawTicks(ctx, bottom);
-    // What is rare lies on top of what is frequent.
+    // Draws rare marks over frequent ones.
     const order = ['serial', 'told', 'landmark', 'script', 'line', 'fault', 'collision', 'end'];
     for (const kind of order)
       for (const event of run.events)
@@ -135,13 +135,13 @@ export class Timeline {
 
   move() {
     this.head.style.transform = `translateX(${this.xOf(this.player.t)}px)`;
-    if (this.player.playing) return;  // who listens would hear nothing else
+    if (this.player.playing) return;  // a screen reader would announce nothing else
     this.canvas.setAttribute('aria-valuenow', this.player.t.toFixed(3));
     this.canvas.setAttribute('aria-valuetext', timeText(this.player.t));
   }
 }
 
-/** The next of 1, 2, 5, 10, 20 … */
+/** Returns the smallest of 1, 2, 5, 10, 20 … that is not less than `least`. */
 export function niceStep(least) {
   const ten = 10 ** Math.floor(Math.log10(Math.max(least, 1e-9)));
   return [1, 2, 5, 10].map((k) => k * ten).find((step) => step >= least * 0.999);

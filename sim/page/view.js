@@ -1,16 +1,16 @@
-// Which part of the floor is shown, and how large; drags, wheels and pinches change it. Floor in mm, y north;
-// screen in CSS pixels, y down.
+// The visible part of the floor, and its scale. Drags, the mouse wheel and pinches change both. Floor in mm,
+// y north; screen in CSS pixels, y down.
 
 const LEAST_PX_PER_MM = 0.005, MOST_PX_PER_MM = 20;
-const MARGIN_PX = 12, SCALE_PX = 40;  // the scale and the trail's colours stand below
+const MARGIN_PX = 12, SCALE_PX = 40;  // the scale and the trail's colours are below the floor
 
 export class View {
   constructor(canvas, area, changed) {
     Object.assign(this, { canvas, area, changed });
     this.scale = 1;
-    this.x = this.y = 0;  // floor at the canvas's middle
+    this.x = this.y = 0;  // place on the floor at the canvas's middle
     this.follows = false;
-    this.fits = true;     // until somebody moves it
+    this.fits = true;     // until the user moves the view
     this.pointers = new Map();
     canvas.addEventListener('wheel', (e) => this.wheel(e), { passive: false });
     canvas.addEventListener('pointerdown', (e) => this.down(e));
@@ -28,7 +28,7 @@ export class View {
   fit() {
     const { x, y, width, height } = this.area;
     const free = this.height - 2 * MARGIN_PX - SCALE_PX;
-    this.scale = Math.max(Math.min((this.width - 2 * MARGIN_PX) / width, free / height), LEAST_PX_PER_MM);  // it may be hidden
+    this.scale = Math.max(Math.min((this.width - 2 * MARGIN_PX) / width, free / height), LEAST_PX_PER_MM);  // may be hidden
     this.x = x + width / 2;
     this.y = y + height / 2 - SCALE_PX / 2 / this.scale;
     this.fits = true;
@@ -42,7 +42,7 @@ export class View {
     this.changed();
   }
 
-  /** What is under the pixel stays there. */
+  /** Zooms, and keeps the place under the pixel there. */
   zoom(factor, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.toFloor(px, py);
     this.scale = Math.min(Math.max(this.scale * factor, LEAST_PX_PER_MM), MOST_PX_PER_MM);
@@ -86,7 +86,7 @@ export class View {
   }
 }
 
-/** A canvas as large as it is shown, in the screen's own pixels; gives its context in CSS pixels. */
+/** Resizes a canvas to its displayed size in device pixels. Returns its cleared context, in CSS pixels. */
 export function sized(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];

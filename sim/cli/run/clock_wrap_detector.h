@@ -10,9 +10,9 @@
 // that is nearly as high and does not wrap. If these two runs differ after the wrap, the sketch cannot handle
 // it. A difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line counts
 // show which line ran far more often, or stopped running. Some sketches also differ with clocks that do not
-// wrap or that gain a digit, because a microsecond changes the robot's path. Nothing is reported for them.
+// wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
 //
-// The clock wraps in the middle of the run, or at moments after which the sketch drives no pin for long. The
+// The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The
 // detector misses deadlines that are not pending at any of these moments, and variables of 16 bits. It skips
 // sketches that use the time since power-on itself. It also skips sketches that send their clock (in
 // microseconds to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.

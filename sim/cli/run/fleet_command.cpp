@@ -28,9 +28,9 @@
 namespace robosim::cli {
 namespace {
 
-/// Returns 0 if all have reached their goals; else the most important failure.
+/// Returns 0 if all robots have reached their goals; otherwise the most important failure.
 int status_of(const std::vector<wire::RunResult>& results) {
-  // If a sketch has taken the process down, the others are interrupted, too.
+  // If a sketch has taken the process down, the other robots are interrupted, too.
   if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
   for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
     for (const wire::RunResult& result : results)

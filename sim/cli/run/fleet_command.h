@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the exit status: 0 if all of them reached their goals.
+/// Returns the exit status: 0 if all robots reached their goals.
 int fleet_command(const RunArguments& arguments);
 
 }  // namespace robosim::cli

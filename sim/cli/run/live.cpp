@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 60;
 constexpr std::int64_t kTick_ns = 1'000'000;
-constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // as fast as possible: until it checks for requests
+constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // at maximum speed: until it checks for requests
 constexpr double kFastest = 1000.0;
 constexpr std::size_t kLongestRequest = 1 << 17;
 constexpr long long kId = 1;  // there is one run
@@ -33,7 +33,7 @@ constexpr long long kId = 1;  // there is one run
 /// Reads lines of the standard input, as they arrive.
 class Requests {
  public:
-  /// Waits at most this long; -1 = for ever.
+  /// Returns the next line. Waits at most `wait_us`; -1 = without limit.
   std::optional<std::string> next(std::int64_t wait_us) {
     for (;;) {
       if (const std::size_t end = unread_.find('\n'); end != std::string::npos) {
@@ -175,14 +175,14 @@ class Live {
   const record::RecordedRun& recorded_;
   const wire::OnEvent& on_event_;
   record::Gatherer gatherer_;  // for the initial part of a recording
-  std::size_t started_ = 0;    // robots
-  std::string begun_;          // their reports until all had started; the recording precedes them
+  std::size_t started_ = 0;    // number of started robots
+  std::string begun_;          // reports until all robots have started; the recording precedes them
   std::string told_;
   Requests requests_;
   tui::Pacer pacer_ = paused();
   double next_ns_ = 0.0;            // the time of the next pause
-  std::int64_t leg_ns_ = kTick_ns;  // as fast as possible: the duration of about a frame
-  client::DrivenRun run_;           // the last member: its listeners are constructed before
+  std::int64_t leg_ns_ = kTick_ns;  // at maximum speed: the duration of about a frame
+  client::DrivenRun run_;           // last, so that its listeners are constructed before it
 
   static record::Gatherer begun(const record::RecordedRun& run) {
     record::Gatherer gatherer;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The list of maps only examines small ones.
+// The list of maps only examines smaller files.
 constexpr std::uintmax_t kLargestListed_bytes = 256'000;
 
 volatile sig_atomic_t the_signal = 0;
@@ -70,7 +70,7 @@ class Host final : public play::SessionHost {
   std::vector<play::MapEntry> maps() override {
     std::vector<play::MapEntry> entries;
     std::error_code error;
-    // In the samples' own folder they would be listed twice.
+    // In the samples' own folder, the maps would be listed twice.
     if (!fs::equivalent(fs::current_path(), launch::stock_map_folder(), error)) {
       for (const char* ending : {".map", ".dat"}) {
         for (const std::string& name : launch::names_in(".", ending)) {
@@ -86,7 +86,7 @@ class Host final : public play::SessionHost {
   grid::Map open_map(const std::string& name) override {
     const auto quoted_path = launch::is_path(name) ? fs::path(name) : grid::find_map(name);
     grid::Map map = grid::read_map(quoted_path);
-    grid::require_cells(map, grid::default_start(map), "play");  // throws, too, if there is no line
+    grid::require_cells(map, grid::default_start(map), "play");  // also throws if there is no line
     return map;
   }
   std::unique_ptr<play::CellDriver> cells(const grid::Map& map, const grid::Start& start,

@@ -5,8 +5,8 @@
 
 namespace robosim::cli {
 
-/// Runs the session. On a terminal that can address its cursor it takes the whole screen; elsewhere it reads
-/// and writes lines. Returns the exit status: 130 after Ctrl-C. Throws InputError for the map or start in the
+/// Runs the session. Uses the whole screen of a terminal that can address its cursor; otherwise reads and
+/// writes lines. Returns the exit status: 130 after Ctrl-C. Throws InputError for the map or start in the
 /// arguments.
 int play_command(const PlayArguments& arguments);
 

@@ -11,7 +11,7 @@ namespace robosim::cli {
 
 /// Returns the recorders of --record and --plot. Throws InputError.
 record::Recorders recorders_of(const RunArguments& arguments);
-/// Claims these files, so that no other process writes them meanwhile. Throws InputError.
+/// Locks these files, so that no other process writes them at the same time. Throws InputError.
 std::vector<FileLock> claims_of(const RunArguments& arguments);
 
 /// Returns a line for each file that a run has written: "run.html is written; open it in a browser".

@@ -32,7 +32,7 @@ constexpr int kWidestEnd_columns = 78;
 /// Thrown through the recording when the user quits.
 struct Left {};
 
-/// Returns the names of several robots; else empty.
+/// Returns the robots' names if there are several; otherwise empty.
 std::vector<std::string> names_of(const record::RecordingHeader& header) {
   std::vector<std::string> names;
   for (std::size_t i = 0; !header.others.empty() && i < header.robot_count(); ++i)
@@ -40,7 +40,7 @@ std::vector<std::string> names_of(const record::RecordingHeader& header) {
   return names;
 }
 
-/// Returns a result for one sentence about all robots.
+/// Returns a result that describes all robots in one sentence.
 wire::RunResult whole_result(const record::RecordingHeader& header) {
   wire::RunResult result = header.result;
   wire::RunRequest request;
@@ -100,7 +100,7 @@ std::string apart_text(const record::Apart& a) {
       a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
 }
 
-/// Compares robots to those of the same name.
+/// Compares robots with those of the same name in the other recording.
 std::string apart_text(const record::Recording& one, const std::vector<record::Track>& others,
                        const std::string& file) {
   std::string text;

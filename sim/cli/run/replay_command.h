@@ -5,7 +5,8 @@
 
 namespace robosim::cli {
 
-/// Plays it if the standard output is a terminal; else prints how it ended. Returns 0. Throws InputError.
+/// Plays the recording if the standard output is a terminal; otherwise prints its result. Returns 0. Throws
+/// InputError.
 int replay_command(const ReplayArguments& arguments);
 
 }  // namespace robosim::cli

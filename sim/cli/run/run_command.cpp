@@ -109,14 +109,14 @@ class Listeners {
   tui::LiveView* view_ = nullptr;
   bool print_serial_ = false;
   SerialPrinter serial_;
-  std::string debugger_;  ///< the command that attaches one
+  std::string debugger_;  ///< the command that attaches a debugger
   wire::Started started_;
   tui::Trail trail_;
-  std::deque<wire::Note> notes_;  ///< notes that were not yet passed to the trail
+  std::deque<wire::Note> notes_;  ///< notes not yet passed to the trail
   double for_s_;
 };
 
-/// Runs, in the live view if asked for.
+/// Runs the sketch, in the live view if requested.
 wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
                          const record::RecordedRun& recorded, const RunArguments& arguments,
                          Listeners& listeners) {
@@ -161,7 +161,7 @@ int run_command(const RunArguments& arguments) {
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
-  launch.request.batches = !arguments.view && !arguments.live;  // these are for viewers
+  launch.request.batches = !arguments.view && !arguments.live;  // viewers need each event at once
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);
@@ -227,7 +227,7 @@ int run_command(const RunArguments& arguments) {
     if (!unwritten) (arguments.serial ? complain : print)(written_text(arguments));
   }
   if (counters) {
-    // The same run, by inputs and results, counts once.
+    // Counts runs with equal inputs and results only once.
     const std::string text = counters->keep(run.wanted, run.image, run.request.script + json(std::nullopt));
     if (!arguments.coverage.empty()) {
       const std::string shown = text + counters->make_page();

@@ -11,7 +11,7 @@
 
 namespace robosim::cli {
 
-/// The inputs of the result. They must not depend on the machine: equal inputs give equal bytes.
+/// The inputs of a result. They must not depend on the machine: equal inputs give equal bytes.
 struct RunInputs {
   std::string robosim;  ///< version
   std::string target;
@@ -22,24 +22,25 @@ struct RunInputs {
   std::string compiler;
   bool sanitize = false;
 };
-/// `robosim` is its version, as reported by a runner.
+/// `robosim`: the version that a runner reports.
 RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim);
 
-/// Returns one object, indented by two spaces, with a line feed at its end. `wall_s`: with --timing only.
+/// Returns one object, indented by two spaces, with a line feed at its end. `wall_s`: only with --timing.
 std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
                      const std::optional<Finding>& finding = {});
 
 /// Returns the object in one line, for JSON Lines.
 std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result);
 
-/// A robot of several.
+/// One of several robots.
 struct RobotRun {
   std::string name;
   RunInputs inputs;
   wire::RunResult result;
 };
 
-/// Returns the schema robosim.fleet/1: how many reached their goals, and the object of each with its name.
+/// Formats robosim.fleet/1: the number of robots that reached their goals, and each robot's object with its
+/// name.
 std::string fleet_json(const std::vector<RobotRun>& robots, std::optional<double> wall_s);
 
 }  // namespace robosim::cli

@@ -11,10 +11,10 @@ namespace robosim::cli {
 namespace {
 
 constexpr double kLongest_of_timeout_s = 60.0;
-// With its checks a sketch takes longer until it crashes.
+// With checks, a sketch takes longer to crash.
 constexpr double kMargin_of_crash_s = 1.0;
 
-// Returns the time in which a check would have to fail to explain the first result.
+// Returns the time by which a check must fail to explain the first result.
 double limit_s(const wire::RunResult& first) {
   if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
   return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
 constexpr std::size_t kMostSource_bytes = std::size_t{1} << 20, kMostInAll_bytes = std::size_t{8} << 20;
-/// std::regex takes stack for each character that it looks at, and time for each way to match it.
+/// std::regex uses stack for each character that it reads, and time for each possible match.
 constexpr std::size_t kLongestLine = 300;
 
 std::string content_or_nothing(const fs::path& path) {
@@ -45,7 +45,7 @@ std::string trimmed(const std::string& text) {
 
 std::string without_comment(const std::string& line) { return line.substr(0, line.find("//")); }
 
-/// Returns its words that may be names, in their order.
+/// Returns the words of a line that may be names, in order.
 std::vector<std::string> names_in(const std::string& line) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at < line.size();) {
@@ -63,8 +63,8 @@ bool names(const std::string& line, const std::string& name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-/// Returns the constants of a line: `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C. Indented
-/// ones, of functions and classes, do not count.
+/// Returns the constants of a line: `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C. Skips
+/// indented constants, which belong to functions and classes.
 std::set<std::string> constants_of(const std::string& text) {
   const std::vector<std::string> names = names_in(text);
   if (text.starts_with("#define") && names.size() > 1) return {names[1]};
@@ -81,7 +81,7 @@ std::set<std::string> constants_of(const std::string& text) {
   return constants;
 }
 
-/// Returns the object of a line: `Servo arm(9);` declares arm; `int turn(int by);` is a function.
+/// Returns the object that a line declares: `Servo arm(9);` declares arm; `int turn(int by);` is a function.
 std::optional<std::string> object_of(const std::string& text) {
   static const std::regex object(
       R"((?:[A-Za-z_][\w:]*(?:<(?:[^;()<>]|<[^;()<>]*>)*>)?\s+)+(\w+)\s*[({](.+)[)}]\s*;\s*)");
@@ -94,7 +94,7 @@ std::optional<std::string> object_of(const std::string& text) {
   return parts[1];
 }
 
-/// Returns the variables without a value: `int a, b;` in a function declares two.
+/// Returns the variables that a line declares without a value: `int a, b;` in a function declares two.
 std::set<std::string> without_value(const std::string& line) {
   static const std::regex declaration(
       R"(\s+(?:volatile\s+)?(?:(?:unsigned|signed|long|short)\s+)*(?:u?int\d+_t|int|long|short|unsigned|char|bool|boolean|byte|word|float|double|size_t)\s+(\w+(?:\s*,\s*\w+)*)\s*;\s*)");
@@ -118,7 +118,7 @@ bool writes(const std::string& line, const std::string& name) {
                        R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
 }
 
-/// Returns the function that holds the line `at`, from 0; empty if unknown.
+/// Returns the function that contains the line `at`, from 0; empty if unknown.
 std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
   static const std::regex head(R"((?:[A-Za-z_][\w:<>]*[\s*&]+)*([A-Za-z_]\w*)\s*\(.*\{.*)");
   for (std::size_t i = at + 1; i-- > 0;) {
@@ -165,8 +165,8 @@ void SourceText::add(wire::Cause& cause, const wire::SourceLine& where, std::siz
   if (cause.lines.size() < most && had_.insert({where.file, where.line}).second) cause.lines.push_back(where);
 }
 
-/// Returns the writers for which these lines wait: the handlers that write what they read, and the lines that
-/// install them.
+/// Returns the code for which these lines wait: the handlers that write the variables that the lines read,
+/// and the lines that install these handlers.
 wire::Cause SourceText::writers_in(const std::deque<wire::SourceLine>& chain) {
   wire::Cause writers{0.0, "an interrupt handler writes", {}};
   std::set<std::string> done;
@@ -234,7 +234,8 @@ wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
   return named;
 }
 
-/// Returns `file`, or the only neighbouring one that does.
+/// Returns the file that declares a name: `file` itself, or the only neighbouring file that does. Returns
+/// `file` if there is no such file.
 std::string SourceText::file_that_declares(const std::string& name, const std::string& file) {
   if (declarations_in(file).contains(name)) return file;
   std::string found = file;
@@ -291,8 +292,8 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// A sketch can claim any name by #line. A name that leads out of its folder, also by a link, or that is not a
-// file, has no lines. For a library the image only has "libraries/NAME/...".
+// A sketch can claim any name with #line. A name outside of its folder, also through a link, has no lines;
+// nor has anything that is not a file. For a library, the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

@@ -1,4 +1,4 @@
-// The text of a sketch's lines, if its files are found: an image has the lines' places, not their text.
+// Reads the text of a sketch's lines, if its files are found: an image contains only the places of lines.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,17 @@ namespace robosim::cli {
 
 class SourceText {
  public:
-  /// `folders` are where files may be: the sketch's folder, and folders of libraries or with libraries in
+  /// `folders` may contain the files: the sketch's folder, and folders of libraries or with libraries in
   /// them.
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
   /// Returns the line without surrounding blanks; empty if it is unknown.
   std::string line(const wire::SourceLine& where);
-  /// Removes lines without information, and adds facts that instructions do not show, from the same files:
-  /// - writers of the `volatile` variables that are read, and uses of those functions' names
+  /// Removes lines without information. Adds facts that instructions do not show, from the same files:
+  /// - writers of the `volatile` variables that the lines read, and uses of these writers' names
   ///   (attachInterrupt());
   /// - variables of functions that are declared without a value;
-  /// - constants and objects that the lines name, and those that their declarations name; they may be in
-  ///   neighbouring files.
+  /// - constants and objects that the lines or their declarations name, also in neighbouring files.
   void explain(std::vector<wire::Cause>& chain);
 
  private:
@@ -38,7 +37,7 @@ class SourceText {
   const std::vector<std::string>& beside(const std::string& file);
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
-  /// Returns true for a brace, or a function's head that only saves registers.
+  /// Returns whether a line contains only a brace, or a function's head that only saves registers.
   bool says_nothing(const wire::SourceLine& where);
   wire::Cause writers_in(const std::deque<wire::SourceLine>& chain);
   void add_handler(wire::Cause& writers, const std::string& file, std::size_t at,
@@ -52,7 +51,7 @@ class SourceText {
   std::map<std::string, std::multimap<std::string, int>> declarations_;
   std::map<std::string, std::vector<std::string>> beside_;  ///< by folder
   std::set<std::pair<std::string, int>> had_;
-  std::size_t read_bytes_ = 0;  ///< of all files: a folder may hold any number
+  std::size_t read_bytes_ = 0;  ///< size of all read files: a folder may contain any number
 };
 
 }  // namespace robosim::cli

@@ -10,7 +10,7 @@
 
 namespace robosim::cli {
 
-/// The progress of the other process: shared memory, which survives it.
+/// The progress of the other process, in shared memory, which survives that process.
 class Progressed final : public cells::MoveWatcher {
  public:
   void moved(const cells::CellPose& pose, cells::Sense, cells::Move, double) override {
@@ -29,9 +29,9 @@ class Progressed final : public cells::MoveWatcher {
   bool finished_ = false;
 };
 
-/// `work` gets the memory, prints its output and returns the exit status. A process that dies, exits by
-/// itself, or takes 5 s of processor time without a move gives exit status 1. Then a sentence about `name`
-/// goes to standard error.
+/// Runs `work` in another process. `work` receives the shared memory, prints its output and returns the exit
+/// status. The exit status is 1 if the process dies, exits by itself, or uses 5 s of processor time without a
+/// move. Then a sentence about `name` is written to standard error.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
 }  // namespace robosim::cli

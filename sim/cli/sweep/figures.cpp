@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Visits the fields of a message for its numbers.
+/// Collects the numbers among a message's fields.
 class Numbers {
  public:
   static constexpr bool kReads = false;

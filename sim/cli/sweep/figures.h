@@ -1,5 +1,5 @@
 // The measurements of a run that a check can limit and a table shows, with their names in `run --json`. They
-// are its time, and the numbers among its metrics and resources.
+// are the run's time, and the numbers among its metrics and resources.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Figure {
   const char* name;
   bool chip_only;  ///< only known on an emulated chip
 
-  /// Returns one value, one for each lap, or none if it is unknown.
+  /// Returns one value, one value for each lap, or no value if it is unknown.
   std::vector<double> values(const wire::RunResult& result) const;
 };
 

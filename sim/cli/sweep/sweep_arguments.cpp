@@ -34,7 +34,7 @@ void refuse_repetition(const char* what, std::vector<std::string> names) {
   if (twice != names.end()) throw InputError(fmt::format("{} {} is given twice", what, *twice));
 }
 
-// "--map oval MySketch" would take the sketch for a map.
+// Rejects sketches among the values of an option, as in "--map oval MySketch".
 void refuse_sketches(const char* option, const std::vector<std::string>& words) {
   const auto ours = build::stock_sketches();
   for (const std::string& word : words) {
@@ -81,7 +81,7 @@ void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& la
   const auto from = number(text.substr(0, dots));
   const auto to = dots == text.npos ? from : number(text.substr(dots + 2));
   if (!from || !to) {
-    // Ranges as other tools write them: 1-30, 1:30, 1...30.
+    // Recognizes ranges in the notation of other tools: 1-30, 1:30, 1...30.
     const std::size_t other = text.find_first_not_of("0123456789");
     const std::size_t second = other == text.npos ? text.npos : text.find_first_of("0123456789", other);
     const bool is_range = other != 0 && second != text.npos && number(text.substr(second)).has_value();

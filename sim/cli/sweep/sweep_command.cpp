@@ -38,7 +38,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
   return result;
 }
 
-/// Detects a file that changes during a sweep, which would mix two different things in one table.
+/// Detects a file that changes during a sweep, because its results would mix two versions in one table.
 void check_unchanged(const Combination& c, const wire::RunResult& result) {
   const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
     if (then != now)
@@ -79,7 +79,7 @@ class Sweep {
   const std::vector<SweepOutcome>& outcomes() const { return outcomes_; }
   bool failed_itself() const { return failed_itself_; }
   std::size_t made() const { return made_; }
-  /// Returns the number in this shard.
+  /// Returns the number of runs in this shard.
   std::size_t runs() const { return runs_; }
 
  private:

@@ -92,7 +92,7 @@ class SweepSupplies {
     return robots_.emplace(name, describer().describe_robot(name)).first->second;
   }
   client::Runner& describer() {
-    if (!describer_) describer_.emplace("host");  // a robot is the same for all targets
+    if (!describer_) describer_.emplace("host");  // a robot's description is the same for all targets
     return *describer_;
   }
 
@@ -133,7 +133,7 @@ class Combiner {
   }
 
  private:
-  /// Adds several robots. They get the combination's settings that they do not have themselves.
+  /// Adds several robots. A robot's own settings take precedence over the combination's.
   void add_fleet(const std::string& file, std::vector<Combination>& combinations) {
     if (arguments_.each.chip_only) throw InputError({file}, "--untrusted excludes several robots");
     for (const std::string& map : or_default(arguments_.maps)) {

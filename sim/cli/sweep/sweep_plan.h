@@ -16,8 +16,8 @@
 
 namespace robosim::cli {
 
-/// A fingerprint of all inputs of a run except its seed, in parts, so that the changed one can be reported.
-/// Each has 8 hexadecimal digits, the beginning of a SHA-256.
+/// A fingerprint of all inputs of a run except its seed. It has several parts, so that the changed part can
+/// be reported. Each part has 8 hexadecimal digits, the beginning of a SHA-256.
 struct Fingerprint {
   /// Image, map, robot; and everything else: Robosim's version and the options that all runs share.
   std::array<std::string, 4> parts;
@@ -28,7 +28,7 @@ struct Fingerprint {
 /// One sketch on one map with one robot on one target.
 struct Combination {
   RunInputs inputs;   ///< as reported by `--json`
-  std::string title;  ///< of the sketch, for people: not "."
+  std::string title;  ///< of the sketch, for display: not "."
   client::Task task;  ///< without its seed
   std::string image_sha256;
   std::string map_sha256;
@@ -39,7 +39,7 @@ struct Combination {
   std::string text() const;
 };
 
-/// Runs are numbered from 0: first all seeds of the first combination, then those of the second …
+/// Runs are numbered from 0: first all seeds of the first combination, then all seeds of the second …
 struct SweepPlan {
   std::vector<Combination> combinations;
   std::uint64_t first_seed = 1;
@@ -53,7 +53,7 @@ struct SweepPlan {
 
 class SweepSupplies;
 
-/// Finds the files, compiles the sketches. Work that several sweeps share is done and reported once.
+/// Finds the files and compiles the sketches. Does and reports work that several sweeps share only once.
 class SweepPlanner {
  public:
   SweepPlanner(tui::Progress& progress, Says says);

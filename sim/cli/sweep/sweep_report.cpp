@@ -20,7 +20,7 @@ std::optional<analysis::Demand> demand_of(const SweepArguments& arguments) {
   return analysis::Demand{*arguments.min_rate, arguments.sure};
 }
 
-// Round to four digits, down or up, so that a share next to 0 or 1 does not become that.
+// Round to four digits, down or up, so that a share near 0 or 1 does not become 0 or 1.
 std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
 std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
 
@@ -41,7 +41,7 @@ analysis::Tally count(const SweepArguments& arguments, const SweepPlan& plan, st
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// Aligns columns by their widths; the first `left` of them to the left, the others to the right.
+/// Aligns columns by their widths: the first `left` columns to the left, the others to the right.
 std::string aligned(const Lines& lines, std::size_t left) {
   std::vector<int> widths(lines[0].size());
   for (const auto& line : lines) {
@@ -94,7 +94,7 @@ std::vector<std::string> line_of(const Combination& c, const analysis::Tally& ta
   return line;
 }
 
-/// Lists the failures, with a command for each of the first.
+/// Lists the failures, with commands that repeat the first ones.
 std::string failures_text(const SweepPlan& plan, std::size_t combination, const analysis::Tally& tally,
                           const std::vector<std::size_t>& failures,
                           const std::vector<SweepOutcome>& outcomes) {

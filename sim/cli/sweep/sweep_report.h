@@ -11,13 +11,13 @@
 
 namespace robosim::cli {
 
-/// Counts the runs of each combination, in the order of their seeds; with `stop_early` up to the deciding
-/// one. Missing runs are skipped.
+/// Counts the runs of each combination, in the order of their seeds; with `stop_early` only up to the
+/// deciding run. Skips missing runs.
 std::vector<analysis::Tally> count_runs(const SweepArguments& arguments, const SweepPlan& plan,
                                         const std::vector<SweepOutcome>& outcomes);
 
-/// Returns a table with a line for each combination, then the failures, with commands that repeat the first
-/// ones. Then follows whether --min-rate holds. It depends on the outcomes alone.
+/// Returns a table with a line for each combination, the failures, and commands that repeat the first ones.
+/// Also reports whether --min-rate is met. The report depends only on the outcomes.
 std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
                          const std::vector<SweepOutcome>& outcomes);
 

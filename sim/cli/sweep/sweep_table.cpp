@@ -30,8 +30,9 @@ enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTi
 
 constexpr const char* kScore = "score";
 
-/// Returns the measurements that have their own columns, with their names, in order. Laps have other columns,
-/// and the score's is after the stations'. Existing tables have neither junctions nor recovered energy.
+/// Returns the measurements that have columns of their own, in order. Laps have other columns, and the
+/// score's column follows the stations'. Junctions and recovered energy have no columns, because existing
+/// tables lack them.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
@@ -55,8 +56,8 @@ std::vector<std::string_view> names_of(Columns columns) {
   return all;
 }
 
-/// Returns the columns by the first line of a table, with its line feed if it is complete. None: not a
-/// sweep's header.
+/// Returns the columns of a table with this first line, which includes its line feed if it is complete.
+/// Returns nullopt if the line is not a sweep's header.
 std::optional<Columns> columns_of(std::string_view line) {
   for (const Columns columns : {Columns::all, Columns::without_score})
     if (sweep_header(columns).starts_with(line)) return columns;
@@ -88,14 +89,14 @@ std::optional<Number> parse_number(const std::string& text) {
   return value;
 }
 
-/// Returns the checksum of a row without one.
+/// Returns the checksum of a row that does not contain it yet.
 std::string seal_of(const std::vector<std::string>& fields) {
   return sha256(fmt::format("{}", fmt::join(fields, "\n"))).substr(0, kGroup);
 }
 
 std::string& inputs_field(std::vector<std::string>& fields) { return fields[fields.size() - 2]; }
 
-/// Returns false if there is one and it does not match. Older tables have none.
+/// Removes the checksum. Returns false if it does not match; older tables do not have it.
 bool take_seal(std::vector<std::string>& fields) {
   std::string& inputs = inputs_field(fields);
   if (inputs.size() == kParts.size() * (kGroup + 1) - 1) return true;

@@ -1,5 +1,5 @@
-// The table of a sweep (--csv): docs/howto/sweeps.md describes its columns. It is written during the sweep.
-// So it holds whole rows however the sweep ends, and can be resumed.
+// The table of a sweep (--csv): docs/howto/sweeps.md describes its columns. It is written during the sweep,
+// so it contains whole rows however the sweep ends, and can be resumed.
 #pragma once
 
 #include <cstdio>
@@ -15,7 +15,7 @@
 
 namespace robosim::cli {
 
-/// The verdict of a run that Robosim failed to make; `why` then has the reason.
+/// The verdict of a run that Robosim failed to make; `why` then contains the reason.
 inline constexpr const char* kErrorVerdict = "error";
 
 /// The stored data of a run.
@@ -23,7 +23,7 @@ struct SweepOutcome {
   std::string verdict;  ///< empty = missing
   double time_s = 0.0;
   std::string why;
-  double score = std::numeric_limits<double>::quiet_NaN();  ///< of a competition; NaN = none
+  double score = std::numeric_limits<double>::quiet_NaN();  ///< score of a competition; NaN = no score
 
   bool made() const { return !verdict.empty(); }
   bool reached() const { return verdict == "reached"; }
@@ -38,9 +38,9 @@ std::string sweep_row(const Combination& combination, const wire::RunResult& res
                       Columns columns = Columns::all);
 
 /// Reads the rows of `text`, the content of a table: the run and outcome of each. An incomplete last row
-/// without line feed is skipped. Throws InputError (with `file` and line) if a row is damaged, not of this
-/// plan, or has other inputs. In newer tables the last group of digits in `inputs` is a checksum of the rest
-/// of the row.
+/// without line feed is skipped. Throws InputError (with `file` and line) if a row is damaged, belongs to
+/// another plan, or has other inputs. In newer tables the last group of digits in `inputs` is a checksum of
+/// the rest of the row.
 struct SweepRow {
   std::size_t run = 0;
   SweepOutcome outcome;
@@ -50,18 +50,18 @@ std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string
                                       const SweepPlan& plan);
 
 /// Returns the rows of several tables, in the order of the runs, without errors. Throws InputError like
-/// read_sweep_rows, and if two tables have the same run.
+/// read_sweep_rows, and if two tables contain the same run.
 std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const SweepPlan& plan);
 
 class SweepTable {
  public:
-  /// Begins a file. With `resume` an existing one is continued: its outcomes are stored in `outcomes`, one
-  /// for each run. Incomplete rows, and those with the verdict `error`, are dropped. Without `resume`, an
-  /// existing file is refused, and so is one that another sweep is writing. Throws InputError.
+  /// Begins a file. `resume` continues an existing file: stores its outcomes in `outcomes`, one for each run.
+  /// Drops incomplete rows, and rows with the verdict `error`. Rejects an existing file without `resume`, and
+  /// a file that another sweep is writing. Throws InputError.
   SweepTable(std::filesystem::path file, bool resume, const SweepPlan& plan,
              std::vector<SweepOutcome>& outcomes);
 
-  /// Appends rows of other tables. Throws InputError if this one has a row of such a run.
+  /// Appends rows of other tables. Throws InputError if this table already has one of the runs.
   void take(const std::vector<SweepRow>& rows, std::vector<SweepOutcome>& outcomes);
   /// Appends a row. Throws InputError if that fails.
   void add(std::size_t run, const std::string& row);
@@ -83,7 +83,7 @@ class SweepTable {
   const SweepPlan& plan_;
   Columns columns_ = Columns::all;
   std::unique_ptr<std::FILE, Close> file_;
-  std::size_t next_ = 0;  ///< all rows so far are of earlier runs than this
+  std::size_t next_ = 0;  ///< all rows so far belong to runs before this one
   bool ordered_ = true;
 };
 

@@ -1,5 +1,5 @@
-// Tries out a draft of a robot with its sketch. The sketch's use of its pins refines the next draft. Of
-// several possible wirings, the one that follows a line is chosen.
+// Tries out a draft of a robot with its sketch. The sketch's use of its pins refines the next draft. If
+// several wirings are possible, chooses one that follows a line.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 
 namespace robosim::cli {
 
-/// Returns whether it has driven a lap along the line. An easy map can be lapped with a mean cross-track
-/// error of half the robot's width. So can it with sensors that see the line less than half of the time,
-/// unless they are beside it.
+/// Returns whether the robot has followed the line for a lap. A robot may lap an easy map by luck:
+/// with a mean cross-track error of half its width, or with sensors that rarely see the line.
+/// `sensors_beside`: the sensors are next to the line, and so rarely see it.
 bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
 
 class CandidateTrial {
  public:
-  /// `launch` has no robot; its scratch files go below `folder`.
+  /// `launch` has no robot. Scratch files go below `folder`.
   CandidateTrial(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
                  launch::Listener listener);
 
   /// Makes drafts until a run shows nothing new. Throws InputError if the sketch does not build.
   wiring::RobotDraft draft();
-  /// Sets `draft` to the one of its open variants that drives best. Returns the result of its run.
+  /// Sets `draft` to the variant that drives best among its open variants. Returns the result of its run.
   wire::RunResult choose(wiring::RobotDraft& draft);
   /// Return the number of variants that choose() has tried, and whether the chosen one follows the line for a
   /// lap.
