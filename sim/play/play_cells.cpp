@@ -10,7 +10,7 @@ namespace {
 
 using cells::Ending;
 
-// Limit of a walk or a scan: each line cell is entered a few times at most.
+// Limits a walk or a scan: each line cell is entered at most a few times.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 grid::Start start_of(const cells::CellPose& pose) { return {pose.cell, pose.facing}; }
@@ -30,7 +30,7 @@ std::string note_of(Ending ending) {
   return "";
 }
 
-/// Reports each move to the session during its lifetime.
+/// Reports each move to the session while it exists.
 class Watching final : public cells::MoveWatcher {
  public:
   Watching(cells::CellRobot& robot, const OnStep& on_step)
@@ -85,7 +85,7 @@ class Cells final : public CellDriver {
   int here() const override { return survey_.here(); }
   grid::Start pose() const override { return start_of(robot_.pose()); }
 
-  // Drives there invisibly and back, so that the displayed path is the driven one.
+  // Drives invisibly to the station and back, so that the displayed path is the driven one.
   RouteReport route(int to) override {
     const int from = survey_.here();
     const cells::Route route = drive(to);

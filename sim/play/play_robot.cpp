@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kLongest_ns = 3'600'000 * kMs;
-constexpr std::int64_t kPressed_ns = 1000 * kMs;  // the button
-constexpr std::int64_t kThinking_ns = 100 * kMs;  // simulated, between the question and the answer
+constexpr std::int64_t kPressed_ns = 1000 * kMs;  // duration of pressing the button
+constexpr std::int64_t kThinking_ns = 100 * kMs;  // simulated time between the question and the answer
 
 /// A robot that drives by an algorithm.
 struct Act {
@@ -44,8 +44,7 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Lines with which AiNavigator begins to wait for the user: the first two for a destination, the last for a
-/// scan.
+/// Lines after which AiNavigator waits for the user: the first two for a destination, the last for a scan.
 constexpr const char* kWaits = "^(destination\\?|refused|Put me on)";
 
 class Drive {
@@ -117,13 +116,13 @@ class Drive {
     if (!run_->over() && run_->state().stop < 0) run_->finish();
   }
 
-  /// Continues the run, in the live view if there is one.
+  /// Continues the run, in the live view if it exists.
   void watch(const std::function<void()>& go_on) {
     said_.clear();
     int signal = 0;
     console_.lend([&] {
       const client::Interrupts interrupts(runner_);
-      bool quit = false;  // by q
+      bool quit = false;  // the user pressed q
       if (scene_)
         view_.emplace(*scene_, tui::LiveView::Options{1.0, console_.look(),
                                                       [] { return client::Interrupts::count() > 0; },

@@ -43,7 +43,7 @@ bool is_any_of(const std::string& word, std::initializer_list<const char*> words
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
 }
 
-/// Returns the next line cell, in row order, at which a line ends.
+/// Returns the next line cell, in row order, that is the end of a line.
 std::optional<CellAt> next_dead_end(const grid::Map& map, CellAt after) {
   const std::size_t count = map.cells.size();
   const std::size_t begin = map.index_of(after) + 1;
@@ -154,7 +154,7 @@ void Session::place() {
   pose_ = start_;
   picture_->clear_trail();
   const auto go = [&](Direction d) {
-    pose_.facing = d;  // the last key pressed sets the direction, also at the edge
+    pose_.facing = d;  // the last pressed key sets the direction, also at the edge
     if (map_->contains(ahead(pose_.cell, d))) pose_.cell = ahead(pose_.cell, d);
   };
   for (;;) {

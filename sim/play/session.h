@@ -1,6 +1,6 @@
-// The original program's session: choose a map, place the robot, let it walk or scan. Then see the graph, and
-// send the robot from station to station. The SessionHost moves the robot and finds maps. docs/howto/play.md
-// describes the user's view.
+// The original program's session: choose a map, place the robot, and let it walk or scan; then inspect the
+// graph, and send the robot from station to station. The SessionHost moves the robot and finds maps.
+// docs/howto/play.md describes the user's view.
 #pragma once
 
 #include <cstdint>
@@ -24,18 +24,18 @@ enum class Algorithm { left, right, ai };
 struct CellStep {
   grid::Start pose;
   const char* sense = "";  ///< "straight"
-  const char* move = "";   ///< "step_forward"; "" after the last one
-  double time_s = 0.0;     ///< of the clock, before this move
+  const char* move = "";   ///< "step_forward"; "" after the last move
+  double time_s = 0.0;     ///< simulated time before this move
 };
-/// May throw to end the walk.
+/// May throw an exception to end the walk.
 using OnStep = std::function<void(const CellStep&)>;
 
 /// The result of a walk, a scan or a drive.
 struct WalkReport {
-  bool complete = false;  ///< scanned all, arrived, returned to the start
-  std::string note;       ///< another message for the user; "" = none
+  bool complete = false;  ///< the scan covered everything, or the robot arrived or returned to the start
+  std::string note;       ///< an additional message for the user; "" = none
   std::uint64_t moves = 0;
-  double time_s = 0.0;  ///< of this walk alone
+  double time_s = 0.0;  ///< only of this walk
   grid::Start end;
 };
 
@@ -43,7 +43,7 @@ struct RouteReport {
   bool possible = false;
   std::string why_not;
   std::vector<int> junctions;  ///< by number
-  std::string turns;           ///< a letter for each: R, S, L
+  std::string turns;           ///< a letter for each junction: R, S, L
   double time_s = 0.0;
 };
 
@@ -51,17 +51,17 @@ struct RouteReport {
 class CellDriver {
  public:
   virtual ~CellDriver() = default;
-  /// Walks with left or right.
+  /// Walks by the algorithm `left` or `right`.
   virtual WalkReport walk(Algorithm algorithm, const OnStep& on_step) = 0;
   virtual WalkReport scan(const OnStep& on_step) = 0;
   /// Returns the scanned graph.
   virtual const grid::TrueGraph& graph() const = 0;
   virtual grid::Start pose() const = 0;
-  /// Returns the robot's station, 0 = none.
+  /// Returns the number of the robot's station; 0 = none.
   virtual int here() const = 0;
   virtual RouteReport route(int to) = 0;
   virtual WalkReport drive(int to, const OnStep& on_step) = 0;
-  /// Puts the robot back to its station after an interrupted drive.
+  /// Returns the robot to its station after an interrupted drive.
   virtual void put_back(int station) = 0;
 };
 
@@ -70,7 +70,7 @@ struct MapEntry {
   std::string note;  ///< "24 x 15 cells, 7 stations"
 };
 
-/// Asks the user on a separate page: first the text, then the question. Returns the typed line.
+/// Asks the user on a separate page, which shows the text above the question. Returns the typed line.
 using AskPerson =
     std::function<std::string(const std::vector<std::string>& told, const std::string& question)>;
 
@@ -78,33 +78,33 @@ class SessionHost {
  public:
   virtual ~SessionHost() = default;
   virtual std::vector<MapEntry> maps() = 0;
-  /// Opens the user's choice: a name of the list, or a file. Throws InputError.
+  /// Opens the user's choice: a name from the list, or a file. Throws InputError.
   virtual grid::Map open_map(const std::string& name) = 0;
   virtual std::unique_ptr<CellDriver> cells(const grid::Map& map, const grid::Start& start,
                                             double seconds_per_move) = 0;
-  /// Runs the simulated Arduino robot, from compiling its sketch to the end of the run, on the terminal
-  /// itself. Returns a sentence about the end. Throws as `robosim run` does for bad input.
+  /// Runs the simulated Arduino robot on the terminal, from compiling its sketch to the end of the run.
+  /// Returns a sentence about the end. Throws the errors of `robosim run` for invalid input.
   virtual std::string drive_robot(const grid::Map& map, const grid::Start& start, Algorithm algorithm,
                                   tui::Console& console, const AskPerson& ask) = 0;
 };
 
-/// Ends the session from within.
+/// Thrown to end the session.
 struct SessionQuit {
-  bool interrupted = false;  ///< by Ctrl-C or the like
+  bool interrupted = false;  ///< by Ctrl-C or another signal
 };
 
 class Session {
  public:
   struct Options {
-    std::string map;               ///< "" = ask
-    std::string start;             ///< X,Y,DIR; "" = the map's
+    std::string map;               ///< "" = ask the user
+    std::string start;             ///< X,Y,DIR; "" = the map's start
     double moves_per_second = 10;  ///< initial speed of the display of walks
   };
 
   Session(SessionHost& host, tui::Console& console, Options options);
 
-  /// Runs to the end. Returns false if it was interrupted. Throws InputError for a map or start in the
-  /// options.
+  /// Runs the session. Returns false if it was interrupted. Throws InputError for an invalid map or start in
+  /// the options.
   bool run();
 
  private:
@@ -112,7 +112,7 @@ class Session {
 
   // Questions (session_ask.cpp).
   tui::Press read(const Body& body, const std::vector<tui::Page::Line>& footer);
-  /// Returns a typed line. `arrow` is called for up (-1) and down (+1).
+  /// Returns a typed line. Calls `arrow` for the keys up (-1) and down (+1).
   std::string ask(const Body& body, const std::string& question, const std::function<void(int)>& arrow = {});
   void refuse(const std::string& sentence) { error_ = sentence; }
 
@@ -138,7 +138,7 @@ class Session {
 
   // The display (session_watch.cpp).
   struct Stopped {};
-  /// Runs a walk, shown move by move; returns nothing if the user interrupted it.
+  /// Runs a walk and shows each move. Returns nullopt if the user interrupted it.
   std::optional<WalkReport> watch(const std::string& title, const std::vector<tui::CellLabel>& labels,
                                   const std::function<WalkReport(const OnStep&)>& walk);
   void show_step(const std::string& title, const std::vector<tui::CellLabel>& labels, const CellStep& step,
@@ -147,7 +147,7 @@ class Session {
   std::string pace_text() const;
 
   void draw_map(tui::Page& page, int rows, const std::vector<tui::CellLabel>& labels = {});
-  /// Keeps another cell in view than the robot's.
+  /// Draws the part of the map around a cell other than the robot's.
   void draw_map_around(tui::Page& page, int rows, grid::CellAt around,
                        const std::vector<tui::CellLabel>& labels);
   std::string map_title() const;
@@ -160,8 +160,8 @@ class Session {
   std::optional<grid::Map> map_;
   std::optional<tui::CellPicture> picture_;
   std::string line_cells_;
-  grid::Start start_;  // placed at the beginning
-  grid::Start pose_;   // now
+  grid::Start start_;  // pose at the beginning
+  grid::Start pose_;   // current pose
   bool driven_ = false;
   double speed_s_ = 1.0;
   Algorithm algorithm_ = Algorithm::ai;

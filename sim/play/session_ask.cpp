@@ -1,4 +1,4 @@
-// The questions of a session: one page, one question, a line or a key.
+// Asks the questions of a session: each has its own page, and is answered by a line or a key.
 #include <fmt/format.h>
 
 #include "sim/base/utf8.h"

@@ -1,4 +1,4 @@
-// The session from the first move on cells to the last.
+// The part of a session from the first move on cells to the last.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::string consumed(const WalkReport& report) {
   return fmt::format("Time consumed: {:.10g} s, {} moves.", report.time_s, report.moves);
 }
 
-// Returns "S1, S2 dock and S3": as many as fit in a sentence.
+// Returns "S1, S2 dock and S3", with as many stations as fit in a sentence.
 std::string stations_text(const grid::TrueGraph& graph) {
   constexpr int kListed = 30;
   const int count = static_cast<int>(graph.stations.size());
@@ -81,11 +81,11 @@ void Session::show_graph(const std::string& result) {
   const std::vector<tui::CellLabel> labels = tui::graph_labels(graph);
   const std::vector<std::string> lines = graph_lines(graph, console_.size().columns - 1, console_.look());
   const auto list_rows = static_cast<int>(std::min<std::size_t>(lines.size(), 1000));
-  const bool lines_too = !console_.is_live();  // there is no key g
+  const bool lines_too = !console_.is_live();  // without a live console, there is no key g
   std::size_t selected = 0;
   grid::CellAt around = pose_.cell;
   bool wants_map = true;
-  // Map and list share the screen if both fit; else they alternate.
+  // Shows map and list together if both fit; otherwise alternately.
   for (;;) {
     const tui::Press press = read(
         [&](tui::Page& page) {

@@ -14,7 +14,7 @@ using Kind = tui::Press::Kind;
 constexpr double kSlowest = 0.5;  // moves per second
 constexpr double kFastest = 2000.0;
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
-// Without a terminal or at full speed: moves between two checks for a signal.
+// Number of moves between two checks for a signal, without a terminal or at full speed.
 constexpr std::uint64_t kLookEvery_moves = 4096;
 
 }  // namespace
@@ -103,13 +103,13 @@ std::optional<WalkReport> Session::watch(const std::string& title, const std::ve
           continue;
         }
         due_us_ += pace_ > 0.0 ? static_cast<std::int64_t>(1e6 / pace_) : 0;
-        if (due_us_ < now - 100'000) due_us_ = now;  // does not catch up
+        if (due_us_ < now - 100'000) due_us_ = now;  // does not catch up on a delay
         break;
       }
       const std::int64_t left_us = paused_ ? 200'000 : due_us_ - now;
       const tui::Press press = console_.wait(static_cast<int>(left_us / 1000 + 1));
       if (press.kind != Kind::nothing) obey(press);
-      changed = true;  // or a resize
+      changed = true;  // or the terminal was resized
       if (single_) break;
     }
     ++moves;

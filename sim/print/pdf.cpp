@@ -17,7 +17,7 @@ constexpr double kPoint = 72.0 / 25.4;  // points per millimetre
 
 float points(double mm) { return static_cast<float>(mm * kPoint); }
 
-// Converts to Helvetica's characters in WinAnsiEncoding.
+// Converts a text to Helvetica's characters in WinAnsiEncoding.
 std::string latin_of(const std::string& utf8) {
   std::string text;
   for (std::size_t i = 0; i < utf8.size(); ++i) {
@@ -36,7 +36,7 @@ std::string latin_of(const std::string& utf8) {
   return text;
 }
 
-// Errors are stored in the document, and checked at the end.
+// Ignores errors, which the document stores until they are checked at the end.
 void keep_going(HPDF_STATUS, HPDF_STATUS, void*) {}
 
 }  // namespace
@@ -105,7 +105,7 @@ void Pdf::move_to(Vec2 p) { HPDF_Page_MoveTo(impl_->page, points(p.x), points(p.
 
 void Pdf::line_to(Vec2 p) { HPDF_Page_LineTo(impl_->page, points(p.x), points(p.y)); }
 
-// Uses a cubic curve, which is within 2e-8 of the radius of the arc.
+// Draws a cubic curve, whose distance from the arc is at most 2e-8 of the radius.
 void Pdf::arc_to(const Line& arc) {
   const Vec2 from = arc.from - arc.centre, to = arc.to - arc.centre;
   // tan(t / 4) of the angle t between them.

@@ -1,4 +1,4 @@
-// A PDF that is drawn in millimetres, x to the right and y up from a page's lower left corner.
+// A PDF with drawings in millimetres: x to the right, y up, from a page's lower left corner.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace robosim::print {
 
 class Pdf {
  public:
-  /// `compressed`: the contents of its pages. Throws ToolMissing in a build without the library.
+  /// `compressed`: compresses the contents of pages. Throws ToolMissing in a build without the library.
   Pdf(const std::string& title, bool compressed);
   ~Pdf();
 
@@ -26,19 +26,20 @@ class Pdf {
   void set_pen(double width, bool round_ends);
   void move_to(Vec2 p);
   void line_to(Vec2 p);
-  /// Draws an arc as in Line, from the pen's position; at most an eighth of a half turn.
+  /// Draws an arc (see Line) from the pen's position; at most an eighth of a half turn.
   void arc_to(const Line& arc);
   void add_box(const Box& box);
-  /// Loads a picture, in greys. It is drawn in the size of the box.
+  /// Loads a picture, in greys. It is drawn at the size of the box.
   void load_picture(const grid::FloorImage& image);
   void draw_picture(const Box& box);
   void stroke();
   void fill();
-  /// Draws text in Helvetica; characters beyond Latin-1 become `?`.
+  /// Draws text in Helvetica. Characters beyond Latin-1 become `?`.
   void text(Vec2 at, double size, const std::string& utf8);
   double width_of(double size, const std::string& utf8) const;
 
-  /// Returns the file. Equal drawings give equal bytes, since it has no date. Throws std::runtime_error.
+  /// Returns the file. Equal drawings give equal bytes, since the file has no date. Throws
+  /// std::runtime_error.
   std::string bytes();
 
  private:

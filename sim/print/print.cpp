@@ -11,7 +11,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kLongest = 200.0;  // mm of a line in one piece: a page skips distant pieces
+constexpr double kLongest = 200.0;  // mm; longest piece of a line: a page skips distant pieces
 constexpr double kHairline = 0.15;
 constexpr double kBar = 100.0;
 
@@ -33,7 +33,7 @@ class Printer {
   }
 
  private:
-  // Converts from the floor to the page.
+  // Converts coordinates from the floor to the page.
   struct View {
     Vec2 shift;
     double scale = 1.0;
@@ -113,7 +113,7 @@ class Printer {
     }
   }
 
-  // Black and white are exchanged if the map's are.
+  // Sets a colour. Exchanges black and white for a map with light lines.
   void colour(const grid::Colour& colour) {
     const auto swapped = [this](double grey) { return map_.light_line && !dark_floor_ ? 1.0 - grey : grey; };
     switch (colour.hue) {
@@ -132,7 +132,7 @@ class Printer {
     }
   }
 
-  // Draws where objects stand: thin, so that no sensor sees a line.
+  // Draws thin outlines of objects, which no sensor sees as a line.
   void outlines(const Box& box, const View& view) {
     pdf_.set_grey(0.6);
     pdf_.set_pen(kHairline, false);
@@ -160,7 +160,7 @@ class Printer {
     }
   }
 
-  // Visible on dark and on light floors.
+  // Draws a mark that is visible on dark and on light floors.
   void mark(Vec2 from, Vec2 to) {
     for (const auto& [width, grey] : {std::pair{4.0 * kHairline, 1.0}, {kHairline, 0.0}}) {
       pdf_.set_pen(width, false);
@@ -191,7 +191,7 @@ class Printer {
     label(sheet, {cut + 4.0, edge + 0.8});
   }
 
-  // Writes the label in the lower flap, 8 mm high.
+  // Writes the label, 8 mm high, in the lower flap.
   void label(const Sheet& sheet, Vec2 at) {
     pdf_.set_grey(1.0);
     pdf_.add_box({at.x - 2.0, at.y, at.x + kBar + 2.0, at.y + 8.0});
@@ -230,7 +230,7 @@ class Printer {
     pdf_.set_grey(0.0);
     double y = paper.height - margin - 5.0;
     pdf_.text({margin, y}, 6.0, shortened(map_.name, 6.0, paper.width - 2.0 * margin));
-    // The total size of all sheets.
+    // Total size of all sheets.
     const double wide = sheets_.columns * sheets_.net_width(), high = sheets_.rows * sheets_.net_height();
     constexpr double kText = 42.0;
     const double scale =

@@ -11,7 +11,7 @@ namespace robosim::print {
 struct Options {
   Paper paper;
   double margin = 5.0;  ///< mm that the printer cannot print
-  /// Prints white on black as black on white; pictures stay unchanged.
+  /// Prints white on black as black on white. Pictures stay unchanged.
   bool swapped = false;
   bool compressed = true;  ///< compresses the pages' contents
 };
@@ -21,10 +21,11 @@ struct Printed {
   Sheets sheets;
 };
 
-/// Prints a map. The first page is an overview with the sheets' numbers. Then follows a page for each sheet.
-/// It shows the paint on its piece of the floor, as the simulation measures it (round ends, gaps, arcs), and
-/// thin outlines of walls and obstacles. It has marks to cut along, its number, and a bar of 100 mm to check
-/// the printer. Throws InputError if it takes too many sheets, ToolMissing in a build that cannot write PDF.
+/// Prints a map. The first page is an overview with the sheets' numbers. The other pages are sheets: each
+/// shows the paint on its piece of the floor, as the simulation measures it (round ends, gaps, arcs), and
+/// thin outlines of walls and obstacles. It also has marks to cut along, its number, and a bar of 100 mm to
+/// check the printer. Throws InputError if there are too many sheets, and ToolMissing in a build that cannot
+/// write PDF.
 Printed print_map(const grid::Map& map, const Options& options);
 
 }  // namespace robosim::print

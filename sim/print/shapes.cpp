@@ -8,13 +8,13 @@ namespace robosim::print {
 namespace {
 
 constexpr double kMillimetre = 1e3;
-constexpr double kFine = 0.5;  // mm: lines are split to such pieces to test whether they enter a box
+constexpr double kFine = 0.5;  // mm; longest piece of a line when testing whether it enters a box
 
 Box around(const Line& line) {
   Box box{std::min(line.from.x, line.to.x), std::min(line.from.y, line.to.y),
           std::max(line.from.x, line.to.x), std::max(line.from.y, line.to.y)};
   if (line.radius == 0.0) return box;
-  // An arc of at most a quarter stays within its chord's box and the sagitta.
+  // An arc of at most a quarter turn stays within its chord's box, widened by the sagitta.
   const double chord = length(line.to - line.from);
   const double half = 0.5 * chord;
   return box.wider(line.radius - std::sqrt(std::max(line.radius * line.radius - half * half, 0.0)));

@@ -17,7 +17,7 @@ struct Box {
   bool meets(const Box& o) const { return left < o.right && o.left < right && low < o.high && o.low < high; }
 };
 
-/// A straight, or an arc counter-clockwise about `centre`, as in grid::Stripe.
+/// A straight line, or a counter-clockwise arc about `centre`, as in grid::Stripe.
 struct Line {
   Vec2 from, to, centre;
   double radius = 0.0;  ///< 0 = straight
@@ -35,14 +35,15 @@ class Shapes {
  public:
   explicit Shapes(const grid::Map& map);
 
-  /// Returns the paints, by the numbers of lines and bars.
+  /// Returns the paints, indexed by lines and bars.
   const std::vector<grid::Paint>& paints() const { return paints_; }
-  /// Passes on parts of the centre lines of a paint that may reach into the box. They are at most `longest`
-  /// long and an eighth of a half turn. Each has round ends, so that the parts form the whole.
+  /// Passes to `use` the parts of a paint's centre lines that may reach into the box. A part is at most
+  /// `longest` long, and at most an eighth of a half turn. Each part has round ends, so that the parts form
+  /// the whole.
   void lines_near(std::size_t paint, const Box& box, double longest,
                   const std::function<void(const Line&)>& use) const;
   const std::vector<Bar>& bars() const { return bars_; }
-  /// Passes on runs of painted cells (of a raster floor), or of walls, within the box.
+  /// Passes to `use` the runs of painted cells (of a raster floor), or of walls, within the box.
   void painted_cells_near(const Box& box, const std::function<void(const Box&)>& use) const;
   void walls_near(const Box& box, const std::function<void(const Box&)>& use) const;
   std::vector<Vec2> obstacles_near(const Box& box) const;

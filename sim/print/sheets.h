@@ -1,7 +1,7 @@
 // Divides a floor into adjacent sheets of paper.
 //
-// Each sheet shows its own piece of the floor, of net_width x net_height, and a flap around it. The flap is
-// 10 mm more of the floor on each side, on which the next sheet is laid. Sheets are counted from the floor's
+// Each sheet shows its own piece of the floor, of net_width x net_height, with a flap around it. The flap is
+// 10 mm more of the floor on each side, and the next sheet is laid on it. Sheets are counted from the floor's
 // upper left corner. Lengths in mm, x east and y north from the floor's lower left corner.
 #pragma once
 
@@ -42,8 +42,8 @@ struct Sheets {
   }
 };
 
-/// Divides the floor, with the paper in portrait or landscape, whichever takes fewer sheets. `dark_floor`:
-/// the floor itself is painted, too. Throws InputError beyond kMostSheets.
+/// Divides the floor with the paper in portrait or landscape, whichever needs fewer sheets. `dark_floor`: the
+/// floor itself is painted, too. Throws InputError if more than kMostSheets are needed.
 Sheets divide(const grid::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor);
 
 }  // namespace robosim::print

@@ -36,7 +36,7 @@ Fqbn parse(const std::string& text) {
   return fqbn;
 }
 
-/// Returns whether a name means the board's chip. "8MHzatmega328", "atmega328old" and "atmega328" are an
+/// Returns whether a name denotes the board's chip. "8MHzatmega328", "atmega328old" and "atmega328" denote an
 /// ATmega328P; an atmega1280 is not an ATmega2560.
 bool names_chip(const std::string& cpu, const BoardSpec& board) {
   std::string chip = board.chip->compiler_name;
@@ -46,7 +46,7 @@ bool names_chip(const std::string& cpu, const BoardSpec& board) {
   return unit == std::string::npos || cpu.substr(0, unit) == std::to_string(board.clock_hz / 1'000'000);
 }
 
-/// Returns the number of options that match the board; -1 if one does not.
+/// Returns the number of options that match the board; -1 if any does not.
 int fit(const Fqbn& wanted, const BoardSpec& board) {
   const Fqbn own = parse(board.fqbn);
   if (wanted.board.empty() || wanted.board != own.board) return -1;

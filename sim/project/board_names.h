@@ -8,15 +8,15 @@
 namespace robosim::project {
 
 /// Returns the board of an FQBN, VENDOR:ARCHITECTURE:BOARD[:KEY=VALUE,…], or null. A missing option has
-/// Arduino's default. An option that does not distinguish our boards may have any value, except cpu=…, which
+/// Arduino's default. An option that does not distinguish Robosim's boards may have any value. Only cpu=…
 /// must name their chip ("atmega328old").
 const BoardSpec* board_of_fqbn(const std::string& fqbn);
 
-/// Returns a board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), or null. It has the
-/// clock of a third-party FQBN, if that has one ("clock=8MHz_internal").
+/// Returns a board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), or null. If a
+/// third-party FQBN specifies a clock ("clock=8MHz_internal"), the board has this clock.
 const BoardSpec* board_with_chip(const std::string& chip, const std::string& fqbn);
 
-/// Returns the board of PlatformIO's id ("nanoatmega328"), or null.
+/// Returns the board with PlatformIO's id ("nanoatmega328"), or null.
 const BoardSpec* board_of_platformio(const std::string& id);
 
 /// Return all boards in the tools' notation: "arduino:avr:uno, …" and "uno, …".

@@ -1,11 +1,11 @@
-// The readers of all kinds of project files; project.h selects one.
+// Reads all kinds of project files; project.h selects the reader.
 #pragma once
 
 #include "sim/project/project.h"
 
 namespace robosim::project {
 
-/// The maximum size of each.
+/// The maximum size of a project file.
 constexpr std::size_t kMostProjectFile_bytes = std::size_t{1} << 20;
 
 Project read_platformio(const std::filesystem::path& folder, const std::string& environment);

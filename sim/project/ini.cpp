@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// Removes a comment, which begins a line, or follows a blank.
+/// Removes a comment, which starts the line or follows a blank.
 std::string without_comment(const std::string& line) {
   for (std::size_t i = 0; i < line.size(); ++i)
     if ((line[i] == ';' || line[i] == '#') && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t'))

@@ -1,5 +1,5 @@
-// Reads .ini files like Python's configparser, and so PlatformIO: sections, `key = value`, values that
-// continue in indented lines, comments after ; and #.
+// Reads .ini files by the rules of Python's configparser, which PlatformIO uses: sections, `key = value`,
+// values that continue in indented lines, comments after ; and #.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class IniFile {
 
   const std::vector<std::string>& sections() const { return order_; }
   bool has(const std::string& section) const { return values_.count(section) != 0; }
-  /// Returns the value; null if there is none.
+  /// Returns the value; null if it is missing.
   const IniValue* find(const std::string& section, const std::string& key) const;
 
  private:

@@ -67,7 +67,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// platformio.ini with its references resolved.
+/// The settings of platformio.ini, with references resolved.
 class Settings {
  public:
   explicit Settings(const fs::path& file) : path_(file), ini_(file) {
@@ -83,7 +83,7 @@ class Settings {
     return value ? filled(*value, "platformio", 0) : otherwise;
   }
 
-  /// Returns a value of an environment, of those that it extends, or of [env].
+  /// Returns a value of an environment, of the environments that it extends, or of [env].
   const IniValue* find(const std::string& environment, const std::string& key) const {
     const IniValue* value = find_in(kEnvironment + environment, key);
     return value ? value : ini_.find("env", key);
@@ -100,7 +100,7 @@ class Settings {
     return find_in(section, key, 0, without);
   }
 
-  /// `without`: sections that are known to lack it, so that each is searched only once.
+  /// `without`: sections that are known to lack the key, so that each is searched only once.
   const IniValue* find_in(const std::string& section, const std::string& key, int depth,
                           std::set<std::string>& without) const {
     if (without.count(section)) return nullptr;
@@ -116,7 +116,7 @@ class Settings {
     return nullptr;
   }
 
-  /// Returns the value of ${name}; nothing if it is unknown.
+  /// Returns the value of ${name}; nullopt if it is unknown.
   std::optional<std::string> value_of(const std::string& name, const std::string& section, int line,
                                       int depth) const {
     if (name == "PROJECT_DIR" || name == "platformio.project_dir")
@@ -199,7 +199,8 @@ bool is_macro(const std::string& text) {
          (end == text.end() || *end == '=' || *end == '(') && text.find('\n') == std::string::npos;
 }
 
-/// Takes only options about the sketch's content. Others could name programs and files of this machine.
+/// Accepts only options about the sketch's content, because others could name programs and files of this
+/// machine.
 void take_flags(Project& project, const std::string& text, const fs::path& folder) {
   std::vector<std::string> left_out;
   const std::vector<std::string> words = words_of(text);

@@ -24,7 +24,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, none);
 }
 
-/// Returns arduino-cli's file next to its results; null if there is none.
+/// Returns arduino-cli's file next to its results; null if it is missing.
 nlohmann::json build_options(const fs::path& folder) {
   const fs::path file = folder / "build.options.json";
   if (!is_file(file)) return nullptr;
@@ -39,7 +39,7 @@ std::string text_in(const nlohmann::json& object, const char* key) {
   return value != object.end() && value->is_string() ? value->get<std::string>() : "";
 }
 
-/// Returns PlatformIO's folder of the image, PROJECT/.pio/build/ENVIRONMENT/firmware.elf; else empty.
+/// Returns the PlatformIO project of an image PROJECT/.pio/build/ENVIRONMENT/firmware.elf; otherwise empty.
 fs::path platformio_of(const fs::path& image) {
   const fs::path build = image.parent_path().parent_path();
   if (build.filename() != "build" || build.parent_path().filename() != ".pio") return {};

@@ -18,10 +18,10 @@ struct WantedLibrary {
 };
 
 struct Project {
-  std::filesystem::path file;  ///< empty: there is none
-  std::string environment;     ///< the selected environment, or profile: "uno"; empty = it has none
+  std::filesystem::path file;  ///< empty = no file
+  std::string environment;     ///< the selected environment or profile: "uno"; empty = none
   const BoardSpec* board = nullptr;
-  const BoardSpec* stand_in = nullptr;  ///< without such a board: one with the same chip
+  const BoardSpec* stand_in = nullptr;  ///< for a missing board, another board with the same chip
   std::string board_name;               ///< as in the file; empty = none
   Place board_place;
   bool platformio = false;
@@ -33,23 +33,23 @@ struct Project {
   std::vector<std::string> remarks;  ///< sentences for the user: automatic choices, and ignored settings
 };
 
-/// Reads the project of a sketch's folder. `environment`: of platformio.ini, or a profile of sketch.yaml;
-/// empty = the file's default, else the first with a known board, else the first. Throws InputError for files
-/// that cannot be read, and for an unknown environment.
+/// Reads the project of a sketch's folder. `environment` belongs to platformio.ini, or is a profile of
+/// sketch.yaml. If it is empty, the file's default is used, otherwise the first with a known board, otherwise
+/// the first. Throws InputError for files that cannot be read, and for an unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 
 /// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.
 Project project_of_image(const std::filesystem::path& image);
 
-/// Returns the folder of the sketch from which one of them has built an image, if it still exists; else
-/// empty.
+/// Returns the sketch's folder from which arduino-cli or PlatformIO has built an image; empty if it no longer
+/// exists.
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
-/// For an image whose board Robosim does not have. Finds one with its chip ("atmega328p") and the clock of an
-/// FQBN, if given, and adds a remark. Does nothing if there is none.
+/// Finds a board for an image whose board Robosim does not have. The board has the same chip ("atmega328p"),
+/// and the clock of the FQBN if it gives one. Adds a remark. Does nothing if there is no such board.
 void find_stand_in(Project& project, const std::string& chip);
 
-/// Throws InputError for a board that Robosim does not have, and that has no substitute.
+/// Throws InputError for a board that Robosim does not have and cannot substitute.
 void check_board(const Project& project);
 
 /// Returns the sketchbooks in the preferences of Arduino's IDE and in arduino-cli's configuration.

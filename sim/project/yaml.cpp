@@ -39,7 +39,7 @@ int depth_of(yaml_event_type_t type) {
   return type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT ? -1 : 0;
 }
 
-// libyaml's time is quadratic in the depth. Invalid YAML is left to the reader.
+// Limits the depth, because libyaml's time is quadratic in it. Leaves invalid YAML to the reader.
 void check_depth(const std::string& content, const std::filesystem::path& path) {
   constexpr int kDeepestYaml = 64;
   Parser parser(content);

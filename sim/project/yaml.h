@@ -1,5 +1,5 @@
-// Reads YAML files of other tools, by libyaml. They are queried without conversion, so that anchors that
-// refer to each other a million times cost nothing.
+// Reads YAML files of other tools with libyaml. Queries them without conversion, so that anchors that refer
+// to each other a million times cost nothing.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace robosim::project {
 
 class YamlFile;
 
-/// A value of a file; valid as long as that. A missing one has no text, no members and no items.
+/// A value of a file, valid as long as the file. A missing value has no text, no members and no items.
 class YamlValue {
  public:
   bool is_there() const { return node_ != nullptr; }

@@ -36,7 +36,7 @@ BoardFault read_sag(const Words& words, std::size_t) {
 
 BoardFault read_brown_out(const Words&, std::size_t) { return PowerFault{PowerFault::Kind::brown_out}; }
 
-/// Parses "3rd" to 3; returns nothing for other texts.
+/// Parses "3rd" to 3; returns nullopt for other texts.
 std::optional<std::uint64_t> parse_ordinal(std::string_view text) {
   for (const char* ending : {"st", "nd", "rd", "th"}) {
     if (!text.ends_with(ending)) continue;
@@ -89,7 +89,7 @@ struct Kind {
   const char* thing;
   const char* name;
   Argument argument;
-  bool stays;  // does not end by itself
+  bool stays;  // the fault does not end by itself
   BoardFault (*read)(const Words& words, std::size_t eeprom_bytes);
 };
 

@@ -6,7 +6,7 @@
 
 namespace robosim::scenario {
 
-/// A motion to and fro over the floor at constant speed: to the left, to the right as far, and back.
+/// A motion to and fro over the floor at constant speed: to the left, equally far to the right, and back.
 struct Sweep {
   Pose base;
   SimTime began, period;
@@ -15,12 +15,12 @@ struct Sweep {
   Pose at(SimTime t) const;
 };
 
-/// Lifted and tilted, at constant speed in the time `way`, and back equally fast, so that it is level again
-/// at `end`.
+/// A lift and tilt at constant speed in the time `way`, and back equally fast. The robot is level again at
+/// `end`.
 struct Tilt {
   SimTime began, way, end;
   double angle;  ///< rad
-  Vec2 side;     ///< of the robot's frame, the side that goes down; a unit vector
+  Vec2 side;     ///< the side that goes down, in the robot's frame; a unit vector
 
   world::Lean at(SimTime t) const;
 };

@@ -1,4 +1,4 @@
-// Parses places on the floor in scripts. All functions throw InputError for invalid ones.
+// Parses places on the floor in scripts. All functions throw InputError for invalid places.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace robosim::scenario {
 /// Parses "COLUMN,ROW"
 grid::CellAt parse_cell(const grid::Map& map, const std::string& text);
 
-/// A line between the middles of two cells in one row or column: "X,Y X,Y".
+/// A line between the centres of two cells in one row or column: "X,Y X,Y".
 struct Stretch {
   Vec2 from, to;  ///< m
 };

@@ -1,5 +1,4 @@
-// A scenario: stimuli to the robot from outside, and their times. docs/reference/scripts.md describes the
-// language.
+// A scenario: stimuli to the robot, and their times. docs/reference/scripts.md describes the language.
 //
 //   at 2s press start 100ms
 //   after serial "Ready" send "3\n"
@@ -19,7 +18,7 @@
 
 namespace robosim::scenario {
 
-/// When a step is due. Each step runs once.
+/// The time or event at which a step is due. Each step runs once.
 struct Trigger {
   enum class Kind {
     at,       ///< simulated time `time`
@@ -30,17 +29,17 @@ struct Trigger {
     eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
   };
   Kind kind = Kind::at;
-  SimTime time = 0;  ///< at: when; else: the delay after the event
+  SimTime time = 0;  ///< for `at`: the time; otherwise: the delay after the event
   std::string text;
   std::string part;
   std::uint64_t count = 0;
 };
 
-/// The value of a byte of EEPROM after a power failure during its write. The chip erases it first (all bits
-/// set), then clears bits: it may hold any value.
+/// The value of an EEPROM byte after a power failure during its write. The chip erases the byte first (all
+/// bits set), then clears bits, so it may have any value.
 struct HalfWritten {
   enum class Kind { done, before, value };
-  Kind kind = Kind::done;  ///< done: the new content, as the supply lasts long enough; before: the old one
+  Kind kind = Kind::done;  ///< done: the new content, since the supply lasts; before: the old content
   std::uint8_t value = 0xFF;
 };
 
@@ -81,28 +80,30 @@ struct Action {
   double angle = 0.0;               ///< rad, of tilt: by this angle …
   Vec2 side;                        ///< … in this direction, in the robot's frame
   HalfWritten half_written;         ///< power off
-  std::optional<SimTime> duration;  ///< undone after it; of press, lift, cover, obstacle, fault, power
+  std::optional<SimTime> duration;  ///< undone after it: press, lift, cover, obstacle, fault, power
 };
 
-/// Returns the subject of an action, if a later action on it replaces the end of this one; else empty.
+/// Returns the subject of an action; otherwise empty. A later action on the same subject cancels the end of
+/// this action.
 std::string subject_of(const Action& action);
-/// Returns what a finger presses or covers: it stays so until the last finger has left; else empty.
+/// Returns the part that a finger presses or covers; otherwise empty. It stays pressed until the last finger
+/// leaves.
 std::string finger_of(const Action& action);
 
 struct Step {
   Trigger trigger;
   Action action;
   Place place;           ///< in the script
-  std::string varies{};  ///< the line, if it has spreads (spread.h), whose nominal values are here
+  std::string varies{};  ///< the line, if it has spreads (spread.h); the step contains their nominal values
 };
 
-/// Parses one line; returns nothing if it is empty or a comment. Throws like parse_scenario.
+/// Parses one line; returns nullopt if it is empty or a comment. Throws like parse_scenario.
 std::optional<Step> parse_step(std::string_view line, const Place& place);
-/// Returns a line with spreads, for these shares of them.
+/// Returns a step whose values have these shares of their spreads.
 Step parse_varied(const Step& step, const Share& share);
 
-/// Parses a scenario. Throws InputError with file and line, and the existing triggers or verbs. Names of
-/// parts and stations are checked later, with a robot and a map.
+/// Parses a scenario. Throws InputError with file and line, and the valid triggers or verbs. Names of parts
+/// and stations are checked later, with a robot and a map.
 std::vector<Step> parse_scenario(std::string_view text, const std::string& file);
 
 }  // namespace robosim::scenario

@@ -81,7 +81,7 @@ void ScenarioPlayer::draw(Step& step, const judge::Progress& progress) const {
   for (const double end : {-1.0, 1.0})
     check(parse_varied(step, [end](std::size_t) { return end; }), progress);
   if (stage_.profile == Profile::ideal) return;
-  // The stream depends on the step's text: other lines do not affect it.
+  // The stream depends only on the step's text, so that other lines do not affect it.
   const NoiseStream stream(stage_.seed, stage_.number, step.varies, "script");
   step = parse_varied(step, [&](std::size_t n) { return 2.0 * stream.uniform(n) - 1.0; });
 }
@@ -164,7 +164,7 @@ bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress
   return false;
 }
 
-// Actions that end in one tick end in the order in which they began.
+// Ends actions whose time is over. Actions that end in one tick end in the order in which they began.
 void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   std::map<std::uint64_t, std::pair<SimTime, Undo>> over;
   while (!state_.undo.empty() && state_.undo.begin()->first.first <= t) {
@@ -183,7 +183,7 @@ void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   }
 }
 
-// A button stays pressed, and a sensor covered, until the last finger leaves.
+// Keeps a button pressed, or a sensor covered, until the last finger leaves.
 void ScenarioPlayer::note_finger(const Action& action, const Moment& due) {
   if (action.verb == Action::Verb::release) {
     const auto all = state_.fingers.extract("press " + action.part);
@@ -201,7 +201,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
     state_.undo.erase(before->second);
     state_.lasting.erase(before);
   }
-  if (subject == "body" && state_.sweep) {  // a manual move ends where it began
+  if (subject == "body" && state_.sweep) {  // a manual move ends at its start
     stage_.body.place(state_.sweep->base);
     state_.sweep.reset();
   }
@@ -214,7 +214,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
   state_.undo.emplace(due, Undo{due.second, std::move(action), std::move(pending.fault)});
 }
 
-// Steps that are due in one tick run in the order of the script.
+// Runs the steps that are due. In one tick, they run in the order of the script.
 void ScenarioPlayer::act_now(SimTime t, const judge::Progress& progress, judge::Events& events) {
   if (!state_.undo.empty()) end_what_is_over(t, events);
   if (state_.sweep) stage_.body.carry(state_.sweep->at(t));

@@ -1,4 +1,4 @@
-// Reads one line of a scenario word by word from the left.
+// Parses one line of a scenario, word by word from the left.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robosim::scenario {
 
 struct Word {
   std::string text;
-  bool quoted = false;  ///< it was in double quotes; escapes are decoded
+  bool quoted = false;  ///< the word was in double quotes; escapes are decoded
   int column = 1;
 };
 
@@ -30,21 +30,21 @@ class ScriptLine {
   bool varies() const { return varies_; }
 
   bool more() const { return next_ < words_.size(); }
-  /// Returns whether the next word is this one, without quotes.
+  /// Returns whether the next word is `word`, without quotes.
   bool next_is(std::string_view word) const;
   /// Returns whether the next word was in double quotes.
   bool next_is_quoted() const { return more() && words_[next_].quoted; }
-  /// Takes the next word; `what` describes it in the message if it is missing.
+  /// Consumes and returns the next word. `what` describes it in the error message if it is missing.
   const Word& take(const char* what);
-  /// Takes the next word if it is this one.
+  /// Consumes the next word if it is `word`.
   bool take_if(std::string_view word);
   SimTime duration();
-  /// Takes "for TIME", or TIME alone; returns nothing at the line's end.
+  /// Consumes "for TIME", or TIME alone; returns nullopt at the line's end.
   std::optional<SimTime> optional_duration();
   double quantity(const char* what, Dimension dimension, double least, double most);
-  /// Takes an integer, decimal or as 0x3FF.
+  /// Consumes an integer, decimal or as 0x3FF.
   std::uint64_t whole(const char* what, std::uint64_t least, std::uint64_t most);
-  /// Rejects the last word that was taken.
+  /// Rejects the last consumed word.
   [[noreturn]] void refuse(const std::string& message) const;
   /// Rejects any remaining words.
   void end() const;

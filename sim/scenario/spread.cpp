@@ -25,7 +25,7 @@ struct Unit {
 constexpr Unit kUnits[] = {{Dimension::length, "m"},  {Dimension::angle, "rad"}, {Dimension::voltage, "V"},
                            {Dimension::current, "A"}, {Dimension::speed, "m/s"}, {Dimension::ratio, ""}};
 
-/// Returns the texts before and after the sign.
+/// Returns the texts before and after the sign of a spread.
 std::optional<std::pair<std::string, std::string>> split(const std::string& word) {
   for (const std::string_view sign : kSigns)
     if (const std::size_t at = word.find(sign); at != word.npos && at > 0)

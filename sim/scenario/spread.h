@@ -1,5 +1,5 @@
-// Numbers of a script that each seed draws again: "2s+-500ms", "12+-2,3", "50%±10%". They are drawn before a
-// line is parsed, so that the parser does not need to know them.
+// Numbers of a script that vary with the seed: "2s+-500ms", "12+-2,3", "50%±10%". They are drawn before a
+// line is parsed, so that the parser need not handle spreads.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ namespace robosim::scenario {
 /// Returns the position of a line's n-th number in its spread, from -1 to 1.
 using Share = std::function<double(std::size_t n)>;
 
-/// Returns whether a word has a number with a spread.
+/// Returns whether a word contains a number with a spread.
 bool has_spread(const std::string& word);
 
-/// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first`: the index of its first number,
-/// advanced to the next word's. Throws InputError, at `place`.
+/// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first`: the index of the word's first
+/// number; set to the next word's. Throws InputError, at `place`.
 std::string with_shares(const std::string& word, const Share& share, std::size_t& first, const Place& place);
 
 }  // namespace robosim::scenario

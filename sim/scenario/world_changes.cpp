@@ -15,15 +15,15 @@ namespace {
 using enum Action::Verb;
 
 constexpr double kErased_m = 0.005;   // beyond the line, on each side
-constexpr double kDoorRadius = 0.01;  // a door is as thick as two of these, a row of discs
-constexpr double kDoorStep = 0.015;   // from disc to disc
+constexpr double kDoorRadius = 0.01;  // a door is a row of discs, twice as thick as this
+constexpr double kDoorStep = 0.015;   // distance between two discs
 constexpr double kLongestDoor = 5.0;  // m
 
 struct Box {
   Vec2 least, most;
 };
 
-/// Returns the line, with a margin on each side.
+/// Returns the box around a line, with a margin on each side.
 Box box_of(const Stretch& stretch, double half) {
   const auto [a, b] = stretch;
   return {{std::min(a.x, b.x) - half, std::min(a.y, b.y) - half},

@@ -24,7 +24,7 @@ class WorldChanges {
   void clear_obstacle(const std::string& cell);
   /// Runs paint, erase, door or light.
   wire::ScriptActed perform(const Action& action);
-  /// Undoes it.
+  /// Undoes such an action.
   wire::ScriptActed undo(const Action& action);
   /// Moves moving obstacles to their places at `t`.
   void act(SimTime t) {
@@ -37,14 +37,14 @@ class WorldChanges {
   struct Obstacle {
     grid::CellAt cell;              ///< its initial place
     int number;                     ///< its number in the world
-    Vec2 from = {}, to = {};        ///< of a moving one
-    SimTime began = 0, period = 0;  ///< period 0: it does not move
+    Vec2 from = {}, to = {};        ///< of a moving obstacle
+    SimTime began = 0, period = 0;  ///< period 0: the obstacle does not move
   };
   /// The state that changes during a run; keys are the script's words.
   struct State {
     std::vector<Obstacle> obstacles;
-    std::map<std::string, int> patches;             ///< the world's numbers
-    std::map<std::string, std::vector<int>> doors;  ///< the discs of a closed one
+    std::map<std::string, int> patches;             ///< numbers in the world
+    std::map<std::string, std::vector<int>> doors;  ///< the discs of a closed door
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }

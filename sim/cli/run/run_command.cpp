@@ -161,7 +161,7 @@ int run_command(const RunArguments& arguments) {
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
   recorders.ask(launch.request);
-  launch.request.batches = !arguments.view && !arguments.live;  // viewers need each event at once
+  launch.request.batches = !arguments.view && !arguments.live;  // viewers need events without delay
   if (arguments.live) launch.request.serial = true, launch.request.columns_every_ns = record::kRecordEvery_ns;
 
   client::Runner runner(chosen.target);
