@@ -1,12 +1,13 @@
-# Arduino libraries and sketches as CMake targets for a chip: what avr_firmware.cmake and stm32_firmware.cmake share.
+# Arduino libraries and sketches as CMake targets for a chip: the common part of avr_firmware.cmake and
+# stm32_firmware.cmake.
 #
 #   robosim_arduino_library(LineKit FOLDER firmware)
 #   robosim_arduino_sketch(PidFollower FOLDER firmware/examples/PidFollower LIBRARIES LineKit BOARDS uno nano)
 #
-# makes PidFollower-uno.elf and what is flashed of it, and prints its size as Arduino does. Who includes this defines
+# makes PidFollower-uno.elf and the file to flash, and prints its size as Arduino does. The including file defines
 #
 #   robosim_board(BOARD)           makes the targets arduino-BOARD, the core, and arduino-BOARD-flags
-#   robosim_finish(TARGET BOARD)   what is made of a linked sketch
+#   robosim_finish(TARGET BOARD)   makes further files from a linked sketch
 set(ARDUINO_AVR /usr/share/arduino/hardware/arduino/avr CACHE PATH "Arduino's AVR platform")
 if(NOT EXISTS ${ARDUINO_AVR}/cores/arduino/Arduino.h)
   message(FATAL_ERROR "The Arduino core is missing: sudo apt install arduino-core-avr")
@@ -17,15 +18,15 @@ if(NOT ARDUINO_CTAGS)
 endif()
 set(ROBOSIM_TOOLCHAIN ${CMAKE_CURRENT_LIST_DIR})
 
-# robosim_arduino_library(<name> FOLDER <folder>): an Arduino library with src/ or of headers only; of its objects those
-# are linked that are needed.
+# robosim_arduino_library(<name> FOLDER <folder>): an Arduino library with src/ or only with headers. Only its needed
+# objects are linked.
 function(robosim_arduino_library name)
   cmake_parse_arguments(arg "" FOLDER "" ${ARGN})
   cmake_path(ABSOLUTE_PATH arg_FOLDER)
   set_property(GLOBAL PROPERTY robosim_arduino_library_${name} ${arg_FOLDER})
 endfunction()
 
-# The library, compiled for a board: the target NAME-BOARD.
+# Compiles a library for a board: the target NAME-BOARD.
 function(robosim_library_for_board name board)
   if(TARGET ${name}-${board})
     return()
@@ -46,7 +47,7 @@ endfunction()
 function(robosim_arduino_sketch name)
   cmake_parse_arguments(arg "" FOLDER "LIBRARIES;BOARDS" ${ARGN})
   cmake_path(ABSOLUTE_PATH arg_FOLDER)
-  # The .ino of the folder's name first, as Arduino joins them.
+  # The .ino with the folder's name comes first, as in Arduino's order.
   file(GLOB inos CONFIGURE_DEPENDS ${arg_FOLDER}/*.ino)
   list(REMOVE_ITEM inos ${arg_FOLDER}/${name}.ino)
   list(PREPEND inos ${arg_FOLDER}/${name}.ino)
@@ -63,7 +64,7 @@ function(robosim_arduino_sketch name)
     set(target ${name}-${board})
     add_executable(${target} ${joined} ${sources})
     add_dependencies(${target} ${name}-source)
-    set_target_properties(${target} PROPERTIES LINKER_LANGUAGE C)  # as Arduino links
+    set_target_properties(${target} PROPERTIES LINKER_LANGUAGE C)  # as in Arduino's builds
     target_include_directories(${target} PRIVATE ${arg_FOLDER})
     foreach(library ${arg_LIBRARIES})
       robosim_library_for_board(${library} ${board})

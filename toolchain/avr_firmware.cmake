@@ -1,5 +1,5 @@
-# Arduino sketches for an ATmega328P, in a build by avr-atmega328p.cmake, for the boards uno and nano: .elf and .hex. The
-# core is the genuine one of the package arduino-core-avr; flags are those of its platform.txt, as in
+# Builds Arduino sketches for an ATmega328P with avr-atmega328p.cmake, for the boards uno and nano: .elf and .hex. The
+# core is the genuine core of the package arduino-core-avr. The flags are from its platform.txt, as in
 # sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(AVR_OBJCOPY avr-objcopy)
@@ -18,7 +18,7 @@ function(robosim_board board)
   list(GET ROBOSIM_AVR_${board} 0 macro)
   list(GET ROBOSIM_AVR_${board} 1 variant)
   add_library(arduino-${board}-flags INTERFACE)
-  # Never SYSTEM: avr-gcc takes such folders for C.
+  # Never SYSTEM: avr-gcc would treat headers in such folders as C.
   target_include_directories(arduino-${board}-flags INTERFACE
     ${ARDUINO_AVR}/cores/arduino ${ARDUINO_AVR}/variants/${variant})
   target_compile_definitions(arduino-${board}-flags INTERFACE
@@ -32,7 +32,7 @@ function(robosim_board board)
 
   file(GLOB sources CONFIGURE_DEPENDS ${ARDUINO_AVR}/cores/arduino/*.cpp ${ARDUINO_AVR}/cores/arduino/*.c
     ${ARDUINO_AVR}/cores/arduino/*.S)
-  list(SORT sources)  # the linker takes archives' members in their order: the same bytes as by `robosim build`
+  list(SORT sources)  # the linker uses archive members in this order: the result equals `robosim build`'s
   add_library(arduino-${board} STATIC ${sources})
   target_link_libraries(arduino-${board} PUBLIC arduino-${board}-flags)
   # avr-libc 2.0 has no DECIMAL_DIG, which WString.cpp needs.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# toolchain/chip_size.sh SIZE ELF NAME FLASH RAM: prints what a program takes of a chip, as Arduino does; status 1 if
-# that is more than there is.
+# toolchain/chip_size.sh SIZE ELF NAME FLASH RAM: prints a program's use of flash and RAM, as Arduino does. Status 1
+# if it exceeds the chip's.
 set -euo pipefail
 
 "$1" -A "$2" | awk -v name="$3" -v flash="$4" -v ram="$5" '

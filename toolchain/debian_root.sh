@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# toolchain/debian_root.sh RELEASE [STEP...]: tries this checkout's HEAD in a fresh minimal root of a Debian release
-# (bookworm, trixie), as on a machine that has just been installed. Steps, in this order; without any, all:
+# toolchain/debian_root.sh RELEASE [STEP...]: tests this checkout's HEAD in a fresh minimal root of a Debian release
+# (bookworm, trixie), as on a newly installed machine. Steps, in this order; by default all:
 #
-#   run       as root: the README's first command, which installs what is missing and builds
+#   run       as root: the README's first command, which installs missing packages and builds
 #   samples   as root: the checks of every sample, on the targets that they name
 #   commands  as root: run and compare of every sample, and one minute of hunt
 #   test      as root: the README's second command
 #   pi        as root: the golden tests, cross-built for a Raspberry Pi with 64 and 32 bits, under qemu-user
 #   user      as an ordinary user, with the packages installed: both commands
 #
-# Ends with a table: the versions, and each step's seconds and last line. Status 1 if a step failed.
-# Needs root, and mmdebstrap. Packages come from the mirror that this machine uses; nothing else is downloaded.
-# The root is left in build/roots/RELEASE, with the log of each step in its /var/log/robosim.
+# Prints a table at the end: the versions, and each step's seconds and last line. Status 1 if a step failed.
+# Requires root, and mmdebstrap. Packages come from this machine's mirror; nothing else is downloaded.
+# The root stays in build/roots/RELEASE, with the log of each step in its /var/log/robosim.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..
@@ -33,8 +33,8 @@ fi
 root=$here/build/roots/$release
 logs=$root/var/log/robosim
 
-# Runs a command in the root, with devices, /proc and a /tmp of its own, which end with it. The root of the mount
-# namespace is changed, not only that of the process: in a chroot the kernel allows no user namespaces.
+# Runs a command in the root, with its own devices, /proc and /tmp, which end with it. Changes the root of the mount
+# namespace, not only of the process, because the kernel allows no user namespaces in a chroot.
 inside() {  # FOLDER COMMAND...
   unshare --mount --pid --fork --kill-child bash -euc '
     mount --bind "$0" "$0"
@@ -68,8 +68,8 @@ try() {  # NAME LINE-TO-SHOW FOLDER COMMAND...
   record "$1" $((SECONDS - begin)) "$status" "$(grep -E "$2" "$log" | tail -n 1)"
 }
 
-# Runs every sample, and compares it on host and AVR. A verdict of any kind is a result: status 0, 1, or 4 if time is
-# up. The host refuses some samples, which are for a chip alone: these run there.
+# Runs every sample, and compares it on host and AVR. Any verdict is a result: status 0, 1, or 4 if time is up. The
+# host rejects some samples, which are only for a chip: they run on the AVR.
 each_sample='
   ran=0 compared=0 chip=0
   sample() {  # COMMAND... : its status, and its output if it is none of a verdict
@@ -119,7 +119,7 @@ for step in "${steps[@]}"; do
       ;;
     commands)
       try 'run, compare' 'samples:' /root/robosim bash -c "$each_sample"
-      try hunt 'runs, ' /root/robosim bash -c './robosim hunt PidFollower --minutes 1 || (($? == 1))'  # 1: it found something
+      try hunt 'runs, ' /root/robosim bash -c './robosim hunt PidFollower --minutes 1 || (($? == 1))'  # 1: bugs were found
       ;;
     test) try test '[0-9]+ passed' /root/robosim ./robosim test ;;
     pi)

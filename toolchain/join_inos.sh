@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# toolchain/join_inos.sh CTAGS OUT.cpp INO...: joins .ino files to a C++ source, as Arduino does: Arduino.h on top, and
-# a prototype of each function before the first. For plain functions without default arguments; `robosim build` knows
-# the rest.
+# toolchain/join_inos.sh CTAGS OUT.cpp INO...: joins .ino files to a C++ source, as Arduino does: adds Arduino.h at
+# the top, and a prototype of each function before the first function. Handles only plain functions without default
+# arguments; `robosim build` handles all.
 set -euo pipefail
 
 ctags=$1 out=$2
@@ -15,7 +15,8 @@ shift 2
   done
 } >"$out.joined"
 
-# Name, file, pattern, then fields as "kind:function". A scope makes it a member, a `template` needs no prototype.
+# Fields: name, file, pattern, then "kind:function". A function with a scope is a member; a `template` needs no
+# prototype.
 "$ctags" -u --language-force=c++ -f - --c++-kinds=f --fields=KSTtzns "$out.joined" | awk -F'\t' '
   { line = signature = type = scope = "" }
   {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# toolchain/packages.sh GROUP...: installs what is missing of these groups of packages.txt.
+# toolchain/packages.sh GROUP...: installs the missing packages of these groups of packages.txt.
 #
-# With a terminal it prints the command and asks; as root without one (CI, a container) it goes ahead; as anyone else
-# without one it prints the command and ends with status 5, as it does when the installation fails. It says nothing
-# and needs no network when all is there. Its own words and apt's go to stderr.
+# With a terminal, prints the command and asks the user. As root without a terminal (CI, a container), installs at
+# once. Otherwise prints the command and ends with status 5; a failed installation has the same status. Prints nothing
+# and needs no network if nothing is missing. Its own output and apt's go to stderr.
 set -euo pipefail
 
 list=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/packages.txt
@@ -36,7 +36,7 @@ missing_of() {  # PACKAGE...
 }
 
 if ! command -v dpkg-query >/dev/null; then
-  exit 0  # not a Debian: CMake and the build say what they miss
+  exit 0  # not a Debian: CMake and the build report what is missing
 fi
 mapfile -t wanted < <(packages_of "$@")
 ((${#wanted[@]})) || fail "no group '$*' in $list"
@@ -70,13 +70,13 @@ no_packages() {
   fail "apt-get could not install these (is there a network?): ${missing[*]}"
 }
 
-# One server that answers will do: lists that are here already may be new enough.
+# One answering server is enough, since existing lists may be new enough.
 apt apt-get update -o Acquire::Retries=0 >"$log" 2>&1 || :
 if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2
   no_packages
 fi
-# apt only reports that it cannot locate a package that this release does not have.
+# apt reports a package that this release does not have only as "unable to locate".
 available=" $(apt-cache policy "${missing[@]}" | sed -n '/^[^ ]/{s/:$//;h;d}; /Candidate: [^(]/{g;p}' | tr '\n' ' ')"
 for package in "${missing[@]}"; do
   [[ $available == *" $package "* ]] || absent+=("$package")

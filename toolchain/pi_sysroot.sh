@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks that architecture's libraries that Robosim and its tests link (the
-# [host], [test], [avr] and [stm32] groups of packages.txt, and what these depend on) into FOLDER,
-# build/ARCHITECTURE-sysroot by default, for pi64.cmake and pi32.cmake.
-# The system's own packages and lists stay as they are. About 60 MB are downloaded.
+# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks the libraries of that architecture that Robosim and its tests
+# link into FOLDER, for pi64.cmake and pi32.cmake. These are the groups [host], [test], [avr] and [stm32] of
+# packages.txt, with their dependencies. FOLDER is build/ARCHITECTURE-sysroot by default. The system's own packages
+# and lists stay unchanged. About 60 MB are downloaded.
 set -euo pipefail
 
 architecture=${1:-}
@@ -12,11 +12,11 @@ if [[ $architecture != arm64 && $architecture != armhf ]]; then
 fi
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=${2:-$here/../build/$architecture-sysroot}
-[[ ! $folder/complete -nt $here/packages.txt ]] || exit 0  # a package may have been added
+[[ ! $folder/complete -nt $here/packages.txt ]] || exit 0  # the list of packages may have changed
 rm -rf "$folder"
 mkdir -p "$folder"/apt/{lists,archives}/partial
 folder=$(readlink -f "$folder")
-: >"$folder/apt/status"  # as if nothing were installed: everything that is needed comes along
+: >"$folder/apt/status"  # an empty system, so that all dependencies are downloaded
 
 apt=(apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$architecture" -o APT::Sandbox::User=root
   -o "Dir::State::status=$folder/apt/status" -o "Dir::State::lists=$folder/apt/lists"
@@ -29,10 +29,10 @@ for package in "$folder"/apt/archives/*.deb; do
   dpkg-deb --extract "$package" "$folder"
 done
 rm -r "$folder/apt"
-# From Debian 13 on all is in /usr, and a package that is not unpacked here links /lib to it.
+# Since Debian 13, everything is in /usr. The package that links /lib to it is not unpacked here.
 [[ -e $folder/lib ]] || ln -s usr/lib "$folder/lib"
 
-# Links to an absolute path would leave the folder.
+# Makes absolute links relative, because they would leave the folder.
 find "$folder" -type l -lname '/*' -print0 | while IFS= read -r -d '' link; do
   ln -sfnr "$folder$(readlink "$link")" "$link"
 done

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the tests of a built preset: a line of progress, then each failure with its output and the command to repeat it.
-# Then the skipped tests and the reasons, and the sum. The complete output stays in build/PRESET/tests.log.
-# `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`: with -V, -N and others about ctest's own output, it is ctest's own.
-# Status: ctest's; 130 after Ctrl-C.
+# Runs the tests of a built preset. Prints a progress line, and each failure with its output and the command to repeat
+# it. Then prints the skipped tests with their reasons, and the totals. The complete output is saved in
+# build/PRESET/tests.log. `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`: options such as -V or -N, which concern
+# ctest's output, print ctest's own output. Status: ctest's; 130 after Ctrl-C.
 set -uo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit
 
@@ -10,7 +10,7 @@ preset=$1
 log=build/$preset/tests.log
 ctest=(ctest --preset "$preset" -j "$(nproc)" "${@:2}")
 again='./robosim test'
-if [[ ${2-} == --browser ]]; then  # those alone that every preset leaves out
+if [[ ${2-} == --browser ]]; then  # only the tests that every preset excludes
   ctest=(ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error -L '^browser$' "${@:3}")
   again='./robosim test --browser'
 fi
@@ -24,7 +24,8 @@ for word in "${@:2}"; do
   esac
 done
 
-# Reads ctest's lines "Start 5: NAME" and "3/8 Test #5: NAME ... Passed". Off a terminal, a line for each tenth of the tests.
+# Reads ctest's lines "Start 5: NAME" and "3/8 Test #5: NAME ... Passed". Without a terminal, prints a line for each
+# tenth of the tests.
 show_progress() {
   local line name='' finished=0 of=0 failed=0 tenth=0 text
   while read -r line; do
@@ -48,7 +49,7 @@ show_progress() {
 }
 
 summary='
-  # Output of test N comes as "N: TEXT"; some lines are equal for every test.
+  # ctest prints the output of test N as "N: TEXT". Some lines are equal for every test.
   match($0, /^[0-9]+: /) {
     number = substr($0, 1, RLENGTH - 2)
     text = substr($0, RLENGTH + 1)
@@ -57,7 +58,7 @@ summary='
     if (text !~ /^(Test command: |Working Directory: |Test timeout |Running main|Note: Google Test filter|\[[-=]+\])/)
       written[number] = written[number] text "\n"
   }
-  # "3/8 Test #5: NAME ....***Failed  0.01 sec"; the count tells it from what a failed test wrote.
+  # "3/8 Test #5: NAME ....***Failed  0.01 sec"; the count distinguishes it from a failed test's output.
   /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* sec *$/ && $1 + 0 == finished + 1 {
     number = $0; sub(/^[^#]*#/, "", number); sub(/:.*/, "", number)
     name = $0; sub(/^[^:]*: /, "", name); sub(/ ?\.\.\..*/, "", name)
@@ -86,7 +87,7 @@ summary='
   }'
 
 shopt -s checkwinsize
-(:) # now bash knows COLUMNS
+(:) # sets COLUMNS
 interrupted=0
 trap 'interrupted=1' INT
 SECONDS=0

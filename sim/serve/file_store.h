@@ -1,5 +1,5 @@
-// The files of the folder that a page may write: sketches, finished images, robots and maps, by name. It
-// writes no other files or places, and replaces a file only on request.
+// Saves the files that a page may write in the folder: sketches, finished images, robots and maps, by name.
+// Writes no other files or places, and replaces a file only on request.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@ namespace robosim::serve {
 struct Offered {
   /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
   std::string name;
-  std::string text;      ///< for an image its bytes
-  bool replace = false;  ///< an existing one
+  std::string text;      ///< the bytes of an image
+  bool replace = false;  ///< replaces an existing file
 };
-/// Reads the JSON of a request. Throws InputError.
+/// Parses the JSON of a request. Throws InputError.
 Offered read_offered(const std::string& json);
 
-/// Thrown without writing: the file exists already.
+/// Thrown before writing if the file already exists.
 struct IsThere {
   std::string sentence;
 };
 
-/// Saves it; a sketch Mine.ino in a folder Mine. Returns its place in the folder, "./Mine/Mine.ino". Throws
-/// InputError for other names, for invalid text, and for an invalid map.
+/// Saves the file; a sketch Mine.ino in a folder Mine. Returns the file's place in the folder,
+/// "./Mine/Mine.ino". Throws InputError for other names, for invalid text, and for an invalid map.
 std::string keep(const HeldFolder& folder, const Offered& offered);
 
 /// Returns the text of a map of Choices. Throws InputError.

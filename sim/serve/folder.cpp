@@ -20,7 +20,7 @@ constexpr int kDeepest = 3;
 constexpr std::size_t kMost = 500;
 constexpr std::size_t kLongestToml = 256 * 1024;
 
-// Returns whether one of its tables is an [[agent]]; a file that is too long for TOML has none.
+// Returns whether a file contains an [[agent]]. A file that is too long for TOML does not.
 bool names_robots(const HeldFolder& root, const std::string& file) {
   try {
     std::istringstream lines(root.read(file, kLongestToml));

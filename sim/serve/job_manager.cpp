@@ -27,13 +27,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLook_ms = 200;                    // period of checks for a listener
-constexpr std::size_t kMostText = 1 << 20;       // of a run's output
-constexpr std::size_t kLongestLine = 16 << 20;   // from a watched run: it may hold a floor
+constexpr std::size_t kMostText = 1 << 20;       // of a run's output; bytes
+constexpr std::size_t kLongestLine = 16 << 20;   // bytes from a watched run: a line may contain a floor
 constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
 constexpr const char* kFolders = "robosim-serve-";
 
-/// Locks a folder until the descriptor is closed, also by a kill. Closed: another server has locked it.
+/// Locks a folder until the descriptor is closed, also by a kill. Returns a closed descriptor if another
+/// server has locked the folder.
 Descriptor hold(const fs::path& folder) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (held.is_open() && ::flock(held.get(), LOCK_EX | LOCK_NB) != 0) held.close();
@@ -53,7 +54,7 @@ void remove_abandoned(const fs::path& place) {
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
-/// `robot`: its owner, if there are several.
+/// Returns the file of a script. `robot`: the script's owner, if there are several robots.
 fs::path script_file(const fs::path& folder, int number, const std::string& robot = "") {
   return folder / fmt::format("{}", number) / (robot + ".txt");
 }
@@ -73,7 +74,7 @@ PageFolder::PageFolder() {
   const fs::path place = fs::temp_directory_path();
   remove_abandoned(place);
   struct stat info {};
-  do {  // another server may consider it abandoned before it is locked
+  do {  // before the lock, another server may consider the folder abandoned
     std::string name = (place / fmt::format("{}XXXXXX", kFolders)).string();
     if (!::mkdtemp(name.data()))
       throw InputError({name}, std::string("cannot create the folder: ") + std::strerror(errno));
@@ -87,7 +88,7 @@ PageFolder::~PageFolder() {
   fs::remove_all(path_, ignored);
 }
 
-/// A slot for a simultaneous run; false: none was free.
+/// Reserves one of the places for simultaneous runs; converts to false if none was free.
 class JobManager::Place {
  public:
   explicit Place(JobManager& jobs) : jobs_(jobs) {
@@ -106,7 +107,7 @@ class JobManager::Place {
   bool has_ = false;
 };
 
-/// Exists while a run accepts requests.
+/// Registers a run as accepting requests while it exists.
 class JobManager::Listening {
  public:
   Listening(JobManager& jobs, int number, int descriptor) : jobs_(jobs), number_(number) {
@@ -251,10 +252,10 @@ std::optional<JobManager::Done> JobManager::watch(int number, const Tell& tell) 
   start.errors = texts.write.get();
   Child child(start);
   for (Descriptor* given : {&requests.read, &lines.write, &texts.write}) *given = Descriptor();
-  ::fcntl(requests.write.get(), F_SETFL, O_NONBLOCK);  // a process that does not read must not block us
+  ::fcntl(requests.write.get(), F_SETFL, O_NONBLOCK);  // never blocks on a process that does not read
   const Listening listening(*this, number, requests.write.get());
 
-  std::string begun;  // a line
+  std::string begun;  // an incomplete line
   std::size_t printed = 0;
   const auto take_lines = [&](const std::string& text) {
     begun += text;
@@ -276,7 +277,7 @@ std::optional<JobManager::Done> JobManager::watch(int number, const Tell& tell) 
 bool JobManager::ask(int number, const std::string& line) {
   const std::lock_guard lock(mutex_);
   const auto found = inputs_.find(number);
-  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // completely or not at all
+  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // writes a whole line or nothing
   return ::write(found->second, line.data(), line.size()) == static_cast<ssize_t>(line.size());
 }
 

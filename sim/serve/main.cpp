@@ -1,4 +1,4 @@
-// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the program of `robosim serve`, which has checked all four.
+// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the program of `robosim serve`, which has checked all arguments.
 #include <fmt/format.h>
 
 #include <csignal>
@@ -15,7 +15,7 @@ int serve(char** words) {
   sigset_t ends;
   sigemptyset(&ends);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ends, signal);
-  pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // one thread waits for them
+  pthread_sigmask(SIG_BLOCK, &ends, nullptr);  // one thread waits for these signals
   std::signal(SIGPIPE, SIG_IGN);
   robosim::serve::Server server({words[1], words[4], words[2], std::atoi(words[3])});
   fmt::print("Open {}\nPress Ctrl-C to stop the server.\n", server.url());
@@ -26,7 +26,7 @@ int serve(char** words) {
     server.stop();
   });
   server.serve();
-  waiting.detach();  // if the server ended by itself, no signal has come
+  waiting.detach();  // if the server ended by itself, the thread still waits
   return 0;
 }
 

@@ -1,17 +1,17 @@
-// Decides which requests are answered at all. A page of another site can make the browser of a user of
-// `robosim serve` send requests here. It can neither read the answers nor choose these headers:
+// Decides which requests are answered at all. A page of another site can make a user's browser send requests to
+// `robosim serve`. Such a page can neither read the answers nor choose these headers:
 //
-//   Host             must be ours: else another site's name leads here (DNS rebinding)
-//   Origin           if present, must be ours
+//   Host             must be this server; otherwise another site's name leads here (DNS rebinding)
+//   Origin           if present, must be this server
 //   Sec-Fetch-Site   if present: "same-origin", or "none" (typed by the user)
 //   X-Robosim        required for actions: a form of another site cannot send it
 //
-// The others limit the size of a request, so that the HTTP library does not read a larger one:
-//   Range            at most one, since the answer has the page once for each
+// Other headers limit the size of a request, so that the HTTP library does not read a larger one:
+//   Range            at most one, since the answer contains the page once for each range
 //   Content-Encoding none: a few bytes may unpack to any number
 //   Transfer-Encoding, Content-Length   the length must be known before the body arrives
 //
-// If other machines may connect, a token is required, too.
+// If other machines may connect, a token is also required.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ class OriginCheck {
   /// `address` is the listening address; `token` is "" if only this machine can connect.
   OriginCheck(std::string address, int port, std::string token);
 
-  /// Returns the reason for a refusal; nothing = it may be answered.
+  /// Returns the reason for refusing a request; nullopt if it may be answered.
   std::optional<Refusal> refuse(const RequestHead& asked) const;
 
   const std::string& token() const { return token_; }

@@ -1,4 +1,4 @@
-// In a separate file: these headers and those of the HTTP library define the same structs.
+// A separate file, because these headers and the HTTP library's define the same structs.
 #include "sim/serve/received.h"
 
 #include <linux/tcp.h>

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kReadAtOnce = 64 * 1024, kMostAway = 4 * 1024 * 1024;
-constexpr int kPause_ms = 100;  // after this silence there is no more
+constexpr int kPause_ms = 100;  // silence after which no more input is expected
 constexpr std::size_t kMostHead = 64 * 1024;
 constexpr auto kLook = std::chrono::milliseconds(20);  // period of checks
 constexpr std::string_view kHeadTooLong =
@@ -32,7 +32,7 @@ ino_t inode_of(int descriptor) {
   return ::fstat(descriptor, &status) == 0 ? status.st_ino : 0;
 }
 
-/// Returns whether it is a connection to our port.
+/// Returns whether a descriptor is a connection to the server's port.
 bool is_connection(int descriptor, int port) {
   sockaddr_storage own{}, peer{};
   socklen_t own_size = sizeof own, peer_size = sizeof peer;
@@ -134,7 +134,7 @@ void RequestDeadline::watch() {
       one.awaited = one.head_awaited = false;
       if (inode_of(one.socket) != one.inode) continue;  // the library has just closed it
       const std::string_view answer = too_long ? kHeadTooLong : std::string_view(answer_);
-      const linger at_once{1, 0};  // otherwise a client that continues to send would keep its buffers
+      const linger at_once{1, 0};  // otherwise a client that keeps sending would keep its buffers
       if (too_long) ::setsockopt(one.socket, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
       (void)::send(one.socket, answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
       ::shutdown(one.socket, SHUT_RDWR);

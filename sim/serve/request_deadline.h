@@ -1,6 +1,6 @@
 // Limits the time in which a client must send a request, and the length of its head. The HTTP library limits
-// only the time between two bytes, so that a client with rare bytes would occupy a thread. It limits the
-// length of a header, but not their number.
+// only the time between two bytes, so a client with rare bytes would occupy a thread. The library limits the
+// length of a header, but not the number of headers.
 #pragma once
 
 #include <sys/types.h>
@@ -19,20 +19,20 @@ class RequestDeadline {
   struct Connection;
 
  public:
-  /// `port`: the server's. `answer`: sent to a client that is too slow, before the connection is closed.
+  /// `port`: the server's port. `answer`: sent to a client that is too slow, before the connection is closed.
   RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
   ~RequestDeadline();
 
-  /// Returns the connection that was just accepted, which the library does not pass on. Null if it has gone
-  /// already.
+  /// Returns the connection that was just accepted, which the library does not pass on; null if it is already
+  /// closed.
   Connection* accepted();
-  /// Answers its request, by `work`, in this thread; the time limit starts now.
+  /// Answers a connection's request by `work`, in this thread. The time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);
 
-  // For the connection that this thread answers:
+  // Report the progress of the connection that this thread answers.
   void head_is_here();
-  void is_here();    ///< the whole request
-  void read_away();  ///< input after the answer, or its sender would not see the answer
+  void is_here();    ///< the whole request has arrived
+  void read_away();  ///< reads input after the answer; otherwise its sender would not get the answer
 
  private:
   using Clock = std::chrono::steady_clock;

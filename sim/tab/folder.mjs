@@ -1,7 +1,8 @@
 // node folder.mjs SOURCE BUILD OUT SKETCH:ROBOT…
 //
-// Puts the folder together that a static host serves: the page of sim/tab/page, the module and the replay's page from the
-// build, licences, stock.json with all sketches, robots and maps, and the service worker with the list of all that.
+// Assembles the folder for a static host. It contains the page of sim/tab/page, the module and the replay's page from
+// the build, and licences. It also contains stock.json with all sketches, robots and maps, and the service worker with
+// the list of all files.
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';

@@ -1,5 +1,5 @@
-// The bench in a tab (docs/howto/tab.md): the functions that page/worker.js calls. One run at a time, from
-// files that the worker has written into the module's file system.
+// The bench in a tab (docs/howto/tab.md): the functions that page/worker.js calls. They run one request at a
+// time, with files that the worker has written into the module's file system.
 #include <emscripten.h>
 
 #include <exception>
@@ -77,7 +77,7 @@ wire::Answer answer_to(const wire::Asked<wire::Request>& asked) {
 
 extern "C" {
 
-/// `request`: a line of the runner protocol that requests a run. Returns the line that ends it.
+/// Runs the `request`, a line of the runner protocol. Returns the answer's last line.
 EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   recording.clear();
   const auto asked = wire::parse_request(request);
@@ -85,7 +85,7 @@ EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   return answer.c_str();
 }
 
-/// Return the compressed content of a .rec of the last run; empty if there is none.
+/// Return the compressed content of a .rec of the last run; empty without a recording.
 EMSCRIPTEN_KEEPALIVE const char* robosim_recording() { return recording.data(); }
 EMSCRIPTEN_KEEPALIVE int robosim_recording_size() { return static_cast<int>(recording.size()); }
 }

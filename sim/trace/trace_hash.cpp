@@ -3,7 +3,7 @@
 #define XXH_STATIC_LINKING_ONLY
 #include <fmt/format.h>
 #include <xxhash.h>
-// Uses the processor's widest vectors: the hash is the same.
+// Uses the processor's widest vectors, which give the same hash.
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
 #include <xxh_x86dispatch.h>
 #endif

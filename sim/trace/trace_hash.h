@@ -14,7 +14,8 @@
 namespace robosim::trace {
 
 /// Hashes the events of a run: the bits of every pose, every change of a pin or its PWM, every sent byte.
-/// Observations are not hashed, so recording more never changes it. XXH3-64 over 64-bit little-endian words.
+/// Does not hash observations, so recording more never changes the hash. XXH3-64 over 64-bit little-endian
+/// words.
 class TraceHash {
  public:
   TraceHash();
@@ -22,7 +23,7 @@ class TraceHash {
   TraceHash& operator=(const TraceHash& other);
   ~TraceHash();
 
-  /// Adds the pose at the end of a tick. Called once per tick: the hash needs no time for it.
+  /// Adds the pose at the end of a tick. It is called once per tick, so the hash needs no time for it.
   void pose(const Pose& pose) {
     static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
     std::memcpy(take(kPoseWords), &pose, sizeof pose);
@@ -30,14 +31,14 @@ class TraceHash {
   void pin(Pin pin, const PinDrive& drive, SimTime t);
   void serial(std::uint8_t byte, SimTime t);
 
-  /// Returns "1:" and 16 hexadecimal digits; the number is the version of this definition.
+  /// Returns "1:" and 16 hexadecimal digits; 1 is the version of this definition.
   std::string text();
 
  private:
   struct State;
 
   static constexpr std::size_t kPoseWords = 4;
-  // Tags distinguish records of different kinds. A pose needs none: it comes once per tick.
+  // Tags distinguish kinds of records. A pose needs no tag, because it comes once per tick.
   static constexpr std::uint64_t kPinTag = 0x50494E0000000000u;
   static constexpr std::uint64_t kSerialTag = 0x5345520000000000u;
 

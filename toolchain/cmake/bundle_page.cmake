@@ -1,9 +1,8 @@
 # cmake -DFOLDER=sim/page -DOUT=page_text.cpp -P bundle_page.cmake
 #
-# Makes one file of the page: style.css and the modules are put into page.html, and that into a C++ source, unless OUT
-# is an .html itself. A module
-# may import from those before it in the list, by name; all modules share one scope then, so that no name at a module's
-# top may be there twice (a browser says so at once).
+# Bundles the page: inserts style.css and the modules into page.html, and embeds the result in a C++ source, unless OUT
+# is an .html. A module may import from earlier modules in the list, by name. All modules share one scope, so the
+# top levels of two modules must not use the same name (a browser reports that at once).
 set(modules recording run colours player live fleet view bodies floor timeline charts now pins lists main)
 
 file(READ ${FOLDER}/style.css style)
@@ -23,7 +22,7 @@ if(OUT MATCHES "\\.html$")
   return()
 endif()
 
-# A literal a line: compilers have limits for one.
+# One literal for each line, because compilers limit a literal's length.
 string(REPLACE "\n" ")page~\" \"\\n\"\nR\"page~(" page "${page}")
 file(WRITE ${OUT} "#include \"sim/record/page_text.h\"
 

@@ -1,4 +1,4 @@
-# Makes the first build shorter, without other effects.
+# Shortens the first build, without other effects.
 
 # Code that waits for disks, compilers and users is compiled with less optimisation, in two thirds of the time.
 set(quick $<$<CONFIG:Release>:-O1>)
@@ -8,7 +8,7 @@ foreach(library project build course print calibrate launch play wiring mutate t
   endif()
 endforeach()
 
-# Where 3 GB are there for each processor, gcc begins to look for garbage at 2 GB: a tenth less time.
+# With 3 GB for each processor, gcc starts to collect garbage at 2 GB, which saves a tenth of the time.
 cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
 cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
 math(EXPR enough "${processors} * 3000")
@@ -16,8 +16,8 @@ if(memory GREATER enough)
   target_compile_options(robosim_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
 endif()
 
-# nlohmann-json's templates cost a compiler some 5 s, once for all files that are compiled together: those that use them
-# stand next to each other.
+# nlohmann-json's templates cost a compiler about 5 s, once for all files that are compiled together. So the files
+# that use them are grouped.
 foreach(library course record cli)
   get_target_property(sources robosim_${library} SOURCES)
   set(with_json "")
@@ -34,8 +34,8 @@ foreach(library course record cli)
   set_target_properties(robosim_${library} PROPERTIES SOURCES "${with_json};${sources}")
 endforeach()
 
-# The standard library's headers and fmt's are read once for each level of optimisation, in place of some 2 s for each file.
-# ccache keeps nothing that was compiled so unless it is told to.
+# Precompiles the headers of the standard library and fmt for each level of optimisation. This saves about 2 s for
+# each file. ccache caches such files only if its sloppiness is set.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache AND NOT "$ENV{CCACHE_SLOPPINESS}" MATCHES pch_defines)
   return()
 endif()

@@ -1,5 +1,5 @@
-# `cmake --install` and CPack: what an installed Robosim is made of. sim/base/file.h says how it finds it.
-# One component for each target: host and avr (MIT), stm32 (GPL-2 by Unicorn); each a Debian package.
+# Installs and packages Robosim, for `cmake --install` and CPack. sim/base/file.h describes how Robosim finds these
+# files. Each target is a component and a Debian package: host and avr (MIT), stm32 (GPL-2 by Unicorn).
 if(NOT TARGET robosim OR NOT TARGET robosim-host)
   return()
 endif()
@@ -16,8 +16,8 @@ install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT ho
 install(FILES README.md DESTINATION share/doc/robosim COMPONENT host)
 install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHING PATTERN *.md)
 
-# The built command prints its own manual pages and completion; it does so when it is installed, so that a plain build
-# does not pay for them.
+# The built command prints its own manual pages and completion. It does so during the installation, so that a plain
+# build takes no time for them.
 set(help ${CMAKE_CURRENT_BINARY_DIR}/help)
 string(REPLACE ";" "\" \"" emulator "${CMAKE_CROSSCOMPILING_EMULATOR}")
 if(emulator)
@@ -36,7 +36,8 @@ install(FILES ${help}/fish DESTINATION share/fish/vendor_completions.d RENAME ro
 
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
-# For find_package(robosim): the harness as source, with the headers it reads, and the libraries that it rests on as one.
+# For find_package(robosim): installs the harness as source, the headers that it includes, and the libraries that it
+# needs as one library.
 set(libraries worlds launch analysis record tui client wire build project elf cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
@@ -92,7 +93,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(libraries "")
 set(libelf "")
 set(libnlopt "")
-if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps knows this machine's libraries only
+if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps only handles this machine's libraries
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${ROBOSIM_PI_ARCHITECTURE})
   set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), libseccomp2, zlib1g")
@@ -102,8 +103,8 @@ endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 
-# Packages that compile sketches. The libraries are linked in (ROBOSIM_PORTABLE), so that one package serves Debian 12
-# and 13 alike.
+# Packages that compile sketches. ROBOSIM_PORTABLE links the libraries statically, so that one package serves both
+# Debian 12 and 13.
 set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")

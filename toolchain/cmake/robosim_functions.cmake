@@ -1,14 +1,14 @@
 # For your own project, after find_package(robosim) or FetchContent of Robosim's sources:
 #
 #   robosim_add_sketch(NAME SKETCH folder [TARGETS host avr stm32] [ROBOT robot])
-#     A target that compiles the sketch as `robosim build` does, for the board of the robot, at each build that finds it
-#     changed: what does not compile, fit the chip or keep the robot's budget fails the build. Images and .hex files go to
-#     the current binary folder, in NAME-TARGET/. TARGETS: host alone if not given.
+#     Adds a target that compiles the sketch for the robot's board, as `robosim build` does, in each build in which it
+#     has changed. The build fails if the sketch does not compile, does not fit the chip, or exceeds the robot's budget.
+#     Images and .hex files go to NAME-TARGET/ in the current binary folder. TARGETS: only host by default.
 #
 #   robosim_add_test(NAME SOURCES file... [SKETCH folder | IMAGE file.elf] [TARGETS host avr stm32])
-#     A GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>) and known to ctest, test by
-#     test. It sees the sketch or image as ROBOSIM_SKETCH, and AllTargets() are these TARGETS; of all that there are if
-#     none are given.
+#     Adds a GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>), and registers each
+#     test with ctest. The sketch or image is the test's ROBOSIM_SKETCH, and AllTargets() are these TARGETS; by
+#     default, all available targets.
 include_guard(GLOBAL)
 
 function(robosim_add_sketch name)
@@ -29,7 +29,7 @@ function(robosim_add_sketch name)
     list(APPEND commands COMMAND robosim::robosim build ${arg_SKETCH}/ --target ${target} ${robot}
       --out ${CMAKE_CURRENT_BINARY_DIR}/${name}-${target})
   endforeach()
-  # robosim build keeps what it made, and takes a few milliseconds where nothing has changed.
+  # robosim build caches its results, and takes a few milliseconds if nothing has changed.
   add_custom_target(${name} ALL ${commands} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} VERBATIM)
 endfunction()
 
@@ -39,7 +39,7 @@ function(robosim_add_test name)
     message(FATAL_ERROR
       "robosim_add_test(${name} SOURCES file… [SKETCH folder | IMAGE file.elf] [TARGETS …]), and not: ${ARGN}")
   endif()
-  if(NOT TARGET GTest::gmock)  # GoogleTest of your own project goes before the system's
+  if(NOT TARGET GTest::gmock)  # the project's own GoogleTest takes precedence over the system's
     find_package(GTest REQUIRED)
   endif()
   add_executable(${name} ${arg_SOURCES} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/test_setup.cpp)
@@ -49,7 +49,7 @@ function(robosim_add_test name)
       add_dependencies(${name} ${runner})
     endif()
   endforeach()
-  get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)  # empty: what was built is in its build folder
+  get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)  # empty: uses the results in the build folder
   string(REPLACE ";" "," targets "${arg_TARGETS}")
   target_compile_definitions(${name} PRIVATE
     ROBOSIM_TEST_INSTALLATION="${installation}" ROBOSIM_TEST_TARGETS="${targets}")
@@ -58,6 +58,6 @@ function(robosim_add_test name)
     cmake_path(ABSOLUTE_PATH firmware NORMALIZE)
     target_compile_definitions(${name} PRIVATE ROBOSIM_SKETCH="${firmware}")
   endif()
-  include(GoogleTest)  # it has variables of this scope
+  include(GoogleTest)  # here, because it sets variables in this scope
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()

@@ -5,7 +5,7 @@ from collections import defaultdict
 from pathlib import Path
 from xml.etree import ElementTree
 
-# Folders of headers: what they are for, and the folder that an #include is relative to.
+# Folders of headers: their purpose, and the folder that an #include is relative to.
 GROUPS = [
     ("Tests", "sim/testing/", "tests of firmware in C++: [how to write them](docs/howto/testing.md)"),
     ("Cells", "sim/cells/include/", "algorithms for [the robot on cells](docs/reference/algorithms.md)"),
@@ -28,7 +28,7 @@ def write_pages(xml, pages):
     """Writes the pages, and api.md, which lists them. Returns their part of the navigation."""
     compounds = [ElementTree.parse(file).getroot().find("compounddef") for file in sorted(xml.glob("*.xml"))]
     compounds = [c for c in compounds if c is not None]
-    headers, places = {}, {}  # places: where each header and class is described
+    headers, places = {}, {}  # places: the page of each header and class
     for compound in compounds:
         if compound.get("kind") == "file":
             file = compound.find("location").get("file")

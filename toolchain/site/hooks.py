@@ -50,7 +50,7 @@ def stage(document, name, source, pages):
         shutil.copy(source / target, pages / shown)
         return f"[{text}]({posixpath.relpath(shown, posixpath.dirname(name))}{fragment})"
 
-    # The first word after ``` is the language; tests read the others.
+    # The first word after ``` is the language; tests use the others.
     text, done, staged = document.read_text(), 0, []
     for fence in FENCE.finditer(text):
         staged += LINK.sub(link, text[done : fence.start()]), fence[1], fence[2], fence[0][fence[0].index("\n") :]
@@ -62,7 +62,7 @@ def stage(document, name, source, pages):
 
 
 def navigation(index, pages, reference):
-    """The sections of docs/README.md with the pages that they link, then the evidence."""
+    """Returns the sections of docs/README.md with the pages that they link, then the evidence."""
     home = {"Robosim": "README.md", "All documents": "docs/README.md", "FAQ": "docs/faq.md", "Changelog": "CHANGELOG.md"}
     nav, seen = [{"Home": [{title: page} for title, page in home.items()]}], set(home.values())
     sections = [part.split("\n", 1) for part in index.split("\n## ")[1:]]
@@ -85,7 +85,7 @@ def navigation(index, pages, reference):
 
 
 def anchor(heading, _separator):
-    """The anchor that GitHub gives a heading."""
+    """Returns GitHub's anchor of a heading."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
@@ -95,7 +95,7 @@ def on_page_content(html, **_):
 
 
 class Page(HTMLParser):
-    """The anchors of a page, its links, and what it loads."""
+    """A page's anchors, links, and loaded files."""
 
     def __init__(self, text):
         super().__init__()

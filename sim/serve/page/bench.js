@@ -1,6 +1,7 @@
-// The form above a replay: it asks the server for a run, and shows the run's page below. A button that is pressed, or
-// a text that is sent, becomes a line of the script at the moment that is shown, and the run is made again: equal
-// input gives an equal run, so all before that moment stays as it was. A run that is watched live gets it at once.
+// The form above a replay. It requests a run from the server, and shows the run's page below. Pressing a button,
+// or sending a text, adds a line to the script at the shown time, and repeats the run. Equal input gives an
+// equal run, so that everything before that time is unchanged. A run that is watched live receives the line
+// at once.
 
 import { put } from '/drop.js';
 import { Editor } from '/editor.js';
@@ -10,11 +11,11 @@ import { post, Watch } from '/watch.js';
 
 const $ = (id) => document.getElementById(id);
 const scripts = new Scripts($('script'), $('whose'));
-let running = null;   // its AbortController
+let running = null;   // AbortController of the current run
 let watching = null;  // a Watch
-let isLost = false;   // nobody answers
+let isLost = false;   // the server does not answer
 
-/** Gives what was chosen where it is not among them any more. */
+/** Replaces the options. Returns the previous choice if it no longer exists; otherwise ''. */
 function options(select, names, first, home = '.') {
   const before = select.value;
   select.replaceChildren();
@@ -25,7 +26,7 @@ function options(select, names, first, home = '.') {
   return '';
 }
 
-/** Gives a sentence where something that was chosen is not there any more. */
+/** Updates the choices from the server. Returns a sentence if a previous choice no longer exists. */
 async function list() {
   const answer = await fetch('/api/folder');
   const folder = await answer.json();
@@ -47,7 +48,7 @@ function say(text, bad = false) {
   $('said').hidden = !$('said').textContent.trim();
 }
 
-/** The page below, once it shows a run; else null. */
+/** Returns the page below, once it shows a run; otherwise null. */
 const shown = () => $('replay').hidden ? null : $('replay').contentWindow?.robosim ?? null;
 
 function show(recording, moment) {
@@ -69,7 +70,7 @@ function show(recording, moment) {
   if (matchMedia('(max-width: 700px)').matches) frame.scrollIntoView();
 }
 
-/** Its buttons, and what a click on the floor does; of several robots, those of the one that is looked at. */
+/** Sets up the buttons and the clicks on the floor, for the selected robot. */
 function touchable(page) {
   scripts.show(page.runs);
   page.onLookAt = () => {
@@ -81,7 +82,8 @@ function touchable(page) {
   page.touchable = true;  // for tests
 }
 
-/** At the moment that is shown, and the run again from there; of a run that is watched now. */
+/** Adds an action at the shown time, and repeats the run from there. Sends the action to a run that is watched
+ *  now. */
 function act(what) {
   const page = shown();
   if (watching) return watching.ask({ do: 'script', lines: what, agent: page.run.number });
@@ -100,7 +102,7 @@ const run = (moment) => underWay('building and running …', async (signal) => {
   await finish(await post('/api/run', wanted(), signal), moment);
 });
 
-/** The run as it goes on, at the pace of the clock. */
+/** Watches a run live, at the pace of the clock. */
 const live = () => underWay('building …', async (signal) => {
   let said = '', gone = false;
   const mine = watching = new Watch($('replay'), {
@@ -133,13 +135,13 @@ async function underWay(state, work) {
   $('state').textContent = state;
   $('stop').hidden = false;
   try {
-    const gone = await list();  // what there is may have changed
+    const gone = await list();  // the files may have changed
     if (gone) throw new Error(gone);
     await work(mine.signal);
   } catch (error) {
     if (mine.signal.aborted) return;
     $('state').textContent = '';
-    if (error instanceof TypeError) lose();  // what fetch throws where nobody answers
+    if (error instanceof TypeError) lose();  // thrown by fetch if the server does not answer
     else say(`${error.message}\n`, true);
   } finally {
     if (running === mine) { running = null; $('stop').hidden = true; }
@@ -165,17 +167,17 @@ async function finish(answer, moment) {
   conclude(done, said, moment);
 }
 
-/** Shows the recording of a run that is over, or why there is none. */
+/** Shows the recording of a finished run, or the reason why there is no recording. */
 function conclude(done, said, moment) {
   const failed = !done.recording;
   $('state').textContent = failed ? 'it did not run' : '';
   if (failed) $('replay').hidden = true;
-  const told = said.replace(/^robosim: the (map|robot) is .*\n/gm, '');  // the form says so
+  const told = said.replace(/^robosim: the (map|robot) is .*\n/gm, '');  // the form shows this already
   if (failed) say(`${told}${done.sentence ? `${done.sentence}\n` : ''}`, true);
   if (!failed) show(done.recording, moment);
 }
 
-/** Until the server answers again. */
+/** Waits until the server answers again. */
 function lose() {
   $('state').textContent = 'the server has stopped: start robosim serve again';
   if (isLost) return;
@@ -190,7 +192,7 @@ function lose() {
   }, 1000);
 }
 
-// Who only looks on is told, too.
+// Also informs users who only look at the page.
 setInterval(() => {
   if (!document.hidden && !running && !isLost) fetch('/bench.css', { cache: 'no-store' }).catch(lose);
 }, 2000);
@@ -200,14 +202,14 @@ $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
 const editor = new Editor({ listed: list, maps: $('map') });
 $('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));
 
-/** What has been put into the folder is chosen. */
+/** Chooses a file that was added to the folder. */
 function chooseFile(place) {
   const kind = place.endsWith('.map') ? 'map' : place.endsWith('.toml') ? 'robot' : 'sketch';
   $(kind).value = place.endsWith('.ino') ? place.slice(0, place.lastIndexOf('/')) : place;
   targets();
 }
 
-/** An image is for its chip. */
+/** Selects the target of a finished image, which only runs on its own chip. */
 function targets() {
   const image = /\.(hex|elf)$/.test($('sketch').value);
   const target = $('target');
@@ -235,7 +237,7 @@ document.addEventListener('drop', (e) => {
 
 $('live').addEventListener('click', () => live());
 $('stop').addEventListener('click', () => {
-  if (watching?.page) return watching.ask({ do: 'end' });  // what was seen of it is kept
+  if (watching?.page) return watching.ask({ do: 'end' });  // its recording so far is saved
   running?.abort();
   $('state').textContent = 'stopped';
 });
@@ -245,7 +247,7 @@ $('send').addEventListener('submit', (e) => {
 });
 const KEYS = ['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'];
 
-/** What a link asks for is in the form now. Throws an Error with a sentence for what cannot be. */
+/** Sets a field of the form from a link. Throws an Error with a sentence for an invalid value. */
 function choose(key, value) {
   const field = $(key), before = field.value;
   field.value = value;
@@ -255,7 +257,7 @@ function choose(key, value) {
   throw new Error(isFile ? `Unknown ${key} in the link: expected one in this folder or one that comes with Robosim, got ${value}.` : `Invalid ${key} in the link: ${value}.`);
 }
 
-/** /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
+/** Applies a link: /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
 async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of where) {

@@ -1,4 +1,5 @@
-// Files that are dropped on the page, or chosen, are put into the folder; over what is there only when that is asked for.
+// Saves files that are dropped on the page, or chosen, in the folder. Replaces existing files only on
+// request.
 
 import { post } from '/watch.js';
 

@@ -1,5 +1,6 @@
-// Draws maps (docs/reference/maps.md). The text is the map: what is drawn changes the text, and what the text means is said by the
-// server, which reads it as every run does; so nothing is lost that only the text can say, and a broken text stays as it is.
+// Draws maps (docs/reference/maps.md). The text is the map: drawing changes the text, and the server
+// interprets the text, like in every run. So everything that only the text can express is kept, and an
+// invalid text stays unchanged.
 
 import { post } from '/watch.js';
 
@@ -7,7 +8,7 @@ const $ = (id) => document.getElementById(id);
 const CELLS = { line: '.', floor: '_', wall: '#', obstacle: 'x', start: 'S', goal: 'G' };
 const NEW_MAP = `+++\nname = "my-map"\ncorner = "200 mm"\n+++\n${`${'_'.repeat(20)}\n`.repeat(12)}`;
 
-/** { front, rows }: the settings between +++, and the rows of cells. */
+/** Returns { front, rows }: the settings between +++, and the rows of cells. */
 export function parts(text) {
   const found = /^\+\+\+\r?\n([\s\S]*?)^\+\+\+(?:\r?\n|$)/m.exec(text);
   const has = found && found.index === 0;
@@ -15,7 +16,8 @@ export function parts(text) {
 }
 export const join = ({ front, rows }) => `${front ? `+++\n${front}+++\n` : ''}${rows.map((row) => `${row}\n`).join('')}`;
 
-/** The digit of a legend for what a tool puts on a cell of another surface, so that this one stays; null: the cell has none. */
+/** Returns the legend's digit for a tool on a cell with another surface, so that the surface stays; null if the cell
+ *  does not have one. */
 export function onSurface(front, found, tool) {
   const words = Object.fromEntries([...(/^\[legend\]\r?\n((?:(?!\[).*\n?)*)/m.exec(front)?.[1] ?? '').matchAll(/^([3-9])\s*=\s*"(.*?)"/gm)].map(([, digit, means]) => [digit, means]));
   const [, kind] = /^(?!floor|line|wall|gap|obstacle)(\w+)/.exec(words[found] ?? '') ?? [];
@@ -27,7 +29,7 @@ export function onSurface(front, found, tool) {
   return digit ? { digit, front: front.replace(/^\[legend\]\r?\n/m, `[legend]\n${digit} = "${means}"\n`) } : null;
 }
 
-/** The segment that begins at a place in a direction and ends at another place: a straight, or the one arc. */
+/** Returns the segment from a pose to a place: a straight line, or the only possible arc. */
 export function segmentTo({ x, y, heading }, toX, toY) {
   const chord = Math.hypot(toX - x, toY - y);
   let off = Math.atan2(toY - y, toX - x) - heading;
@@ -72,7 +74,7 @@ export class Editor {
     this.text.value = text;
     this.undone = [];
     this.path = null;
-    this.floor = null;  // that of another map: nothing may be drawn by it
+    this.floor = null;  // the floor of another map must not be used for drawing
     this.canvas.ariaBusy = 'true';
     this.fit();
     this.draw();
@@ -80,7 +82,7 @@ export class Editor {
     return this.look();
   }
 
-  /** What was typed is taken back as a whole. */
+  /** Records typing as a single step for undo. */
   typed() {
     if (this.text.value === this.known) return;
     if (!this.typing) this.undone.push(this.known);
@@ -88,7 +90,7 @@ export class Editor {
     this.look();
   }
 
-  /** A new text; the one before can be had back. */
+  /** Replaces the text, and records the previous one for undo. */
   change(text) {
     if (text === this.text.value) return;
     this.undone.push(this.text.value);
@@ -103,7 +105,7 @@ export class Editor {
     this.look();
   }
 
-  /** What the text means; the floor that was last understood stays. */
+  /** Requests the floor of the text from the server. Keeps the last valid floor. */
   async look() {
     const mine = ++this.asked, { said } = this;
     this.known = this.text.value;
@@ -113,7 +115,7 @@ export class Editor {
       const { floor } = await answer.json();
       if (mine !== this.asked) return;
       this.floor = floor;
-      if (said === this.said) this.say('');  // what was said since then stays
+      if (said === this.said) this.say('');  // newer messages stay
     } catch (error) {
       if (mine === this.asked) this.say(error.message);
     }
@@ -139,13 +141,13 @@ export class Editor {
     }
   }
 
-  // Places: mm on the floor, y up; cells from the top left.
+  // Coordinates: mm on the floor, y up; cells from the top left.
   get scale() { return this.larger * Math.min((this.canvas.clientWidth - 16) / this.floor.width, (this.canvas.clientHeight - 16) / this.floor.height); }
   toFloor(px, py) { return [(px - this.left) / this.scale, this.floor.height - (py - this.top) / this.scale]; }
   toSheet(x, y) { return [this.left + x * this.scale, this.top + (this.floor.height - y) * this.scale]; }
-  /** All of the map. */
+  /** Shows the whole map. */
   fit() { Object.assign(this, { larger: 1, left: 8, top: 8 }); }
-  /** What is under the pixel stays there. */
+  /** Zooms, and keeps the place under the pixel there. */
   zoom(factor, px, py) {
     if (!this.floor) return;
     const [x, y] = this.toFloor(px, py);
@@ -158,7 +160,7 @@ export class Editor {
     this.left += px - fromX;
     this.top += py - fromY;
   }
-  /** The cell that the keys move stays in sight. */
+  /** Keeps the cell that the keys move visible. */
   keepInSight() {
     const [px, py] = this.toSheet(...this.middle(this.cursor)), { clientWidth: width, clientHeight: height } = this.canvas;
     const edge = Math.min(10 + this.scale * this.floor.cell / 2, width / 2, height / 2), within = (at, most) => Math.min(Math.max(at, edge), most - edge);
@@ -181,7 +183,7 @@ export class Editor {
     return this.change(join(map));
   }
 
-  /** A station's name, by the text beside the tools. */
+  /** Sets a station. Its name is in the field next to the tools. */
   setStation({ x, y }) {
     const map = parts(this.text.value), name = $('station').value.trim() || `s${x}-${y}`;
     const line = `${name} = [${x}, ${y}]\n`;
@@ -190,7 +192,8 @@ export class Editor {
     this.change(join(map));
   }
 
-  /** Straights and arcs: from, then where it begins to go, then where each arc ends. */
+  /** Adds a click to a path of straights and arcs. The clicks set its start, its direction, and the end of each
+   *  segment. */
   addToPath(x, y) {
     const step = this.floor.cell / 2;
     [x, y] = [Math.round(x / step) * step, Math.round(y / step) * step];
@@ -241,7 +244,7 @@ export class Editor {
     if (!this.from || !this.floor) return;
     const cell = this.cellAt(e);
     if (cell.x === this.last.x && cell.y === this.last.y) return;
-    // Every cell between: a pointer that is moved fast leaves some out.
+    // Draws all cells in between, since a fast pointer skips cells.
     const steps = Math.max(Math.abs(cell.x - this.last.x), Math.abs(cell.y - this.last.y));
     for (let i = 1; i <= steps && ['line', 'floor', 'wall'].includes($('tool').value); i++)
       this.setCell({ x: Math.round(this.last.x + (cell.x - this.last.x) * i / steps), y: Math.round(this.last.y + (cell.y - this.last.y) * i / steps) });
@@ -326,7 +329,7 @@ export class Editor {
 
   drawGrid(ctx, px) {
     const { width, height, cell } = this.floor;
-    if (cell < 5 * px) return;  // it would cover the map
+    if (cell < 5 * px) return;  // would cover the map
     ctx.fillStyle = 'rgb(128 128 128 / 25%)';
     for (let x = 0; x <= width + px; x += cell) ctx.fillRect(x, 0, px, height);
     for (let y = 0; y <= height + px; y += cell) ctx.fillRect(0, y, width, px);

@@ -1,7 +1,7 @@
-// What a hand does to the robot, as a line of the script (docs/reference/scripts.md) at the moment that the replay shows: for the
-// page of `robosim serve`, and for the tab (sim/tab).
+// Converts the user's actions on the robot to lines of the script (docs/reference/scripts.md) at the replay's
+// shown time. Used by the page of `robosim serve` and by the tab (sim/tab).
 
-/** The robot's buttons, for `act` to press. */
+/** Returns buttons for the robot's buttons, which call `act`. */
 export function buttonsOf(page, act) {
   const pressed = page.run.robot.parts.filter(({ type }) => type === 'button' || type === 'bumper');
   return pressed.map(({ name }) => Object.assign(document.createElement('button'), {
@@ -11,7 +11,7 @@ export function buttonsOf(page, act) {
 
 export const sending = (text) => `send "${text.replace(/[\\"]/g, '\\$&')}\\n"`;
 
-/** Of a click on the floor at x, y (mm): puts the robot there, or an obstacle. */
+/** Returns the action of a click on the floor at x, y (mm): puts the robot or an obstacle there. */
 function put(page, what, x, y) {
   const { cell, height } = page.run.header.floor;
   if (what === 'obstacle') return `obstacle ${Math.floor(x / cell)},${Math.floor((height - y) / cell)}`;
@@ -19,18 +19,18 @@ function put(page, what, x, y) {
   return `place ${Math.round(x)}mm,${Math.round(y)}mm,${['E', 'NE', 'N', 'NW', 'W', 'SW', 'S', 'SE'][(eighth + 8) % 8]}`;
 }
 
-/** `what()`: "robot", "obstacle", or nothing. */
+/** Handles clicks on the floor. `what()`: "robot", "obstacle", or nothing. */
 export function onClicks(page, floor, what, act) {
   let from = null;
   floor.addEventListener('pointerdown', ({ clientX, clientY }) => { from = { clientX, clientY, run: page.run }; });
   floor.addEventListener('click', (e) => {
-    if (!what() || !from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // it was dragged
-    if (from.run !== page.run) return;  // it has chosen another robot
+    if (!what() || !from || Math.hypot(e.clientX - from.clientX, e.clientY - from.clientY) > 4) return;  // a drag
+    if (from.run !== page.run) return;  // the click has selected another robot
     act(put(page, what(), ...page.view.toFloor(e.offsetX, e.offsetY)));
   });
 }
 
-/** The script with one more line, `what` at `t` seconds. */
+/** Returns the script with an additional line: `what` at `t` seconds. */
 export function withLine(script, t, what) {
   const before = script.trimEnd();
   return `${before ? `${before}\n` : ''}at ${Math.floor(t * 1000)}ms ${what}\n`;

@@ -1,11 +1,11 @@
-// The script of what is run (docs/reference/scripts.md). Of several robots each has its own, and the text is that of the robot that
-// is looked at.
+// The script for the next run (docs/reference/scripts.md). With several robots, each has its own, and the
+// text shows the selected robot's script.
 
 export class Scripts {
-  /** `box`: its text; `whose`: where the robot's name stands, if there are several. */
+  /** `box`: shows the text; `whose`: shows the robot's name, if there are several. */
   constructor(box, whose) { Object.assign(this, { box, whose, names: [], texts: [], number: 0 }); }
 
-  /** A run is shown, of these robots. */
+  /** Uses the scripts of a shown run's robots. */
   show(runs) {
     if (runs.length < 2) return this.forget();
     this.names = runs.map((run) => run.name);
@@ -19,18 +19,18 @@ export class Scripts {
     this.box.value = this.texts[number];
     this.whose.textContent = ` of ${this.names[number]}`;
   }
-  /** Lines that robot `number` of a run has carried out. */
+  /** Adds lines that robot `number` of a run has executed. */
   add(number, lines) {
     this.keep();
     if (this.names.length) this.texts[number] = joined(this.texts[number], lines);
     if (!this.names.length || number === this.number) this.box.value = joined(this.box.value, lines);
   }
-  /** What is run next is not what is shown. */
+  /** Forgets the robots, since the next run is another one. */
   forget() {
     if (this.names.length) this.box.value = this.whose.textContent = '';
     this.names = [];
   }
-  /** For a request. */
+  /** Returns the scripts for a request. */
   wanted() {
     this.keep();
     if (!this.names.length) return { script: this.box.value };

@@ -1,5 +1,5 @@
-// A run that is watched while it runs: server-sent events in, requests out (docs/howto/serving.md). What comes is shown by the
-// page of a recording, which is empty at first (sim/page/live.js).
+// Watches a run live: receives server-sent events, and sends requests (docs/howto/serving.md). A recording's
+// page, empty at first, shows the run (sim/page/live.js).
 
 const headers = { 'Content-Type': 'application/json', 'X-Robosim': '1' };
 
@@ -9,7 +9,7 @@ export async function post(path, what, signal) {
   return answer;
 }
 
-/** A page of ours without a run, in the frame. */
+/** Loads a Robosim page without a run into the frame. */
 const empty = (frame) => new Promise((done) => {
   frame.onload = () => {
     const ready = setInterval(() => {
@@ -27,7 +27,7 @@ export class Watch {
     Object.assign(this, { frame, tell, page: null, feed: null, header: null, early: [], asked: Promise.resolve() });
   }
 
-  /** To its end; gives { status, recording, sentence }. */
+  /** Watches a run to its end. Returns { status, recording, sentence }. */
   async run(wanted) {
     const answer = await post('/api/live', wanted);
     this.number = (await answer.json()).live;
@@ -44,7 +44,7 @@ export class Watch {
           this.take(message, begins);
         }
       };
-      source.onerror = () => {  // it would reconnect by itself, but the run has ended with the connection
+      source.onerror = () => {  // prevents reconnecting, since the run has ended with the connection
         source.close();
         this.tell.gone();
         done(null);
@@ -70,7 +70,7 @@ export class Watch {
     }
   }
 
-  /** One after the other: requests that are under way together may arrive in any order. */
+  /** Sends requests one after the other, since simultaneous requests may arrive in any order. */
   ask(request) {
     this.asked = this.asked.then(() => post(`/api/live/${this.number}`, { id: 1, ...request }))
       .catch((error) => this.tell.refused(error.message));

@@ -1,4 +1,4 @@
-// Replaces libdw: no image has debug information, so that messages have no lines of the sketch.
+// Replaces libdw. Images have no debug information, so messages do not name lines of the sketch.
 #include "sim/exec/elf/debug_info.h"
 
 namespace robosim::exec {

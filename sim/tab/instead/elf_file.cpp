@@ -1,4 +1,4 @@
-// Replaces libelf: reads little-endian files of 32 bits, like those for an AVR. target_of_elf() has refused
+// Replaces libelf: reads 32-bit little-endian files, such as those for an AVR. target_of_elf() has rejected
 // others.
 #include "sim/elf/elf_file.h"
 
@@ -17,7 +17,7 @@ struct Elf {
 namespace robosim {
 namespace {
 
-/// Returns nothing if the file ends too early.
+/// Reads a record; returns nullopt if the file ends too early.
 template <class Record>
 std::optional<Record> record_at(std::string_view content, std::uint64_t offset) {
   if (offset > content.size() || content.size() - offset < sizeof(Record)) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<std::string_view> part_of(std::string_view content, std::uint64_t 
   return content.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
-/// Returns nothing if the text has no end.
+/// Returns the text at an offset; nullopt if it is not terminated.
 std::optional<std::string_view> text_at(std::string_view names, std::uint64_t offset) {
   const std::size_t end =
       offset < names.size() ? names.find('\0', static_cast<std::size_t>(offset)) : names.npos;
@@ -43,7 +43,7 @@ std::optional<Elf32_Shdr> section_at(std::string_view content, const Elf32_Ehdr&
   return record_at<Elf32_Shdr>(content, header.e_shoff + std::uint64_t{index} * sizeof(Elf32_Shdr));
 }
 
-/// Returns the names in a section of names.
+/// Returns the content of a section of names.
 std::optional<std::string_view> names_in(std::string_view content, const Elf32_Ehdr& header,
                                          std::size_t index) {
   const auto section = index < header.e_shnum ? section_at(content, header, index) : std::nullopt;

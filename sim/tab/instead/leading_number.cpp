@@ -13,7 +13,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
   return (end == std::string_view::npos ? text.size() : end) - at;
 }
 
-/// Returns the length of `-1.5e3`; 0 if there is none.
+/// Returns the length of a number such as `-1.5e3`; 0 if there is no number.
 std::size_t length_of(std::string_view text) {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const std::size_t whole = digits_from(text, at);

@@ -1,4 +1,4 @@
-// Replaces RE2: only drivers of a run step by step wait for patterns, and a tab has none.
+// Replaces RE2: patterns are only used to drive a run step by step, which a tab cannot do.
 #include "sim/run/line_pattern.h"
 
 #include "sim/base/error.h"

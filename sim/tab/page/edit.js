@@ -1,10 +1,11 @@
-// A map or a robot as text, changed in the page: where there is no editor for files, as on a phone.
+// Edits a map or a robot as text in the page, for devices without a file editor, such as phones.
 
 const $ = (id) => document.getElementById(id);
 const ENDING = { map: 'map', robot: 'toml' };
 
 export class TextEditor {
-  /** `textOf(kind)`: { name, text } of what is chosen; `use(kind, { name, bytes })`: takes the user's own for it. */
+  /** `textOf(kind)`: returns { name, text } of the choice; `use(kind, { name, bytes })`: replaces it by the user's
+   *  own file. */
   constructor(textOf, use) {
     for (const kind of Object.keys(ENDING)) $(`edit-${kind}`).addEventListener('click', () => this.open(kind, textOf(kind), use));
     $('own-text').addEventListener('input', () => { this.file.bytes = new TextEncoder().encode($('own-text').value); });

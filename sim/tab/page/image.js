@@ -1,7 +1,7 @@
-// Images of firmware as what is flashed: the bytes from address 0 on, for a link that is as short as it can be.
+// Converts firmware images to the flashed bytes from address 0 on, which make a link as short as possible.
 
 const kData = 0, kEnd = 1, kSegment = 2, kUpper = 4;
-const SECOND = 0x800000;  // where avr-gcc puts what is not flash (sim/elf/avr_addresses.h)
+const SECOND = 0x800000;  // avr-gcc puts everything outside of flash above it (sim/elf/avr_addresses.h)
 
 const filled = (parts) => {
   const size = parts.reduce((most, { at, bytes }) => Math.max(most, at + bytes.length), 0);
@@ -10,7 +10,7 @@ const filled = (parts) => {
   return flash;
 };
 
-/** Of an Intel HEX file that has run. */
+/** Returns the flash content of an Intel HEX file that has run. */
 function ofHex(text) {
   const parts = [];
   let base = 0;
@@ -25,7 +25,7 @@ function ofHex(text) {
   return filled(parts);
 }
 
-/** Of an ELF file that has run; null if it has content for the EEPROM, too. */
+/** Returns the flash content of an ELF file that has run; null if it also has content for the EEPROM. */
 function ofElf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts = [], table = view.getUint32(28, true);
@@ -40,7 +40,7 @@ function ofElf(bytes) {
 
 export const flashOf = (name, bytes) => name.endsWith('.hex') ? ofHex(new TextDecoder().decode(bytes)) : ofElf(bytes);
 
-/** As Arduino writes it. */
+/** Returns an Intel HEX file in Arduino's layout. */
 export function hexOf(flash) {
   const hex = (byte) => byte.toString(16).toUpperCase().padStart(2, '0');
   const line = (address, kind, data) => {

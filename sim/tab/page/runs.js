@@ -1,21 +1,22 @@
-// The module (sim/tab/run.cpp) and what a run in it needs: files in its own file system, and one call. A plain script,
-// for the worker and for tests without a browser.
+// The module (sim/tab/run.cpp) with everything that a run needs: files in the module's own file system, and
+// one call. A plain script, for the worker and for tests without a browser.
 
 class Bench {
-  /** `robots`: texts of the stock robots by name. `options`: the module's; `reached` hears how many seconds are simulated. */
+  /** `robots`: texts of the stock robots by name. `options`: the module's; `reached` is called with the simulated
+   *  seconds. */
   static async make(robots, options) {
     const bench = new Bench();
     bench.module = await robosimModule(options);
     const { FS } = bench.module;
-    FS.mkdirTree('/robosim/sim/robot/stock');  // where the rooms look for them
+    FS.mkdirTree('/robosim/sim/robot/stock');  // where the module expects them
     for (const [name, text] of Object.entries(robots)) FS.writeFile(`/robosim/sim/robot/stock/${name}.toml`, text);
     FS.mkdir('/run');
     FS.chdir('/run');
     return bench;
   }
 
-  /** `files`: contents by name, for the `request` (a run of docs/reference/runner-protocol.md) to name. Gives { result } or { error },
-   *  and `recording`: what stands compressed in a .rec. */
+  /** Runs a `request` (docs/reference/runner-protocol.md). `files`: the contents of the files that it names. Returns
+   *  { result } or { error }, and `recording`: the compressed part of a .rec. */
   run(files, request) {
     const { FS, cwrap, _robosim_recording, _robosim_recording_size } = this.module;
     for (const name of FS.readdir('/run')) if (FS.isFile(FS.stat(`/run/${name}`).mode)) FS.unlink(`/run/${name}`);

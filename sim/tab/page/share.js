@@ -1,5 +1,5 @@
-// A run in a link, or in a file: what is needed to make it again. What the folder holds itself is named; what is the
-// user's own is in it. Deflated: a line of JSON, then the bytes of the image, if it is the user's.
+// A run in a link or in a file, with everything needed to repeat it. The folder's own files are named; the
+// user's files are included. Deflated: a line of JSON, then the bytes of the image, if it is the user's.
 
 import { flashOf, hexOf } from './image.js';
 
@@ -9,8 +9,8 @@ const MAGIC = 'robosim.run/1\n';
 
 const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream));
 
-/** `wanted`: what the page asks for; of what is own { name, bytes }, else a name. `hash`: what came of it. Null: its image
- *  has more than flash. */
+/** Packs a run. `wanted`: the form's values; a user's file is { name, bytes }, otherwise a name. `hash`: the run's
+ *  trace hash. Returns null if the image has content outside of flash. */
 export async function packed({ sketch, robot, map, ...more }, hash) {
   const text = (own) => typeof own === 'string' ? own : { name: own.name, text: new TextDecoder().decode(own.bytes) };
   const image = typeof sketch === 'string' ? new Uint8Array() : flashOf(sketch.name, sketch.bytes);
@@ -20,7 +20,7 @@ export async function packed({ sketch, robot, map, ...more }, hash) {
   return new Uint8Array(await through(await content.arrayBuffer(), new CompressionStream('deflate-raw')).arrayBuffer());
 }
 
-/** What packed() was given. Throws an Error with a sentence. */
+/** Returns the run that packed() received. Throws an Error with a sentence. */
 export async function unpacked(bytes) {
   const pieces = [];
   let size = 0;
@@ -31,7 +31,7 @@ export async function unpacked(bytes) {
     const content = new Uint8Array(await new Blob(pieces).arrayBuffer());
     const end = content.indexOf(10);
     const { sketch, own, robot, map, ...more } = JSON.parse(new TextDecoder().decode(content.subarray(0, end)));
-    const plain = (name) => name.replace(/[^\w. -]/g, '_');  // it becomes a file's
+    const plain = (name) => name.replace(/[^\w. -]/g, '_');  // becomes a file's name
     const encoded = (part) => typeof part === 'string' ? part : { name: plain(part.name), bytes: new TextEncoder().encode(part.text) };
     const image = own && { name: `${plain(sketch).replace(/\.\w+$/, '')}.hex`, bytes: new TextEncoder().encode(hexOf(content.subarray(end + 1))) };
     return { ...more, sketch: image || sketch, robot: encoded(robot), map: encoded(map) };
@@ -55,7 +55,7 @@ export function ofLink(text) {
 
 export const toFile = (bytes) => new Blob([MAGIC, bytes]);
 
-/** Null: it is no such file. */
+/** Returns the content of a file of a shared run; null for other files. */
 export function ofFile(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length)) === MAGIC;
   return begins ? bytes.subarray(MAGIC.length) : null;

@@ -1,5 +1,5 @@
-// Keeps the folder's files, so that the page works without a network. Built with the list of them and a hash of all their
-// contents (sim/tab/folder.mjs): a folder in which anything differs is another cache.
+// Caches the folder's files, so that the page works without a network. The build inserts their list and a
+// hash of their contents (sim/tab/folder.mjs), so a folder with any difference has another cache.
 const FILES = [/* files */], CONTENT = '/* content */';
 
 const MINE = `robosim ${registration.scope} `, NAME = MINE + CONTENT;

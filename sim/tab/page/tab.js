@@ -1,5 +1,5 @@
-// The form above a replay, without a server: a worker runs the sketch, and the recording that it gives is shown in the page
-// that `robosim run --record run.html` writes.
+// The form above a replay, without a server: a worker runs the sketch. The page that `robosim run --record
+// run.html` writes shows the recording.
 
 import { TextEditor } from './edit.js';
 import { buttonsOf, onClicks, sending, withLine } from './hands.js';
@@ -8,16 +8,16 @@ import { MOST_LINK, ofFile, ofLink, packed, toFile, toLink, unpacked } from './s
 const $ = (id) => document.getElementById(id);
 const REPLAY = '<script id="recording" type="application/octet-stream">';
 
-let stock;   // what the folder holds: { sketches: { name: { robot, board, hex } }, robots: { name: { board, toml } }, maps: { name: text } }
+let stock;   // content of stock.json: { sketches: { name: { robot, board, hex } }, robots: { name: { board, toml } }, maps: { name: text } }
 let worker = null, replay = '';
 let last = null;      // { wanted, result, rec }
 let expected = null;  // the trace hash of a shared run
-const own = { sketch: new Map(), robot: new Map(), map: new Map() };  // by name: { name, bytes }
+const own = { sketch: new Map(), robot: new Map(), map: new Map() };  // by name, each { name, bytes }
 
 const OWN = 'own:';
 const KINDS = { hex: 'sketch', elf: 'sketch', toml: 'robot', map: 'map' };
 
-// ---- what can be chosen
+// ---- choices
 
 function fill(select, stockNames, kind) {
   const before = select.value;
@@ -33,8 +33,8 @@ function fill(select, stockNames, kind) {
   if ([...select.options].some((option) => option.value === before)) select.value = before;
 }
 
-/** A stock sketch is an image for one board; who brings an image knows what it is for. No STM32 runs here, but a robot
- *  may be based on one that carries it. */
+/** Returns the possible robots. A stock sketch is an image for one board; a user's image may be for any board. No
+ *  STM32 runs here, but a robot may be based on one that carries it. */
 function robotsFor(sketch) {
   const board = stock.sketches[sketch]?.board;
   return Object.keys(stock.robots).filter((name) => board ? stock.robots[name].board === board : stock.robots[name].board !== 'bluepill');
@@ -54,7 +54,7 @@ function chooseSketch() {
 
 const chosen = (kind) => {
   const { value } = $(kind);
-  return value.startsWith(OWN) ? { ...own[kind].get(value.slice(OWN.length)) } : value;  // as it is now: it may be edited
+  return value.startsWith(OWN) ? { ...own[kind].get(value.slice(OWN.length)) } : value;  // a copy: the file may be edited
 };
 
 function wantedNow() {
@@ -64,7 +64,8 @@ function wantedNow() {
   };
 }
 
-/** Sets the form as wantedNow() gave it. Throws an Error with a sentence for what this folder does not have. */
+/** Sets the form from values of wantedNow(). Throws an Error with a sentence for files that this folder does not
+ *  have. */
 function want({ sketch, robot, map, ...more }) {
   const has = { sketch: stock.sketches, robot: stock.robots, map: stock.maps };
   for (const [kind, value] of Object.entries({ sketch, robot, map }))
@@ -119,7 +120,7 @@ function connectDrops(target) {
   target.addEventListener('dragover', (e) => { e.preventDefault(); document.body.classList.add('dropping'); });
   for (const kind of ['dragleave', 'drop']) target.addEventListener(kind, () => document.body.classList.remove('dropping'));
   target.addEventListener('drop', (e) => {
-    if (target !== document && !ours(e)) return;  // the replay takes recordings
+    if (target !== document && !ours(e)) return;  // the replay handles recordings
     e.preventDefault();
     e.stopImmediatePropagation();
     take(e.dataTransfer.files);
@@ -144,11 +145,11 @@ function complain(sentence) {
 
 const encoded = (text) => new TextEncoder().encode(text);
 
-/** What the worker is asked: files and the request that names them. */
+/** Returns the message for the worker: files, and the request that names them. */
 function requestOf(wanted) {
   const { sketch, robot, map } = wanted;
   const files = {};
-  for (const { name, bytes } of own.robot.values()) files[name] = bytes;  // one may be based on another
+  for (const { name, bytes } of own.robot.values()) files[name] = bytes;  // a robot may be based on another
   const put = (part, name, text) => {
     files[part.name ?? name] = part.bytes ?? encoded(text());
     return part.name ?? name;
@@ -168,7 +169,7 @@ function requestOf(wanted) {
 function newWorker() {
   worker?.terminate();
   worker = new Worker('worker.js');
-  // Browsers compile what has run for a while once more, and better: the first run finds it done.
+  // Browsers optimise code that has run for a while. This run lets the user's first run profit from that.
   const first = { sketch: 'PidFollower', robot: 'uno5', map: 'oval', seed: 1, seconds: 3, profile: 'typical', goal: '', script: '' };
   worker.postMessage({ robots: robotTexts(), ...requestOf(first), silent: true });
 }
@@ -200,7 +201,7 @@ async function run(moment) {
   show(done, moment);
 }
 
-/** At the moment that is shown, and the run again from there. */
+/** Adds an action at the shown time, and repeats the run from there. */
 function act(what) {
   const { t } = $('replay').contentWindow.robosim.player;
   $('script').value = withLine($('script').value, t, what);
@@ -216,7 +217,7 @@ const base64 = (bytes) => new Promise((resolve) => {
 
 const pageOf = async (rec) => new Blob([replay.replace(REPLAY, REPLAY + await base64(rec))], { type: 'text/html' });
 
-/** The replay is there: shows that moment, and plays on. */
+/** Sets up the loaded replay, shows the given time, and plays on. */
 function begun(moment) {
   const frame = $('replay'), page = frame.contentWindow.robosim;
   if (!page) return setTimeout(begun, 20, moment);
@@ -245,7 +246,7 @@ async function show({ result, took, recording }, moment) {
   if (matchMedia('(max-width: 700px)').matches) frame.scrollIntoView();
 }
 
-// ---- keeping and passing on
+// ---- saving and sharing
 
 function save(blob, name) {
   const link = document.createElement('a');
@@ -276,7 +277,7 @@ async function share() {
 
 // ---- begin
 
-/** #sketch=PidFollower&map=oval&run=1 chooses, and runs; #share=… as share() made it. */
+/** Applies a link: #sketch=PidFollower&map=oval&run=1 chooses, and runs; #share=… is made by share(). */
 async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
   if (where.has('share')) await takeShared(ofLink(where.get('share')));

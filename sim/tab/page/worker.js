@@ -1,16 +1,17 @@
-// Runs beside the page, so that the page stays alive: a run is one call that returns at its end.
+// Runs sketches next to the page, so that the page stays responsive: a run is a single call that returns at
+// its end.
 importScripts('robosim.js', 'runs.js');
 
 const MAGIC = 'robosim.rec/1\n';
 
-/** The bytes of a .rec (docs/reference/recordings.md). */
+/** Returns the bytes of a .rec (docs/reference/recordings.md). */
 async function rec(content) {
   const stream = new Blob([content]).stream().pipeThrough(new CompressionStream('deflate'));
   const packed = await new Response(stream).blob();
   return new Uint8Array(await new Blob([MAGIC, packed]).arrayBuffer());
 }
 
-let bench, hear;  // who hears of the run that is under way
+let bench, hear;  // receives the progress of the current run
 
 onmessage = async ({ data: { robots, files, request, silent } }) => {
   const tell = silent ? () => {} : postMessage;
