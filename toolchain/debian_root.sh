@@ -72,7 +72,7 @@ try() {  # NAME LINE-TO-SHOW FOLDER COMMAND...
 # host rejects some samples, which are only for a chip: they run on the AVR.
 each_sample='
   ran=0 compared=0 chip=0
-  sample() {  # COMMAND... : its status, and its output if it is none of a verdict
+  sample() {  # COMMAND... : succeeds if the status is a verdict, otherwise stores the output
     local output status=0
     output=$(./robosim "$@" 2>&1) || status=$?
     case $status in 0 | 1 | 4) return 0 ;; esac

@@ -76,7 +76,7 @@ if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2
   no_packages
 fi
-# apt reports a package that this release does not have only as "unable to locate".
+# If this release does not have a package, apt reports only "unable to locate".
 available=" $(apt-cache policy "${missing[@]}" | sed -n '/^[^ ]/{s/:$//;h;d}; /Candidate: [^(]/{g;p}' | tr '\n' ' ')"
 for package in "${missing[@]}"; do
   [[ $available == *" $package "* ]] || absent+=("$package")

@@ -29,7 +29,7 @@ History up_to(std::int64_t until, History history) {
   return history;
 }
 
-/// Returns whether the run ended because the robot lost the line, with any such verdict.
+/// Returns whether the run ended because the robot lost the line, whatever the verdict.
 bool is_astray(const History& history) {
   return history.lost_ns &&
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");

@@ -19,8 +19,9 @@ constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 bool does_as(const History& mine, const History& other, const Difference& found,
              std::int64_t behind_ns = kBehindEdge_ns);
 
-/// Returns whether a target's own difference resembles `found`, within 2 s of it. At any other time, it must
-/// separate the same two behaviours: the same two manoeuvres, or the same two times at places of one kind.
+/// Returns whether a target's own difference resembles `found`. Within 2 s of `found`, both must be of the
+/// same sort. At any other time, both must separate the same two behaviours: the same two manoeuvres, or the
+/// same two times at places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
 /// A condition on a run: the robot comes to a place by a certain time.

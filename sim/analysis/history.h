@@ -40,7 +40,7 @@ struct History {
   std::string verdict;
   std::string why;
   std::int64_t end_ns = 0;
-  /// Time at which the robot lost the line. Its later behaviour is chance and is not stored.
+  /// Time at which the robot lost the line. The later behaviour is chance and is not stored.
   std::optional<std::int64_t> lost_ns;
 };
 

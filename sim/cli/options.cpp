@@ -87,7 +87,7 @@ std::optional<PrintText> Options::parse(std::vector<std::string> words) {
     app.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     return help();
-  } catch (const CLI::ArgumentMismatch&) {  // only of the last word: an option consumes any next word
+  } catch (const CLI::ArgumentMismatch&) {  // only for the last word: an option consumes any next word
     refuse_missing_value(last.substr(0, last.find('=')));
   } catch (const CLI::ParseError& error) {
     throw InputError(fmt::format("{}: {}", help_.name, error.what()));

@@ -166,7 +166,7 @@ export class FloorPicture {
   }
 
   /** Calls visit for the samples to draw until t, from index `first`: those at least a pixel apart. Returns the last
-   *  piece. */
+   *  segment, up to the pose at t. */
   walk(run, t, visit, first = 0) {
     const { x_mm: x, y_mm: y } = run.columns;
     const last = indexAt(run.t, t);

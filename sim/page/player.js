@@ -26,7 +26,7 @@ export class Player {
   }
 
   /** Moves to the next or previous event, of `kind` if given. Returns all events of that time. Without such an event,
-   *  moves to the end or the start of the run, or stays if `kind` is given. */
+   *  moves to the end or the start of the run, or stays in place if `kind` is given. */
   stepEvent(direction, kind) {
     this.pause();
     const events = this.run.events.filter((e) => !kind || e.kind === kind);

@@ -35,7 +35,7 @@ class Shapes {
  public:
   explicit Shapes(const grid::Map& map);
 
-  /// Returns the paints, indexed by lines and bars.
+  /// Returns the paints, to which lines and bars refer by index.
   const std::vector<grid::Paint>& paints() const { return paints_; }
   /// Passes to `use` the parts of a paint's centre lines that may reach into the box. A part is at most
   /// `longest` long, and at most an eighth of a half turn. Each part has round ends, so that the parts form

@@ -34,8 +34,9 @@ struct Project {
 };
 
 /// Reads the project of a sketch's folder. `environment` belongs to platformio.ini, or is a profile of
-/// sketch.yaml. If it is empty, the file's default is used, otherwise the first with a known board, otherwise
-/// the first. Throws InputError for files that cannot be read, and for an unknown environment.
+/// sketch.yaml. If it is empty, the file's default is used, otherwise the first environment with a
+/// known board, otherwise the first one. Throws InputError for files that cannot be read, and for an
+/// unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 
 /// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.

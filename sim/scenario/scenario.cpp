@@ -71,7 +71,7 @@ void parse_send(ScriptLine& line, Action& action) {
   action.held = line.optional_duration().value_or(0);
 }
 
-// obstacle X,Y [radius LENGTH] [to X,Y in TIME] [for TIME]
+// Parses obstacle X,Y [radius LENGTH] [to X,Y in TIME] [for TIME]
 void parse_obstacle(ScriptLine& line, Action& action) {
   action.text = line.take("a cell as X,Y").text;
   if (line.take_if("radius"))
@@ -85,7 +85,7 @@ void parse_obstacle(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-// paint X,Y X,Y [for TIME], and erase
+// Parses paint X,Y X,Y [for TIME], and erase.
 void parse_paint(ScriptLine& line, Action& action) {
   action.text = line.take("the cell where it begins, as X,Y").text;
   action.text += " " + line.take("the cell where it ends, as X,Y").text;
@@ -100,20 +100,20 @@ void parse_state(ScriptLine& line, Action& action, const char* what, const char*
   action.duration = line.optional_duration();
 }
 
-// door X,Y X,Y shut|open [for TIME]
+// Parses door X,Y X,Y shut|open [for TIME]
 void parse_door(ScriptLine& line, Action& action) {
   action.text = line.take("the cell at one end, as X,Y").text;
   action.text += " " + line.take("the cell at the other end, as X,Y").text;
   parse_state(line, action, "a door", "shut", "open");
 }
 
-// light NUMBER|all on|off [for TIME]
+// Parses light NUMBER|all on|off [for TIME]
 void parse_light(ScriptLine& line, Action& action) {
   action.text = line.take("a light's number, or all").text;
   parse_state(line, action, "a light", "on", "off");
 }
 
-// fault NAME KIND [ARGUMENT…] [for TIME]
+// Parses fault NAME KIND [ARGUMENT…] [for TIME]
 void parse_fault(ScriptLine& line, Action& action) {
   action.part = line.take("a part's name").text;
   action.arguments.push_back(line.take("a kind of fault").text);
@@ -121,7 +121,7 @@ void parse_fault(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-// power off [for TIME] [byte old|new|erased|VALUE]
+// Parses power off [for TIME] [byte old|new|erased|VALUE]
 void parse_power(ScriptLine& line, Action& action) {
   action.part = line.take("off or on").text;
   if (action.part != "off" && action.part != "on")
@@ -142,7 +142,7 @@ void parse_power(ScriptLine& line, Action& action) {
   byte.value = static_cast<std::uint8_t>(value);
 }
 
-// sweep LENGTH [every TIME] [for TIME]
+// Parses sweep LENGTH [every TIME] [for TIME]
 void parse_sweep(ScriptLine& line, Action& action) {
   action.reach = line.quantity("how far to each side, from 1mm to 500mm", Dimension::length, 0.001, 0.5);
   action.period = line.take_if("every") ? line.duration() : kSweepPeriod;
@@ -150,7 +150,7 @@ void parse_sweep(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration().value_or(kSweep);
 }
 
-// tilt ANGLE ahead|back|left|right [in TIME] [for TIME]
+// Parses tilt ANGLE ahead|back|left|right [in TIME] [for TIME]
 void parse_tilt(ScriptLine& line, Action& action) {
   action.angle = line.quantity("an angle from 1deg to 180deg", Dimension::angle, kDegree, 180 * kDegree);
   const std::string side = line.take("ahead, back, left or right").text;

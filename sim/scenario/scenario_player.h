@@ -143,7 +143,7 @@ class ScenarioPlayer {
   void note_repair(const std::string& part, SimTime t);
   /// Draws values with a spread; throws InputError if a part of the range is invalid.
   void draw(Step& step, const judge::Progress& progress) const;
-  /// Checks a step, and returns its fault, if it is one. Throws InputError with the step's place.
+  /// Checks a step. Returns its fault if the step is a fault. Throws InputError with the step's place.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;
   /// Parses a fault. The arguments begin with the kind.
   ReadFault read_fault(const std::string& part, const std::vector<std::string>& arguments, bool ends) const;

@@ -1,5 +1,5 @@
 // Saves the files that a page may write in the folder: sketches, finished images, robots and maps, by name.
-// Writes no other files or places, and replaces a file only on request.
+// Writes nothing else, and replaces a file only on request.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace robosim::serve {
 struct Offered {
   /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
   std::string name;
-  std::string text;      ///< the bytes of an image
+  std::string text;      ///< for an image, its bytes
   bool replace = false;  ///< replaces an existing file
 };
 /// Parses the JSON of a request. Throws InputError.

@@ -1,5 +1,5 @@
-// Decides which requests are answered at all. A page of another site can make a user's browser send requests to
-// `robosim serve`. Such a page can neither read the answers nor choose these headers:
+// Decides which requests are answered at all. A page of another site can make a user's browser send requests
+// to `robosim serve`. Such a page can neither read the answers nor choose these headers:
 //
 //   Host             must be this server; otherwise another site's name leads here (DNS rebinding)
 //   Origin           if present, must be this server

@@ -39,7 +39,7 @@ struct SketchResult {
   struct Problem {
     ExitStatus status = ExitStatus::bad_input;
     Place place;
-    std::string line;  ///< one line
+    std::string line;  ///< its first error, in one line
     std::string text;  ///< the full text
   };
   std::optional<Problem> problem;

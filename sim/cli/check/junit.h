@@ -8,9 +8,9 @@
 
 namespace robosim::cli {
 
-/// Returns a test suite for each sketch, with a test case for each check. Measurements are its properties,
-/// and a failure has the sketch's output (system-out). All times are simulated, so that equal results give
-/// equal bytes.
+/// Returns a test suite for each sketch, with a test case for each check. Measurements become properties
+/// of the test case. A failure contains the sketch's output (system-out). All times are simulated, so that
+/// equal results give equal bytes.
 std::string junit_xml(const std::vector<SketchResult>& sketches);
 
 }  // namespace robosim::cli

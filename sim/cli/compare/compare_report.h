@@ -76,8 +76,8 @@ struct Compared {
   std::array<ComparedSide, 2> sides;  ///< of the difference
   std::vector<Edge> edges;  ///< of both sides, or of the host's ticks; if any, the targets are not the cause
 
-  /// A target that lacks chip features, and the lacking features that the sketch used before the difference. If
-  /// there are any, the sketch is not the cause.
+  /// A target that lacks chip features, and the missing features that the sketch used before the difference.
+  /// If there are any, the sketch is not the cause.
   std::string lacking;
   std::vector<wire::Lack> lacks;
 

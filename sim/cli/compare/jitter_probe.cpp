@@ -131,8 +131,7 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
 }
 
 /// Finds out whether one program on the host, delayed by a fraction of a millisecond, shows both behaviours.
-/// Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks()
-/// handles it.
+/// Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks() handles that case.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};

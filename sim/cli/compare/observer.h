@@ -48,7 +48,7 @@ class Observer {
   std::string place_of(std::size_t robot, const wire::Sample& sample) const;
 
   grid::Map map_;
-  std::vector<grid::Places> places_;  ///< by robot, in its order from its start
+  std::vector<grid::Places> places_;  ///< for each robot, numbered from its start
 };
 
 }  // namespace robosim::cli

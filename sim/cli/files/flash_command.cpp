@@ -39,8 +39,7 @@ std::string command_line(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Ignores Ctrl-C while avrdude runs. It reaches every process of the terminal, and this process waits for
-/// avrdude's end.
+/// Ignores Ctrl-C while avrdude runs: Ctrl-C also reaches avrdude, and this process waits for avrdude's end.
 class LeftToAvrdude {
  public:
   LeftToAvrdude() {

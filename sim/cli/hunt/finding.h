@@ -33,7 +33,7 @@ struct HuntFinding {
   Symptom symptom;
   TestCase test_case;           ///< the smallest test case found
   std::set<std::string> needs;  ///< its differences from the baseline
-  double time_s = 0.0;          ///< simulated time at its end
+  double time_s = 0.0;          ///< simulated time at the end of the run
   std::size_t times = 1;        ///< number of runs with apparently the same cause
   Shown shown;
 

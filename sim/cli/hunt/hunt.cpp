@@ -124,7 +124,7 @@ bool Hunt::shrink(HuntFinding& finding) {
       }
     }
   }
-  // Prefers the chip, which the board has, if the test case also fails there.
+  // Prefers the board's chip, if the test case also fails there.
   if (finding.test_case.build == space.host_counterpart) {
     TestCase on_chip = finding.test_case;
     on_chip.build = 0;
@@ -234,7 +234,7 @@ bool Hunt::make_round() {
   return true;
 }
 
-/// Checks requirements that only all runs together can show.
+/// Checks requirements on all runs together.
 void Hunt::look_back() {
   const auto add_plain = [&](Symptom symptom) {
     HuntFinding finding{std::move(symptom), baseline_case_, {}, baseline_.result.time_s};

@@ -38,8 +38,8 @@ struct Symptom {
   std::string kind;      ///< "crashed", "lost", "late" …
   std::string group;     ///< equal for apparently equal causes: the kind, and the place in the sketch
   std::string sentence;  ///< what happened
-  /// Means the robot's behaviour, not a provable fault in the program. If the baseline run has the same
-  /// behaviour, other runs show nothing new.
+  /// The symptom is the robot's behaviour, not a provable fault in the program. If the baseline run has the
+  /// same behaviour, other runs show nothing new.
   bool is_behaviour = false;
 };
 
@@ -68,8 +68,8 @@ std::optional<Symptom> failed_assertion(const wire::RunResult& result,
 std::vector<std::string> passed_assertions(const wire::RunResult& result,
                                            const std::vector<TextAssertion>& assertions);
 
-/// Returns traits of a run, in words that repeat in a similar run: reached places, and output without
-/// numbers. A run with a new trait is worth varying.
+/// Returns the traits of a run: reached places, and output without numbers. Similar runs have equal traits. A
+/// run with a new trait is worth varying.
 std::vector<std::string> traits_of(const wire::RunResult& result);
 /// Returns the moment of the first of these traits that is an event or a sent line.
 Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result);

@@ -24,8 +24,8 @@ struct JunitCase {
 /// Reads the cases. Throws InputError with file and line.
 std::vector<JunitCase> read_junit(std::string_view text, const std::string& file);
 
-/// Returns the page of a C++ test's failed run that the harness has saved, as named in the message; empty
-/// without one.
+/// Returns the page, named in a C++ test's message, that the harness has saved of the failed run; otherwise
+/// empty.
 std::string kept_page(const std::string& message);
 
 }  // namespace robosim::cli

@@ -94,7 +94,7 @@ std::optional<std::string> made_again(Rerun& again, const SweptRun& run, const R
   launch.map = run.map;
   launch.robot = run.robot;
   launch.target = run.target;
-  // A table names default files in the sketch's folder relative to it.
+  // In a table, names of default files are relative to the sketch's folder.
   const fs::path folder = launch::choose_sketch(run.sketch, launch.environment, launch.untrusted).folder;
   std::error_code error;
   for (std::string* name : {&launch.map, &launch.robot})

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 60;
 constexpr std::int64_t kTick_ns = 1'000'000;
-constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // at maximum speed: until it checks for requests
+constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // between checks for requests, at maximum speed
 constexpr double kFastest = 1000.0;
 constexpr std::size_t kLongestRequest = 1 << 17;
 constexpr long long kId = 1;  // there is one run

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
 constexpr std::size_t kMostSource_bytes = std::size_t{1} << 20, kMostInAll_bytes = std::size_t{8} << 20;
-/// std::regex uses stack for each character that it reads, and time for each possible match.
+/// Limits a line, because std::regex uses stack for each character, and time for each possible match.
 constexpr std::size_t kLongestLine = 300;
 
 std::string content_or_nothing(const fs::path& path) {
@@ -292,8 +292,8 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// A sketch can claim any name with #line. A name outside of its folder, also through a link, has no lines;
-// nor has anything that is not a file. For a library, the image only has "libraries/NAME/...".
+// Returns no path for a name outside of the folder, also through a link, or for anything that is not a file:
+// a sketch can claim any name with #line. For a library, the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

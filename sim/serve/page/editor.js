@@ -1,5 +1,5 @@
 // Draws maps (docs/reference/maps.md). The text is the map: drawing changes the text, and the server
-// interprets the text, like in every run. So everything that only the text can express is kept, and an
+// interprets the text, as in every run. So everything that only the text can express is kept, and an
 // invalid text stays unchanged.
 
 import { post } from '/watch.js';
@@ -16,8 +16,8 @@ export function parts(text) {
 }
 export const join = ({ front, rows }) => `${front ? `+++\n${front}+++\n` : ''}${rows.map((row) => `${row}\n`).join('')}`;
 
-/** Returns the legend's digit for a tool on a cell with another surface, so that the surface stays; null if the cell
- *  does not have one. */
+/** Returns the legend's digit for a tool on a cell with another surface, so that the surface stays; null for a cell
+ *  without such a surface. */
 export function onSurface(front, found, tool) {
   const words = Object.fromEntries([...(/^\[legend\]\r?\n((?:(?!\[).*\n?)*)/m.exec(front)?.[1] ?? '').matchAll(/^([3-9])\s*=\s*"(.*?)"/gm)].map(([, digit, means]) => [digit, means]));
   const [, kind] = /^(?!floor|line|wall|gap|obstacle)(\w+)/.exec(words[found] ?? '') ?? [];

@@ -1,5 +1,4 @@
-// Tests the sketch in C++, for requirements that checks.toml cannot express. CMakeLists.txt shows how to run
-// the tests.
+// Tests the sketch in C++, for requirements beyond checks.toml. CMakeLists.txt shows how to run the tests.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;
