@@ -33,7 +33,7 @@ fi
 root=$here/build/roots/$release
 logs=$root/var/log/robosim
 
-# Runs a command in the root, with its own devices, /proc and /tmp, which end with it. Changes the root of the mount
+# Runs a command in the root. Mounts devices, /proc and /tmp only for this command. Changes the root of the mount
 # namespace, not only of the process, because the kernel allows no user namespaces in a chroot.
 inside() {  # FOLDER COMMAND...
   unshare --mount --pid --fork --kill-child bash -euc '

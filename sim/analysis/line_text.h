@@ -1,4 +1,4 @@
-// Splits a line of firmware's output into words and numbers.
+// Splits a line of the firmware's output into words and numbers.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@ struct Shard {
   /// Returns whether a run belongs to this shard. A shard has every count-th run, so that slow runs are
   /// spread over all shards.
   bool has(std::size_t run) const { return run % count == index; }
-  /// Returns the campaign's number of this shard's n-th run, both from 0.
+  /// Returns the number, within the campaign, of this shard's n-th run. Both count from 0.
   std::uint64_t run(std::uint64_t n) const { return n * count + index; }
   /// Returns the number of this shard's runs among `runs`.
   std::size_t share_of(std::size_t runs) const { return runs / count + (runs % count > index ? 1 : 0); }

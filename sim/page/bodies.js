@@ -53,7 +53,7 @@ export function drawRobot(ctx, px, run, t) {
       ctx.fillStyle = style('wheel');
       ctx.fillRect(-wheel / 2, side * track - width / 2, wheel, width);
       const speed = run.at(`wheel_${name}_mm_s`, t) ?? 0;
-      // Shows the way of the wheel in a tenth of a second.
+      // Shows how far the wheel moves in a tenth of a second.
       ctx.fillStyle = style('robot');
       ctx.fillRect(0, side * track - 1.2 * px, 0.1 * speed, 2.4 * px);
     }

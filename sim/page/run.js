@@ -91,7 +91,7 @@ export class Run {
 
   pose(t) { return { x: this.at('x_mm', t), y: this.at('y_mm', t), yaw: this.at('yaw_rad', t) ?? this.course(t) }; }
 
-  /** Returns the heading of a robot of which only places are known. */
+  /** Returns the heading of a robot for which only positions are known. */
   course(t) {
     const { x_mm: x, y_mm: y } = this.columns;
     const i = Math.min(indexAt(this.t, t), x.length - 2);

@@ -30,7 +30,7 @@ std::string note_of(Ending ending) {
   return "";
 }
 
-/// Reports each move to the session while it exists.
+/// Reports each move to the session until this object is destroyed.
 class Watching final : public cells::MoveWatcher {
  public:
   Watching(cells::CellRobot& robot, const OnStep& on_step)

@@ -1,4 +1,4 @@
-// The simulated Arduino robot in a session: a runner runs one of Robosim's sketches, shown in the live view.
+// Runs the simulated Arduino robot in a session with one of Robosim's sketches. Shows it in the live view.
 #pragma once
 
 #include <string>

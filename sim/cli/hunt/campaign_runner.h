@@ -38,8 +38,8 @@ class CampaignRunner {
 
   /// Returns the script of a test case: the user's script, then the test case's own.
   std::string script_of(const TestCase& test_case) const { return script_ + script_text(test_case, space_); }
-  /// Returns the request of a test case. Writes its own map and robot to `folder`, as world.map and
-  /// robot.toml.
+  /// Returns the request of a test case. Writes the map and robot that belong to it to `folder`, as
+  /// world.map and robot.toml.
   wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
 
   /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`:

@@ -18,8 +18,8 @@ namespace robosim::cli {
 /// Receives progress reports.
 struct HuntListener {
   std::function<void(const std::string& sentence)> progress;
-  /// Called for a new symptom. The search for its smallest test case follows, and decides whether it is a
-  /// finding.
+  /// Called for a new symptom. The search for its smallest test case follows, and decides whether the
+  /// symptom is a finding.
   std::function<void(const Symptom& symptom, std::uint64_t run)> seen;
   std::function<void(const HuntFinding& finding, std::size_t number)> found;
 };

@@ -24,8 +24,8 @@ void in_order(std::vector<Stimulus>& stimuli) {
                    [](const Stimulus& a, const Stimulus& b) { return a.at_ms < b.at_ms; });
 }
 
-/// Draws words. In half of the cases, the first is a word of the sketch, since commands begin with such
-/// words.
+/// Draws words. In half of the cases, the first word is from the sketch, since commands begin with
+/// such words.
 std::string some_words(const HuntSpace& space, const RandomSource& rng) {
   std::string text = pick(rng, space.words);
   if (space.own_words > 0 && chance(rng, 50))

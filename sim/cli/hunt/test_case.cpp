@@ -24,7 +24,7 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by then it has met the obstacle
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by then, the robot is at the obstacle
 
 /// Returns a distance between landmarks that leaves room for bends like those of the map.
 int apart(const HuntSpace::Map& map) {

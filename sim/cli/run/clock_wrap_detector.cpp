@@ -26,8 +26,8 @@ namespace {
 constexpr std::int64_t kMillisecond = 1'000'000, kSecond = 1'000 * kMillisecond;
 constexpr std::int64_t kMillisWrap = (std::int64_t{1} << 32) * kMillisecond;
 constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
-// With a clock lower by this, neither millis() nor micros() wraps during the run, and millis() % 1000 is
-// equal.
+// If the clock is lower by this amount, neither millis() nor micros() wraps during the run, and
+// millis() % 1000 is unchanged.
 constexpr std::int64_t kLower = 2000 * kSecond;
 // Values other than a wrap that change a clock's length: one more digit and one more bit, also of the
 // seconds.

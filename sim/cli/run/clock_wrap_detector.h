@@ -9,8 +9,8 @@
 // The detector repeats the run with a clock that wraps to 0 during it. It also repeats the run with a clock
 // that is nearly as high and does not wrap. If these two runs differ after the wrap, the sketch cannot handle
 // it. A difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line
-// counts show which line ran far more often, or stopped running. Some sketches also differ with clocks that do not
-// wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
+// counts show which line ran far more often, or stopped running. Some sketches also differ with clocks that
+// do not wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The
 // detector misses deadlines that are not pending at any of these moments, and variables of 16 bits. It skips

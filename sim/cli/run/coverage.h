@@ -23,7 +23,7 @@ class CounterFile {
   /// Adds the run to the folder, and returns the report: the lines that none of the folder's runs reached.
   std::string keep(const build::Request& request, const build::Image& image,
                    const std::string& description) const;
-  /// Makes the page of all runs in the folder, if its tool is installed, and returns its place.
+  /// Makes the page of all runs in the folder if the necessary tool is installed. Returns the page's path.
   std::string make_page() const;
   const std::filesystem::path& path() const { return path_; }
 

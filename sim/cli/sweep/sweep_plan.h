@@ -53,7 +53,8 @@ struct SweepPlan {
 
 class SweepSupplies;
 
-/// Finds the files and compiles the sketches. Does and reports work that several sweeps share only once.
+/// Finds the files and compiles the sketches. Work that several sweeps share is done and
+/// reported only once.
 class SweepPlanner {
  public:
   SweepPlanner(tui::Progress& progress, Says says);

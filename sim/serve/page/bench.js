@@ -82,8 +82,8 @@ function touchable(page) {
   page.touchable = true;  // for tests
 }
 
-/** Adds an action at the shown time, and repeats the run from there. Sends the action to a run that is watched
- *  now. */
+/** Adds an action at the shown time, and repeats the run from there. If a run is being
+ *  watched, sends the action to it instead. */
 function act(what) {
   const page = shown();
   if (watching) return watching.ask({ do: 'script', lines: what, agent: page.run.number });
@@ -192,7 +192,7 @@ function lose() {
   }, 1000);
 }
 
-// Also informs users who only look at the page.
+// Also notices a lost server while the user does nothing.
 setInterval(() => {
   if (!document.hidden && !running && !isLost) fetch('/bench.css', { cache: 'no-store' }).catch(lose);
 }, 2000);

@@ -1,5 +1,5 @@
-// The module (sim/tab/run.cpp) with everything that a run needs: files in the module's own file system, and
-// one call. A plain script, for the worker and for tests without a browser.
+// Makes runs with the module (sim/tab/run.cpp). Writes the files that a run needs to the module's own file
+// system. This is a plain script, for the worker and for tests without a browser.
 
 class Bench {
   /** `robots`: texts of the stock robots by name. `options`: the module's; `reached` is called with the simulated
