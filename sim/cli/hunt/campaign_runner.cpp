@@ -78,7 +78,8 @@ void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& prog
                         std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
     for (const bool checked : {false, true}) {
-      // Next to a chip, only a build with checks is useful on the host.
+      // Skips builds with checks for a finished image and for the STM32. Skips the host's build without checks
+      // if there are several targets.
       if (checked && (!sketch.elf_target.empty() || target == "stm32")) continue;
       if (!checked && target == "host" && targets.size() > 1) continue;
       launch.target = target;

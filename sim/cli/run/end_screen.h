@@ -20,7 +20,7 @@ ScreenSize screen_size();
 /// Throws InputError if --view has no terminal.
 void check_view(const RunArguments& arguments);
 
-/// Returns the map of a run, as drawn by its seed.
+/// Returns the map of a run, with the values that its seed and profile draw.
 grid::Map map_of(const wire::RunRequest& request);
 /// Returns the map for pictures; null if it is too large for one.
 std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request);
